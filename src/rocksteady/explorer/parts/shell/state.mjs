@@ -67,8 +67,8 @@ export const FIELDS = {
   tilt: numberField(0.8, 0.05, 0.98), // values of the scenes: theta/alpha at the start
   length: numberField(0.35, 0.12, 2.4), // of a pulse [s]
   strength: numberField(0.7, 0.1, 1.4), // of a pulse [g]
-  u: numberField(0.3, -1.1, 1.1), // theta/alpha, du/d(pt) at the start
-  v: numberField(0.35, -1.1, 1.1),
+  su: numberField(0.3, -1.1, 1.1), // theta/alpha, du/d(pt) at the start
+  sv: numberField(0.35, -1.1, 1.1),
   shake: numberField(2.699, 2, 2.75), // amplitude over alpha g
   pga: numberField(0.5, 0.2, 1.1), // [g]
   tab: choiceField(...TABS),
@@ -128,8 +128,8 @@ export const FIELDS = {
  * @property {number} tilt
  * @property {number} length
  * @property {number} strength
- * @property {number} u
- * @property {number} v
+ * @property {number} su
+ * @property {number} sv
  * @property {number} shake
  * @property {number} pga
  * @property {string} tab

@@ -18,7 +18,7 @@ const GLOW = 0.3; // [s] of an impact
 const SLOWEST_FLASH = 0.02; // du/d(pt) of an impact that is seen
 export const NARROW = 600; // [px] below which a picture stacks its parts
 
-/** @typedef {'tilt' | 'length' | 'strength' | 'u' | 'v' | 'shake' | 'pga'} Value */
+/** @typedef {'tilt' | 'length' | 'strength' | 'su' | 'sv' | 'shake' | 'pga'} Value */
 
 /**
  * Return the canvas of a scene, and what writes its answer, which is the picture's name too.

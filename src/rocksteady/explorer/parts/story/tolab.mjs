@@ -41,7 +41,7 @@ export function labState(app, scene) {
     case 'fates':
       return {
         ...si, tab: 'basins', model: 'linear', b: 0.3, h: 1, rh: 0, r: FATE_SHAKING.restitution,
-        A: FATE_SHAKING.amplitude, W: FATE_SHAKING.frequencyRatio, start: `${state.u},${state.v}`,
+        A: FATE_SHAKING.amplitude, W: FATE_SHAKING.frequencyRatio, start: `${state.su},${state.sv}`,
       };
     case 'order':
       return {

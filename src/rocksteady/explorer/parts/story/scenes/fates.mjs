@@ -74,7 +74,7 @@ export function makeFates(app) {
   const middle = (/** @type {number} */ k) => REACH * ((2 * k + 1) / SIDE - 1);
 
   const go = () => {
-    const { u, v } = app.state;
+    const { su: u, sv: v } = app.state;
     const [fate] = stateFates(kernels, { alpha: block.alpha, angles: [u], velocities: [v] });
     reel = stateReel(kernels, block, u, v, SECONDS);
     answer(ANSWERS[fate]);
@@ -111,7 +111,7 @@ export function makeFates(app) {
     }
     write(pen, theme, 'tilt at the start', left + area[2], top + side + 32, { align: 'right' });
     write(pen, theme, 'speed at the start [°/s]', left - 34, top - 10);
-    drawRing(pen, theme, across(state.u), up(state.v));
+    drawRing(pen, theme, across(state.su), up(state.sv));
   });
 
   /** @param {CanvasRenderingContext2D} pen @param {Area} area */
@@ -154,15 +154,15 @@ export function makeFates(app) {
     player.play();
   };
   const degrees = (180 / Math.PI) * block.alpha;
-  tieSlider(app, 'u', { text: (u) => `${(degrees * u).toFixed(1)}°`, change });
-  tieSlider(app, 'v', { text: (v) => `${(degrees * block.p * v).toFixed(0)} °/s`, change });
+  tieSlider(app, 'su', { text: (u) => `${(degrees * u).toFixed(1)}°`, change });
+  tieSlider(app, 'sv', { text: (v) => `${(degrees * block.p * v).toFixed(0)} °/s`, change });
   go();
   element('go-fates').addEventListener('click', player.play);
   dragOn(canvas, (x, y) => (inArea(plane, x, y, 4) ? 'start' : null), (_, x, y, done) => {
     const [left, top, width, height] = /** @type {Area} */ (plane);
     const within = (/** @type {number} */ part) =>
       Number(Math.max(-FARTHEST, Math.min(FARTHEST, (2 * part - 1) * REACH)).toFixed(3));
-    app.set({ u: within((x - left) / width), v: within(1 - (y - top) / height) },
+    app.set({ su: within((x - left) / width), sv: within(1 - (y - top) / height) },
       { settled: done, push: false });
   });
   for (let row = 0; row < SIDE; row += ROWS) {
