@@ -30,7 +30,7 @@ async function openPage() {
   const app = makeApp(found, pool, JSON.parse(blockText('first-view')));
   app.motions = motionsPutIn(blockText('motions'));
   applyTheme(app);
-  await openPlaces(app, { story: () => makeStory(app, turn), lab: () => openLab(app) });
+  await openPlaces(app, { story: () => makeStory(app), lab: () => openLab(app) });
   darkSystem().addEventListener('change', () => applyTheme(app));
   let { look } = app.state;
   document.addEventListener('state', () => {
