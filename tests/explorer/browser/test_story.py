@@ -25,8 +25,8 @@ def said(page: Page, name: str, pattern: str, seconds: float = 8.0) -> None:
 
 def shake(page: Page, pixels: int) -> None:
     """Drag the ground to and fro."""
-    width, height = (page.viewport_size or {"width": 0, "height": 0}).values()
-    x, y = width / 2, height / 2
+    assert page.viewport_size is not None
+    x, y = page.viewport_size["width"] / 2, page.viewport_size["height"] / 2
     page.mouse.move(x, y)
     page.mouse.down()
     for there in (pixels, -pixels, pixels, 0):

@@ -77,9 +77,9 @@ def ran(in_node: InNode, hand: Floats, seed: int = 1) -> Any:
 def test_a_hand_at_rest_with_a_jitter_of_a_pixel_never_lifts_the_block(in_node: InNode) -> None:
     rng = np.random.default_rng(48)
     event = np.repeat(rng.integers(-1, 2, 4 * 60), 8)  # one an event, 60 a second
-    fastest = np.where(np.arange(4 * 480) % 16 < 8, 1.0, -1.0)
+    fastest = np.where(np.arange(4 * 480) % 16 < 8, 1, -1)
     for places in (event, fastest):
-        found = ran(in_node, PIXEL * places)
+        found = ran(in_node, np.multiply(PIXEL, places, dtype=np.float64))
         assert found["peak"] == 0.0
         assert found["side"] == 0
         assert max(map(abs, found["pushes"])) < 0.5 * 9.80665 * math.tan(BLOCK.alpha)
