@@ -79,9 +79,9 @@ def scene_document(scene: str, *, module: bytes) -> str:
     """
     code = program(scene)
     words = (PARTS / "index.html").read_text(encoding="utf-8")
-    found = re.search(rf'<section[^>]* data-at="{scene}".*?</section>', words, re.DOTALL)
-    assert found is not None
-    (heading,) = re.findall(r"<h[12][^>]*>(.*?)</h[12]>", found[0])
+    section = re.search(rf'<section[^>]* data-at="{scene}".*?</section>', words, re.DOTALL)
+    assert section is not None
+    (heading,) = re.findall(r"<h[12][^>]*>(.*?)</h[12]>", section[0])
     style = _style("base.css", "story.css")
     names = frozenset(re.findall(r"\.(\w+)\(", code)) | {
         f"fill_{name}" for name in re.findall(r"[\"'](\w+)[\"']", code)
@@ -90,7 +90,7 @@ def scene_document(scene: str, *, module: bytes) -> str:
         "csp": html.escape(_policy(code, style)),
         "style": style,
         "title": heading,
-        "scene": found[0],
+        "scene": section[0],
         "palette": _block(page_theme()),
         "view": _block({"at": scene}),
         "kernels": _packed(trimmed(module, names)),

@@ -1,7 +1,7 @@
 """A WebAssembly module with some of its entries: what no entry reaches is emptied.
 
-The functions keep their numbers, so that nothing has to be renumbered: those that no kept entry
-reaches get a body of three bytes, and their exports go.  The format is that of the WebAssembly core
+Functions keep their numbers, so that nothing has to be renumbered: a function that no kept entry
+reaches gets a body of three bytes, and its export goes.  The format is that of the WebAssembly core
 specification 2.0, section 5.
 """
 
@@ -39,20 +39,20 @@ def trimmed(module: bytes, entries: frozenset[str]) -> bytes:
     module
         A module of this package.
     entries
-        Names of exports of functions that are kept, besides those that are no kernel.
+        Names of the kernels that are kept; memory and what allocates in it always are.
     """
     sections = list(_sections(module))
-    found = dict(sections)
-    exports = list(_exports(found[EXPORT]))
+    contents = dict(sections)
+    exports = list(_exports(contents[EXPORT]))
     kept = [
         (raw, kind, index)
         for name, kind, index, raw in exports
         if kind != 0 or not name.startswith("rs_") or name.removeprefix("rs_") in entries
     ]
-    imported = _count(found.get(IMPORT, b"\x00"))
-    bodies = list(_bodies(found[CODE]))
+    imported = _count(contents.get(IMPORT, b"\x00"))
+    bodies = list(_bodies(contents[CODE]))
     waiting = [index for _, kind, index in kept if kind == 0]
-    if ELEMENT in found:  # any function of a table may be called
+    if ELEMENT in contents:  # any function of a table may be called
         waiting += range(imported, imported + len(bodies))
     reached: set[int] = set()
     while waiting:
@@ -64,7 +64,7 @@ def trimmed(module: bytes, entries: frozenset[str]) -> bytes:
         _number(len(body)) + body if imported + place in reached else EMPTY
         for place, body in enumerate(bodies)
     ]
-    changed = found | {
+    changed = contents | {
         EXPORT: _number(len(kept)) + b"".join(raw for raw, _, _ in kept),
         CODE: _number(len(code)) + b"".join(code),
     }
@@ -169,9 +169,9 @@ def _read(content: bytes, at: int) -> tuple[int, int]:
 
 def _number(value: int) -> bytes:
     """Return a number in LEB128."""
-    found = bytearray()
+    digits = bytearray()
     while True:
         value, low = value >> 7, value & 0x7F
         if not value:
-            return bytes([*found, low])
-        found.append(low | 0x80)
+            return bytes([*digits, low])
+        digits.append(low | 0x80)

@@ -84,7 +84,7 @@ def write_explorer(
 
 
 def scene_alone(view: ExplorerView, records: Sequence[Record | Recording] | None) -> str:
-    """Return the scene of a view that says nothing else.
+    """Return the scene of a view that holds nothing else.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-// 6. An earthquake: a verdict with its 26 neighbours, and why engineers speak of probabilities.
+// 6. An earthquake: a verdict with its 26 neighbours, and why engineers give probabilities.
 
 /** @import { App } from '../../shell/app.mjs' */
 /** @import { Area } from '../draw.mjs' */
@@ -26,7 +26,7 @@ export function crowdAnswer(own, others, all) {
   const alike = own ? others : all - others;
   if (alike === all) return own ? 'It falls, and so do all its neighbours.' : 'It stands, and so do all its neighbours.';
   const rest = own ? `${all - others} of its ${all} neighbours stand` : `${others} of its ${all} neighbours fall`;
-  return `Yours ${own ? 'falls' : 'stands'}, but ${rest}. That is why engineers speak of probabilities.`;
+  return `Yours ${own ? 'falls' : 'stands'}, but ${rest}. That is why engineers give probabilities.`;
 }
 
 /** Make the scene. @param {App} app */
