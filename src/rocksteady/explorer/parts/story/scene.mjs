@@ -170,7 +170,7 @@ export function drawHistory(pen, theme, reel, time, { area, seconds, base }) {
       const at = (k / (points - 1)) * seconds;
       return [across(at), low - base(at) * 0.06 * height];
     }, { role: 'base', width: 1.25 });
-    write(pen, theme, 'ground', left + 0.2 * width, low - 7, { role: 'base', bold: true });
+    write(pen, theme, 'ground', left + 0.2 * width, low - 7, { role: 'base', bold: true, over: 'page' });
   }
   const { angle, step, impacts } = reel, count = Math.min(angle.length, Math.ceil(seconds / step) + 1);
   const place = (/** @type {number} */ k) => /** @type {const} */ ([across(k * step), up(angle[k])]);
