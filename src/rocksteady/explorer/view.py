@@ -117,7 +117,7 @@ def state_of(view: ExplorerView, *, on_records: bool) -> dict[str, str]:
     sized = not isinstance(view.block, DimensionlessBlock)
     nonlinear = on_records and sized if view.model is None else view.model.name == "nonlinear"
     state = {
-        "at": view.scene or ("push" if view == ExplorerView() and not on_records else "lab"),
+        "at": view.scene or ("push" if is_plain(view) and not on_records else "lab"),
         "tab": view.tab or ("quake" if on_records else "explore"),
         "model": "nonlinear" if nonlinear else "linear",
         "start": _start_text(view.start),
@@ -131,6 +131,12 @@ def state_of(view: ExplorerView, *, on_records: bool) -> dict[str, str]:
     if view.scale != 1.0:
         state["scale"] = _text(view.scale)
     return state
+
+
+def is_plain(view: ExplorerView) -> bool:
+    """Return whether a view gives nothing that the laboratory alone shows."""
+    nothing = (view.block, view.motion, view.model, view.tab) == (None, None, None, None)
+    return nothing and view.scale == 1.0 and _start_text(view.start) == "rest"
 
 
 def _motion_state(motion: Harmonic) -> dict[str, str]:

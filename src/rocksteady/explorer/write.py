@@ -8,7 +8,7 @@ from rocksteady.explorer._motions import motions_of
 from rocksteady.explorer._page import document, scene_document
 from rocksteady.explorer._program import SCENES
 from rocksteady.explorer.module import page_module
-from rocksteady.explorer.view import ExplorerView, state_of
+from rocksteady.explorer.view import ExplorerView, is_plain, state_of
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.record import Record
 from rocksteady.records.core.recording import Recording
@@ -98,8 +98,7 @@ def scene_alone(view: ExplorerView, records: Sequence[Record | Recording] | None
             f"one scene stands alone: {', '.join(SCENES)}",
             "give the view a scene, or leave embed out",
         )
-    plain = state_of(ExplorerView(scene=view.scene), on_records=False)
-    if records or state_of(view, on_records=False) != plain:
+    if records or not is_plain(view):
         raise InputError(
             "embed", True, "a scene has its own blocks and motions", "leave the others out"
         )

@@ -19,7 +19,7 @@ from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel
 from rocksteady.seismic.spectra.grounds import check_grounds, extremes_of, grounds_of, names_of
-from rocksteady.seismic.spectra.many import DIRECTIONS, blocks_of
+from rocksteady.seismic.spectra.many import DIRECTIONS, blocks_of, chosen
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import evaluate
@@ -107,7 +107,7 @@ def run_ensemble(
     band = RestitutionBand() if restitution is None else restitution
     for body in bodies:
         band.ratios(body)  # refused before anything runs
-    directions = _chosen(reverse, DIRECTIONS)
+    directions = chosen(reverse, DIRECTIONS)
     lifts = _lifts(vertical, grounds)
     at = np.array(wanted.levels_for(bodies))
     at_one = wanted.at_scale_one(records, bodies)
@@ -175,14 +175,9 @@ def run_ensemble(
     )
 
 
-def _chosen(value: object, both: tuple[str, str]) -> tuple[str, ...]:
-    """Return one of two kinds of runs, or both."""
-    return (both[value],) if isinstance(value, bool) else both
-
-
 def _lifts(value: object, grounds: Sequence[GroundShaking]) -> tuple[str, ...]:
     """Return whether runs are with vertical motion, without, or both."""
-    lifts = _chosen(value, VERTICAL)
+    lifts = chosen(value, VERTICAL)
     if any(ground.vertical is not None for ground in grounds):
         return lifts
     if value is True:
