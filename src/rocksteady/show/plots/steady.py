@@ -259,7 +259,7 @@ def draw_regions(
     corner, taken = words.emptiest_corner(*KEY), (0.0, 0.0, 0.0, 0.0)
     if place == "inside":
         wide, tall = extent(axes, width=KEY[0], height=KEY[1])
-        x, y = (CORNERS[corner] * (1.0 - np.array([wide, tall]))).tolist()
+        x, y = CORNERS[corner][0] * (1.0 - wide), CORNERS[corner][1] * (1.0 - tall)
         taken = x, y, x + wide, y + tall
         words.take_box(*taken)
     least = max(LEAST_ROOM, 0.75 * text_size(axes, 9.5) / size_of(axes)[1])
