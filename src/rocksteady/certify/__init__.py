@@ -1,0 +1,1 @@
+"""Proofs in ball arithmetic, their certificates, and the programs that check them alone."""

@@ -1,0 +1,175 @@
+"""Certificates: what is proved, with the numbers from which a program of its own checks it."""
+
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from rocksteady.certify.balls import BITS, Stated, stated
+from rocksteady.errors import ModelError, Words
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.equations import Linear, Model
+from rocksteady.results.answer import Answer
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.result import Result
+
+FORMAT = "rocking-certificate/1"
+"""What the first key of a file holds."""
+PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
+NAMES = ("amplitude", "frequency_ratio", "restitution")
+"""Names of the numbers of harmonic shaking, in the order of `flight.Shaking`."""
+SYMBOLS = dict(zip(NAMES, ("A", "W", "restitution"), strict=True))
+
+Numbers = dict[str, Stated]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Certificate(Result):
+    """A claim with its verdict, and the numbers from which the standalone program proves it again.
+
+    Attributes
+    ----------
+    kind
+        "orbit", "point", "fate", "region" or "chaos".
+    verdict
+        "proved", "refuted" where the opposite is proved, or "undecided".
+    claim
+        The claim in a sentence.
+    model
+        The decimals of each parameter: of two the claim holds for all numbers between them, which
+        are the text that was given and its double.
+    bits
+        Precision that decided; 0 where none did.
+    content
+        What else the file holds.
+    facts
+        What is known beside the claim: label and words.
+    reason
+        Why it is not proved; empty where it is.
+    """
+
+    kind: str
+    verdict: str
+    claim: str
+    model: Mapping[str, Stated]
+    bits: int
+    content: Mapping[str, Any]
+    facts: tuple[Fact, ...] = ()
+    reason: str = ""
+
+    @property
+    def proved(self) -> bool:
+        """Whether the claim is proved."""
+        return self.verdict == PROVED
+
+    def to_json(self) -> str:
+        """Return the text of the certificate's file.
+
+        Raises
+        ------
+        ModelError
+            If the claim is not proved.
+        """
+        if not self.proved:
+            raise ModelError(
+                "certificate",
+                Words(f"is {self.verdict}"),
+                self.reason or "there is no proof",
+                "save what is proved",
+            )
+        model = {name: list(texts) for name, texts in self.model.items()}
+        values = {"format": FORMAT, "kind": self.kind, "model": model, **self.content}
+        return json.dumps(values, indent=1) + "\n"
+
+    def save(self, file: str | PathLike[str]) -> None:
+        """Write the certificate as JSON.
+
+        Parameters
+        ----------
+        file
+            Where to.
+
+        Raises
+        ------
+        ModelError
+            If the claim is not proved.
+        """
+        Path(file).write_text(self.to_json(), encoding="utf-8")
+
+    def describe(self) -> Description:
+        """Return the claim, the verdict, and what is known beside it."""
+        headline = f"{self.verdict}: {self.claim}"
+        why = f"{headline}; {self.reason}" if self.reason else headline
+        words = tuple((fact.label, fact.words) for fact in self.facts if fact.label)
+        facts = [
+            Fact("proved", self.proved, "proved"),
+            Fact("verdict", self.verdict),
+            Fact("claim", self.claim, "claim"),
+            Fact("reason", self.reason, "reason" if self.reason else ""),
+            Fact("bits", self.bits, "bits"),
+            *self.facts,
+            Fact("model", {name: list(texts) for name, texts in self.model.items()}),
+        ]
+        notes = [meaning(self.model)] if self.proved else []
+        answer = Answer(why[:1].upper() + why[1:], facts=[*words, ("holds for", meaning(self.model))])
+        return Description(headline, facts, notes=notes, answer=answer)
+
+
+def meaning(model: Mapping[str, Stated]) -> str:
+    """Return of which numbers a claim is one, in words."""
+    doubles = [SYMBOLS.get(name, name) for name, texts in model.items() if len(texts) > 1]
+    if not doubles:
+        return "the decimals as they are written"
+    return f"{', '.join(doubles)}: the decimal, its double, and all between"
+
+
+def place(model: Mapping[str, Stated]) -> str:
+    """Return the parameters of a claim in words."""
+    return ", ".join(f"{SYMBOLS.get(name, name)} = {texts[0]}" for name, texts in model.items())
+
+
+def attempts(numbers: Numbers, most_bits: int) -> Iterator[tuple[int, Numbers]]:
+    """Yield precisions and numbers to try: with the doubles first, then the decimals alone.
+
+    Between a decimal and its double nothing is gained from more bits than the second precision.
+    """
+    alone = {name: texts[:1] for name, texts in numbers.items()}
+    if alone != numbers:
+        yield from ((bits, numbers) for bits in ladder(most_bits)[:2])
+    yield from ((bits, alone) for bits in ladder(most_bits))
+
+
+def ladder(most_bits: int) -> list[int]:
+    """Return the precisions of a proof that gives up at a number of bits."""
+    return [bits for bits in BITS if bits < most_bits] + [most_bits]
+
+
+def harmonic_numbers(amplitude: Any, ratio: Any, restitution: Any) -> Numbers:
+    """Return the decimals of the three parameters of harmonic shaking."""
+    given = zip(NAMES, (amplitude, ratio, restitution), strict=True)
+    return {name: stated(name, value) for name, value in given}
+
+
+def check_model(block: Block | DimensionlessBlock, model: Model) -> None:
+    """Refuse what no proof is written for.
+
+    Raises
+    ------
+    ModelError
+        If the equations are the full ones, the sides differ, or the block stands against a wall.
+    """
+    missing = ""
+    if not isinstance(model, Linear):
+        name, missing = "model", "enclosures of the Taylor series of the full equations"
+        hint = "ask for the linear model"
+    elif block.one_sided:
+        name, missing = "block", "the reversal of the velocity at a wall"
+        hint = "take a free block"
+    elif not block.symmetric:
+        name, missing = "block", "flights of two kinds for sides that differ"
+        hint = "take a block of equal sides"
+    if missing:
+        raise ModelError(name, Words("is not covered by proofs"), f"they lack {missing}", hint)
