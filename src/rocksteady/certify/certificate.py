@@ -49,6 +49,8 @@ class Certificate(Result):
         What is known beside the claim: label and words.
     reason
         Why it is not proved; empty where it is.
+    samples
+        The accelerations of a record [m/s^2], of which the file holds the hash alone.
     """
 
     kind: str
@@ -59,6 +61,7 @@ class Certificate(Result):
     content: Mapping[str, Any]
     facts: tuple[Fact, ...] = ()
     reason: str = ""
+    samples: tuple[float, ...] = ()
 
     @property
     def proved(self) -> bool:
@@ -81,7 +84,8 @@ class Certificate(Result):
                 "save what is proved",
             )
         model = {name: list(texts) for name, texts in self.model.items()}
-        values = {"format": FORMAT, "kind": self.kind, "model": model, **self.content}
+        values = {"format": FORMAT, "kind": self.kind, "model": model, "bits": self.bits}
+        values |= self.content
         return json.dumps(values, indent=1) + "\n"
 
     def save(self, file: str | PathLike[str]) -> None:

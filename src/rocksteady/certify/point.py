@@ -258,8 +258,8 @@ def certify_point(origin: BranchPoint, *, most_bits: int = MOST_BITS) -> Certifi
             "half_periods": list(proposal.half_periods),
             "phases": centres[:-1],
             "amplitude": centres[-1],
-            "radii": radii,
-            "claim": {"sign": sign, "opens": proof.opens, "critical": proof.critical},
+            "radii": [f"{radii[0]}", *(radii[1:])],
+            "claim": {"sign": sign},
         }
         facts = [
             Fact("amplitude", centres[-1], "A", shown),
