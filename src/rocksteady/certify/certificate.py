@@ -83,6 +83,13 @@ class Certificate(Result):
                 self.reason or "there is no proof",
                 "save what is proved",
             )
+        if not self.content:
+            raise ModelError(
+                "certificate",
+                Words("has no file"),
+                "it is proved here, but too long for the standalone program",
+                "save one of fewer impacts",
+            )
         model = {name: list(texts) for name, texts in self.model.items()}
         values = {"format": FORMAT, "kind": self.kind, "model": model, "bits": self.bits}
         values |= self.content
@@ -118,7 +125,9 @@ class Certificate(Result):
             Fact("model", {name: list(texts) for name, texts in self.model.items()}),
         ]
         notes = [meaning(self.model)] if self.proved else []
-        answer = Answer(why[:1].upper() + why[1:], facts=[*words, ("holds for", meaning(self.model))])
+        answer = Answer(
+            why[:1].upper() + why[1:], facts=[*words, ("holds for", meaning(self.model))]
+        )
         return Description(headline, facts, notes=notes, answer=answer)
 
 
@@ -165,15 +174,14 @@ def check_model(block: Block | DimensionlessBlock, model: Model) -> None:
     ModelError
         If the equations are the full ones, the sides differ, or the block stands against a wall.
     """
-    missing = ""
+    missing = None
     if not isinstance(model, Linear):
-        name, missing = "model", "enclosures of the Taylor series of the full equations"
-        hint = "ask for the linear model"
+        missing = "model", "enclosures of the Taylor series of the full equations", "linear model"
     elif block.one_sided:
-        name, missing = "block", "the reversal of the velocity at a wall"
-        hint = "take a free block"
+        missing = "block", "the reversal of the velocity at a wall", "free block"
     elif not block.symmetric:
-        name, missing = "block", "flights of two kinds for sides that differ"
-        hint = "take a block of equal sides"
-    if missing:
-        raise ModelError(name, Words("is not covered by proofs"), f"they lack {missing}", hint)
+        missing = "block", "flights of two kinds for sides that differ", "block of equal sides"
+    if missing is not None:
+        name, lack, other = missing
+        valid = f"proofs lack {lack}"
+        raise ModelError(name, Words("is not covered by proofs"), valid, f"take the {other}")

@@ -108,7 +108,9 @@ def certify_chaos(
         least, phases = content["least_half_periods"], content["phases"]
         which = f"flights of {least}, {least + 2}, {least + 4}, ... half periods"
         boxes = " or ".join(f"{phase} rad" for phase in phases)
-        facts = [Fact("impact_phases", phases, "impacts at", f"{boxes}, within {content['radius']}")]
+        facts = [
+            Fact("impact_phases", phases, "impacts at", f"{boxes}, within {content['radius']}")
+        ]
     else:
         count = len(content["frames"])
         which = f"words of 1 and {count} impacts"

@@ -5,9 +5,9 @@ Usage: python checker.py [--iv] FILE...   Exit code 0 holds, 1 refused, 3 undeci
 Needs Python with python-flint (Arb), or with mpmath and --iv (its intervals). Believes no number of
 a certificate but the parameters of the claim: what else stands there is tested.
 
-A block of two equal sides rocks under A sin(W t): y'' = y - 1 + A sin(phase + W t), seen from the side
-of a flight. At y = 0 it changes sides, which adds pi to the phase, and keeps r of its speed. Between
-impact phases p, q a flight lasts T = (q - p + n pi)/W, n odd, and with b = A/(1 + W^2) it is
+A block of two equal sides rocks under A sin(W t): y'' = y - 1 + A sin(phase + W t), seen from the
+side of a flight. At y = 0 it changes sides, which adds pi to the phase, and keeps r of its speed.
+Between impact phases p, q a flight lasts T = (q - p + n pi)/W, n odd; with b = A/(1 + W^2) it is
 y = 1 - b sin(p + W t) - (1 - b sin p) sh(T - t)/sh T - (1 + b sin q) sh t/sh T.
 It leaves with w = (1 - b sin p)/th T - (1 + b sin q)/sh T - b W cos p and lands with
 V = (1 + b sin q)/th T - (1 - b sin p)/sh T - b W cos q; an impact fits its flights where
@@ -185,9 +185,7 @@ def point(K, c):
             e, J, by_A, t = chain(K, (A, W, r, A / (1 + W * W)), x, n)
             return e, [[*row[1:], a] for row, a in zip(J, by_A)], t
 
-        x = X[1:]
-        for _ in range(3):
-            x = krawczyk(K, lambda x, f=system: f(x)[:2], x)
+        x = krawczyk(K, lambda x, f=system: f(x)[:2], X[1:])
         g = system(x)[2] - s * (1 + r ** (2 * m))
         signs.append(positive(g) - positive(-g))
     for k in range(m):
@@ -198,9 +196,11 @@ def point(K, c):
 def sure(K, test, parts, depth=12):
     """Test boxes, each bisected where it is undecided."""
     try:
-        return need(test(*parts))
+        need(test(*parts))
     except ArithmeticError:
         need(depth)
+    else:
+        return
     ends = [K.ends(x) for x in parts]
     w = max(range(len(parts)), key=lambda k: float(K.mid(ends[k][1] - ends[k][0])))
     for half in (K.hull(ends[w][0], K.mid(parts[w])), K.hull(K.mid(parts[w]), ends[w][1])):

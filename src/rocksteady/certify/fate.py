@@ -37,7 +37,9 @@ EDGE = Fraction(1, 10**9)
 """Part of an amplitude on either side of an edge of a window where its enclosure starts."""
 
 
-def proof_of(content: dict[str, Any], samples: list[float], numbers: Numbers, most_bits: int) -> Any:
+def proof_of(
+    content: dict[str, Any], samples: list[float], numbers: Numbers, most_bits: int
+) -> Any:
     """Return outcome and impacts, the bits that decided, and of which numbers it is that.
 
     The run is that of `rocksteady.certify.fate_checker`, the program that checks the certificate.
@@ -137,9 +139,7 @@ def certify_fate(
     else:
         doubles = block.alpha, block.p, block.gravity, motion.dt_s, block.restitution
         names = ("alpha", "p", "gravity", "dt_s", "restitution")
-        numbers = {
-            name: (decimal_of(Fraction(x)),) for name, x in zip(names, doubles, strict=True)
-        }
+        numbers = {name: (decimal_of(Fraction(x)),) for name, x in zip(names, doubles, strict=True)}
         samples = motion.acceleration_m_s2.tolist()
         packed = motion.acceleration_m_s2.astype("<f8").tobytes()
         content = {"samples": len(samples), "sha256": hashlib.sha256(packed).hexdigest()}

@@ -1,15 +1,17 @@
 """Check certificates of the fate of a rocking block, with this file alone.
 
-Usage: python fate_checker.py [--iv] CERTIFICATE [SAMPLES]   Exit code 0 holds, 1 refused, 3 undecided.
+Usage: python fate_checker.py [--iv] CERTIFICATE [SAMPLES]   Exit code 0 holds, 1 refused,
+3 undecided.
 
-Needs Python with python-flint (Arb), or with mpmath and --iv (its intervals). SAMPLES of a record are
-its accelerations in m/s^2, one number a line; a certificate names them by the SHA-256 of their doubles.
+Needs Python with python-flint (Arb), or with mpmath and --iv (its intervals). SAMPLES of a record
+are its accelerations in m/s^2, one number a line; a certificate has the SHA-256 of their doubles.
 A pulse stands in its certificate, in pieces: duration in quarters of the period, c, d times the
-duration, A, W over the frequency and the phase in quarters of a turn, accelerations over the amplitude.
+duration, A, W over the frequency and the phase in quarters of a turn, both over the amplitude.
 
-A block at rest on a moving base lifts where its acceleration a, over alpha g, leaves [-1, 1]. Seen from
-its side s it is y'' = y - 1 + s a, y >= 0; at y = 0 it changes sides and keeps r of its speed. Where a is
-c + d t + A sin(p + W t), y + y' and y - y' less those of the forced part grow and decay as e^t and e^-t.
+A block at rest on a moving base lifts where the acceleration a, over alpha g, leaves [-1, 1]. Seen
+from its side s, y'' = y - 1 + s a with y >= 0; at y = 0 it changes sides and keeps r of its speed.
+Where a is c + d t + A sin(p + W t), y + y' and y - y' less those of the forced part grow and decay
+as e^t and e^-t.
 A flight is (time in the span, side, y + y', y - y', whether y is 0, whether it begins at rest).
 """
 
@@ -18,6 +20,7 @@ import json
 import struct
 import sys
 from fractions import Fraction
+from itertools import pairwise
 from types import SimpleNamespace as K
 
 
@@ -220,7 +223,7 @@ def run(K, c, samples, model):
     }
     if "sha256" in c:
         a, D = [K.num(x) / (n["alpha"] * n["gravity"]) for x in samples], n["p"] * n["dt_s"]
-        lines = zip(a, a[1:], strict=False)
+        lines = pairwise(a)
         return fate(K, [(D, p, (q - p) / D, None, None, None) for p, q in lines], n["restitution"])
     A, W, spans = n["amplitude"], n["frequency_ratio"], []
     for turn, c0, c1, size, turns, phase in ([K.num(x) for x in piece] for piece in c["pieces"]):

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from rocksteady.certify.balls import Stated, above, arb, ball, below, halves, hull, mid
+from rocksteady.certify.balls import Stated, above, arb, ball, halves, hull, mid
 
 DEPTH = 60
 """Bisections of a flight after which its height above the floor is undecided."""
@@ -71,12 +71,6 @@ def factors(duration: Any) -> Factors:
     return Factors((1 + square) * scale, 2 * decay * scale, (1 - decay) / (1 + decay))
 
 
-def factors_from(duration: arb) -> Factors:
-    """Return the factors of all durations from the least of a ball on."""
-    coth, csch, tanh = factors(duration)
-    return Factors(hull(1, coth), hull(0, csch), hull(tanh, 1))
-
-
 def liftoff(shaking: Shaking, here: Phase, then: Phase, flight: Factors) -> Any:
     """Return the speed w at the start of a flight."""
     beta = shaking.beta
@@ -91,21 +85,19 @@ def landing(shaking: Shaking, here: Phase, then: Phase, flight: Factors) -> Any:
     return push - beta * shaking.ratio * then.cosine
 
 
-def row(
-    shaking: Shaking, last: Phase, here: Phase, then: Phase, *flights: Factors
-) -> Row:
+def row(shaking: Shaking, ends: list[Phase], first: Factors, second: Factors) -> Row:
     """Return (E3) at an impact: e = (restitution V - w)/beta, with V before and w after it.
 
     Parameters
     ----------
     shaking
         Its parameters.
-    last, here, then
+    ends
         The impact phases before, at and after it.
-    flights
+    first, second
         Factors of the flight before it and of the one after it.
     """
-    first, second = flights
+    last, here, then = ends
     beta, ratio, loss = shaking.beta, shaking.ratio, shaking.restitution
     both = loss * first.coth + second.coth
     inverse = 1 / beta
@@ -131,12 +123,11 @@ def row(
 
 
 class Arc(NamedTuple):
-    """A flight, or all flights from a duration on: phases of its ends, and the (least) duration."""
+    """A flight: phases of its ends, and its duration."""
 
     phase: arb
     next_phase: arb
     duration: arb
-    longer: bool = False
 
 
 def stays_above(shaking: Shaking, arc: Arc, depth: int = DEPTH) -> bool | None:
@@ -144,47 +135,28 @@ def stays_above(shaking: Shaking, arc: Arc, depth: int = DEPTH) -> bool | None:
 
     By (E2), from both ends towards the middle, with y' where y begins or ends at 0.
     """
-    beta, least = shaking.beta, arc.duration
+    beta = shaking.beta
     first, last = 1 - beta * arc.phase.sin(), 1 + beta * arc.next_phase.sin()
-    middle = below(least) / 2 if arc.longer else above(least) / 2
-    span = 1 - (-2 * least).exp()
-    if arc.longer:
-        if not 1 - beta - 2 * hull(first, last) * (-middle).exp() / span > 0:
-            return None
-        span = hull(span, 1)
     ends = (arc.phase, 1, first, last), (arc.next_phase - arb.pi(), -1, last, first)
-    found = [_rises(shaking, arc, span, middle, *end, depth=depth) for end in ends]
+    found = [_rises(shaking, arc.duration, *end, depth=depth) for end in ends]
     return False if False in found else (None if None in found else True)
 
 
-def _rises(  # noqa: PLR0917 -- the six numbers of a half of a flight
-    shaking: Shaking,
-    arc: Arc,
-    span: arb,
-    middle: arb,
-    phase: arb,
-    sense: int,
-    near: arb,
-    far: arb,
-    *,
-    depth: int,
+def _rises(
+    shaking: Shaking, duration: arb, phase: arb, sense: int, near: arb, far: arb, *, depth: int
 ) -> bool | None:
     """Return whether half of a flight is above the floor, counted from one of its ends."""
-    beta, least = shaking.beta, arc.duration
-    speed = sense * shaking.ratio
-
-    def shrunk(value: arb) -> arb:
-        return hull(0, value) if arc.longer else value
+    beta, speed, span = shaking.beta, sense * shaking.ratio, 1 - (-2 * duration).exp()
 
     def state(u: arb, *, slope: bool) -> arb:
-        decay, back = (-u).exp(), shrunk((u - 2 * least).exp())
-        up, down = (u - least).exp(), (-u - least).exp()
+        decay, back = (-u).exp(), (u - 2 * duration).exp()
+        up, down = (u - duration).exp(), (-u - duration).exp()
         sine, cosine = (phase + speed * u).sin_cos()
-        if slope:
-            return (near * (decay + back) - far * shrunk(up + down)) / span - beta * speed * cosine
-        return 1 - beta * sine - (near * (decay - back) + far * shrunk(up - down)) / span
+        rise = (near * (decay + back) - far * (up + down)) / span - beta * speed * cosine
+        height = 1 - beta * sine - (near * (decay - back) + far * (up - down)) / span
+        return arb(rise if slope else height)
 
-    return bisected(hull(0, middle), state, depth)
+    return bisected(hull(0, above(duration) / 2), state, depth)
 
 
 def bisected(whole: arb, state: Callable[..., arb], depth: int) -> bool | None:

@@ -16,7 +16,7 @@ from rocksteady.dynamics.steady.states import steady_states
 
 NEAR = 1e-3
 """Distance from the symmetric motion at which its homoclinic motion is cut [rad]."""
-POINTS, STEPS = 4000, 40
+POINTS, STEPS = 3000, 36
 """Points of the unstable manifold that are followed, and for how many impacts."""
 MARGIN = 1.15
 """Factor by which a set grows less, and shrinks less, than the motion would have it."""
@@ -57,7 +57,7 @@ class Model(NamedTuple):
         return mismatch, before, at, (np.cos(z) - late / (beta * ratio)) * q1
 
     def next_phase(self, x: Any, y: Any) -> Any:
-        """Return the next impact phase of arrays of states, nan where Newton's method finds none."""
+        """Return the next impact phases of states, nan where Newton's method finds none."""
         z = np.array(y, dtype=np.float64)
         step = np.inf
         for _ in range(12):
@@ -119,6 +119,7 @@ def polished(model: Model, saddle: Saddle, orbit: Floats) -> Floats | None:
     before = 2 + round(math.log(1e13 * NEAR) / math.log(abs(saddle.unstable)))
     ends = np.full(before, saddle.phase), np.full(pad, saddle.phase)
     phases = np.concatenate([ends[0], orbit, ends[1]])
+    step = np.full(1, np.inf)
     for _ in range(30):
         mismatch, early, at, late = model.row(phases[:-2], phases[1:-1], phases[2:])
         jacobian = np.diag(at) + np.diag(early[1:], -1) + np.diag(late[:-1], 1)
@@ -144,9 +145,7 @@ def frames_along(model: Model, saddle: Saddle, orbit: Floats) -> list[list[str]]
     count = len(orbit) - 2
     basis = np.array([[1.0, 1.0], [saddle.unstable, saddle.stable]])
     basis /= np.linalg.norm(basis, axis=0)
-    first, last = (
-        np.linalg.solve(basis, orbit[k : k + 2] - saddle.phase) for k in (0, count)
-    )
+    first, last = (np.linalg.solve(basis, orbit[k : k + 2] - saddle.phase) for k in (0, count))
     slopes = [model.slopes(*orbit[k : k + 3]) for k in range(count)]
     ahead, behind = [basis[:, 0]], [basis[:, 1]]
     for slope in slopes:
@@ -155,7 +154,7 @@ def frames_along(model: Model, saddle: Saddle, orbit: Floats) -> list[list[str]]
     for slope in slopes[::-1]:
         behind.append(np.linalg.solve(slope, behind[-1]))
         behind[-1] /= np.linalg.norm(behind[-1])
-    behind = behind[::-1]
+    behind.reverse()
     growth, shrinkage = [], []
     for k, slope in enumerate(slopes):
         image = np.linalg.solve(
@@ -208,7 +207,9 @@ def chains(amplitude: float, ratio: float, restitution: float) -> Iterator[dict[
     """
     model = Model(amplitude, ratio, restitution)
     saddle = find_saddle(model)
-    for course in () if saddle is None else homoclinics(model, saddle):
+    if saddle is None:
+        return
+    for course in homoclinics(model, saddle):
         orbit = polished(model, saddle, course)
         frames = None if orbit is None else frames_along(model, saddle, orbit)
         if frames is not None:

@@ -30,7 +30,10 @@ def enclose(system: System, start: list[arb]) -> Enclosure | None:
     """
     try:
         return _enclose(system, [mid(x) for x in start])
-    except (ValueError, ZeroDivisionError):  # a ball that holds 0 is a divisor, or a singular centre
+    except (
+        ValueError,
+        ZeroDivisionError,
+    ):  # a ball that holds 0 is a divisor
         return None
 
 
