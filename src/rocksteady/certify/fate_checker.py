@@ -103,12 +103,13 @@ def first_zero(K, curve, ends, rises=None):
 
 def narrowed(K, curve, u):
     """Return the zeros of falling curves by Newton's method in intervals."""
-    while True:
+    for _ in range(30):
         m, (low, high) = K.mid(u), K.ends(u)
         a, b = K.ends(m - curve(m)[0] / curve(u)[1])
         u = K.hull(max(a, low), min(b, high))
         if not positive((high - low) * 7 - (min(b, high) - max(a, low)) * 10):
-            return u
+            break
+    return u
 
 
 def uplift(K, spans, i, t):
