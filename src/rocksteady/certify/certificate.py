@@ -126,7 +126,7 @@ class Certificate(Result):
         ]
         notes = [meaning(self.model)] if self.proved else []
         answer = Answer(
-            why[:1].upper() + why[1:], facts=[*words, ("holds for", meaning(self.model))]
+            why[:1].upper() + why[1:], facts=[*words[:4], ("holds for", meaning(self.model))]
         )
         return Description(headline, facts, notes=notes, answer=answer)
 
