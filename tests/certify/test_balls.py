@@ -4,12 +4,11 @@ import math
 from fractions import Fraction
 
 import pytest
+from flint import arb, ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady.certify.balls import (
-    arb,
-    ctx,
+from rocksteady.certify._balls import (
     decimal,
     decimal_of,
     decimals_around,

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import rocksteady as rs
+from rocksteady.certify._hilltops import hilltop_phases
 from rocksteady.certify.chaos import certify_chaos
-from rocksteady.certify.hilltops import hilltop_phases
 from tests.every import every
 
 

@@ -4,10 +4,11 @@ import json
 from typing import Any
 
 import numpy as np
+from flint import arb
 
 import rocksteady as rs
 from rocksteady.certify import fate_checker
-from rocksteady.certify.balls import arb, hull, precision
+from rocksteady.certify._balls import hull, precision
 from rocksteady.certify.fate import certify_edges, certify_fate
 from tests.certify.test_fate import BARE, BLOCK, synthetic
 

@@ -20,7 +20,7 @@ def test_each_kind_is_checked_by_its_program(tmp_path: Path) -> None:
     assert check_certificate(file, leaves=50).holds
     fate = certify_fate(BLOCK, synthetic(1, 6.0, samples=801))
     fate.save(file)
-    assert check_certificate(file, samples=fate.samples).holds
+    assert check_certificate(file, accelerations_m_s2=fate.samples).holds
     assert check_certificate(file).verdict == "refused"
 
 

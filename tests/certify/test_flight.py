@@ -1,9 +1,10 @@
 """Flights between impacts, against the closed form (7, 8) in 40 digits of mpmath."""
 
 import mpmath as mp
+from flint import arb
 
-from rocksteady.certify.balls import arb, hull, precision
-from rocksteady.certify.flight import (
+from rocksteady.certify._balls import hull, precision
+from rocksteady.certify._flight import (
     Arc,
     Phase,
     Shaking,
@@ -14,7 +15,11 @@ from rocksteady.certify.flight import (
     stays_above,
 )
 
-CASE = {"amplitude": ("2",), "frequency_ratio": ("2",), "restitution": ("0.8",)}
+CASE: dict[str, tuple[str, ...]] = {
+    "amplitude": ("2",),
+    "frequency_ratio": ("2",),
+    "restitution": ("0.8",),
+}
 
 
 def mismatch(x: mp.mpf, y: mp.mpf, z: mp.mpf) -> mp.mpf:
@@ -38,7 +43,7 @@ def test_the_row_of_an_impact_is_that_of_the_closed_form_and_its_slopes() -> Non
         points = [mp.mpf("2.8"), mp.mpf("2.9"), mp.mpf("2.75")]
         balls = [arb(str(x)) for x in points]
         sines = [Phase(*x.sin_cos()) for x in balls]
-        flights = [factors(shaking.duration(*ends, 1)) for ends in (balls[:2], balls[1:])]
+        flights = [factors(shaking.duration(balls[k], balls[k + 1], 1)) for k in (0, 1)]
         found = row(shaking, sines, *flights)
         exactly = arb(mp.nstr(mismatch(*points), 38))
         assert abs(found.mismatch - exactly) < arb("1e-33")

@@ -2,7 +2,7 @@
 
 import math
 
-from rocksteady.certify.hilltops import entropy_of, hilltop_phases, horseshoes
+from rocksteady.certify._hilltops import entropy_of, hilltop_phases, horseshoes
 from rocksteady.formulas import heteroclinic_amplitude
 
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 import rocksteady as rs
-from rocksteady.certify.homoclinic import Model, entropy_of, find_saddle
+from rocksteady.certify._homoclinic import Model, entropy_of, find_saddle
 
 
 def test_the_saddle_is_the_symmetric_orbit_with_its_multipliers() -> None:

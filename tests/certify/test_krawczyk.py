@@ -1,7 +1,9 @@
 """Zeros enclosed: of a quadratic with known ones, and none where there is none."""
 
-from rocksteady.certify.balls import arb, precision
-from rocksteady.certify.krawczyk import enclose
+from flint import arb
+
+from rocksteady.certify._balls import precision
+from rocksteady.certify._krawczyk import enclose
 
 
 def circle_and_line(unknowns: list[arb]) -> tuple[list[arb], list[list[arb]]]:

@@ -3,9 +3,10 @@
 import mpmath as mp
 import numpy as np
 import pytest
+from flint import arb
 
 import rocksteady as rs
-from rocksteady.certify.balls import arb, precision
+from rocksteady.certify._balls import precision
 from rocksteady.certify.orbit import certify_orbit, propose, prove_orbit
 from rocksteady.errors import ModelError
 from tests.every import every

@@ -7,7 +7,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from rocksteady.certify.balls import BITS, Stated, stated
+from rocksteady.certify._balls import BITS, Stated, stated
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -19,6 +19,8 @@ from rocksteady.results.result import Result
 FORMAT = "rocking-certificate/1"
 """What the first key of a file holds."""
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
+MOST_BITS = 4096
+"""Default precision at which a proof gives up."""
 NAMES = ("amplitude", "frequency_ratio", "restitution")
 """Names of the numbers of harmonic shaking, in the order of `flight.Shaking`."""
 SYMBOLS = dict(zip(NAMES, ("A", "W", "restitution"), strict=True))
@@ -182,6 +184,6 @@ def check_model(block: Block | DimensionlessBlock, model: Model) -> None:
     elif not block.symmetric:
         missing = "block", "flights of two kinds for sides that differ", "block of equal sides"
     if missing is not None:
-        name, lack, other = missing
+        name, lack, instead = missing
         valid = f"proofs lack {lack}"
-        raise ModelError(name, Words("is not covered by proofs"), valid, f"take the {other}")
+        raise ModelError(name, Words("is not covered by proofs"), valid, f"take the {instead}")

@@ -5,7 +5,9 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from rocksteady.certify import checker
-from rocksteady.certify.balls import precision
+from rocksteady.certify._balls import precision
+from rocksteady.certify._hilltops import horseshoes
+from rocksteady.certify._homoclinic import chains
 from rocksteady.certify.certificate import (
     PROVED,
     UNDECIDED,
@@ -14,8 +16,6 @@ from rocksteady.certify.certificate import (
     harmonic_numbers,
     place,
 )
-from rocksteady.certify.hilltops import horseshoes
-from rocksteady.certify.homoclinic import chains
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Fact
 

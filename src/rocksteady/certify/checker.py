@@ -1,8 +1,8 @@
 """Check certificates of rocking orbits, bifurcation points and chaos, with this file alone.
 
-Usage: python checker.py [--iv] FILE...   Exit code 0 holds, 1 refused, 3 undecided.
+Usage: python checker.py [--arithmetic iv] FILE...   Exit code 0 holds, 1 refused, 3 undecided.
 
-Needs Python with python-flint (Arb), or with mpmath and --iv (its intervals). Believes no number of
+Needs Python with python-flint (Arb), or with mpmath (iv, its intervals). Believes no number of
 a certificate but the parameters of the claim: what else stands there is tested.
 
 A block of two equal sides rocks under A sin(W t): y'' = y - 1 + A sin(phase + W t), seen from the
@@ -75,9 +75,9 @@ def impact(K, M, p, q, s, n, m, tails=(False, False)):
     g = factors(K, (s - q + m * K.pi) / W, tails[1])
     (sp, cp), (sq, cq), (ss, cs) = K.sin_cos(p), K.sin_cos(q), K.sin_cos(s)
     i, j = (1 - b * sp) * f[0] - (1 + b * sq) * f[1], (1 + b * ss) * g[0] - (1 - b * sq) * g[1]
-    both, k, rest = r * f[0] + g[0], 1 / (b * W), (g[2] - r * f[2]) / b
-    e = sq * both + r * sp * f[1] + ss * g[1] + (1 - r) * W * cq - rest
-    at = cq * both - (1 - r) * W * sq + (r * i * f[1] + j * g[1]) * k
+    coths, k, rest = r * f[0] + g[0], 1 / (b * W), (g[2] - r * f[2]) / b
+    e = sq * coths + r * sp * f[1] + ss * g[1] + (1 - r) * W * cq - rest
+    at = cq * coths - (1 - r) * W * sq + (r * i * f[1] + j * g[1]) * k
     return e, r * (cp - i * k) * f[1], at, (cs - j * k) * g[1], rest / A
 
 
@@ -142,10 +142,10 @@ def krawczyk(K, f, X):
     r, J = f(x)
     Y = inverse(K, J)
     M = [[(i == j) - sum(Y[i][h] * Q[h][j] for h in N) for j in N] for i in N]
-    found = [x[i] + sum(M[i][j] * (X[j] - x[j]) - Y[i][j] * r[j] for j in N) for i in N]
-    for a, b in zip(found, X):
+    result = [x[i] + sum(M[i][j] * (X[j] - x[j]) - Y[i][j] * r[j] for j in N) for i in N]
+    for a, b in zip(result, X):
         need(inside(K, a, b), positive(a - b) or positive(b - a), "there is no zero in the box")
-    return found
+    return result
 
 
 def numbers(K, model):
@@ -169,8 +169,8 @@ def orbit(K, c):
         flight(K, M, X[k - 1], X[k], n[k - 1])
     t, d = chain(K, M, X, n)[3], 1 + M[2] ** (2 * len(n))
     inner, outer = positive(d - t, d + t), positive(t * t - d * d)
-    found = "unstable" if outer else inner and ("stable" if positive(1 - M[2]) else "neutral")
-    need(found, found and found != c["claim"]["stability"], f"it is {found}")
+    result = "unstable" if outer else inner and ("stable" if positive(1 - M[2]) else "neutral")
+    need(result, result and result != c["claim"]["stability"], f"it is {result}")
 
 
 def point(K, c):
@@ -279,8 +279,8 @@ def check(text, arithmetic):
 
 
 if __name__ == "__main__":
-    names, codes = [name for name in sys.argv[1:] if name != "--iv"], {0}
+    names, codes = [name for name in sys.argv[1:] if name not in ("--arithmetic", "iv")], {0}
     for name in names:
-        print(name, verdict := check(open(name).read(), iv if "--iv" in sys.argv else arb))
+        print(name, verdict := check(open(name).read(), iv if "iv" in sys.argv else arb))
         codes.add({"h": 0, "r": 1, "u": 3}[verdict[0]])
     sys.exit(1 if 1 in codes else max(codes))

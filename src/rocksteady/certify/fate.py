@@ -2,12 +2,14 @@
 
 import hashlib
 import math
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 from rocksteady.certify import fate_checker
-from rocksteady.certify.balls import decimal_of, precision
+from rocksteady.certify._balls import decimal_of, precision
 from rocksteady.certify.certificate import (
+    MOST_BITS,
     PROVED,
     UNDECIDED,
     Certificate,
@@ -23,14 +25,11 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Linear
-from rocksteady.model.motions._pulse_shapes import pieces_of
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import plural
 
-MOST_BITS = 4096
-"""Default precision at which the proof of a fate gives up."""
 RECORD_BITS = 256
 """Precision from which the proof of a run under a record starts: impacts cost bits."""
 EDGE = Fraction(1, 10**9)
@@ -65,31 +64,34 @@ def pulse_content(pulse: Pulse) -> dict[str, Any]:
     ModelError
         If it is sampled, or its phase has no closed form.
     """
-    pieces = () if pulse.shape.startswith("type-c") else pieces_of(pulse.shape)
-    if not pieces:
+    unit = replace(pulse, amplitude=1.0, frequency_ratio=1.0).segments()
+    pieces = [
+        [
+            _quarters(each.duration),
+            *(each.constant, each.slope * each.duration, each.amplitude, each.frequency),
+            _quarters(each.phase),
+        ]
+        for each in unit[:3]
+    ]
+    if len(unit) > 2 or any(None in piece for piece in pieces):
         raise ModelError(
             "motion",
             Words(f"is a {pulse.shape} pulse"),
             "proofs lack an enclosure of its samples or of its phase",
             "take one of half a period or of a period, as one-sine",
         )
-
-    def quarters(angle: float) -> int:
-        return round(2.0 * angle / math.pi)
-
-    sign = -1 if pulse.reverse else 1
     return {
         "pulse": pulse.shape,
         "pieces": [
-            [
-                quarters(piece.turn),
-                *(str(Fraction(sign * x)) for x in (piece.constant, piece.slope, piece.size)),
-                str(Fraction(piece.turns)),
-                quarters(piece.phase),
-            ]
-            for piece in pieces
+            [str(Fraction(round(2 * x), 2)) for x in piece if x is not None] for piece in pieces
         ],
     }
+
+
+def _quarters(angle: float) -> float | None:
+    """Return an angle in quarters of a turn; None if it is no whole number of them."""
+    quarters = round(2.0 * angle / math.pi)
+    return quarters if abs(angle - 0.5 * math.pi * quarters) < 1e-12 else None
 
 
 @checked
@@ -143,12 +145,12 @@ def certify_fate(
         samples = motion.acceleration_m_s2.tolist()
         packed = motion.acceleration_m_s2.astype("<f8").tobytes()
         content = {"samples": len(samples), "sha256": hashlib.sha256(packed).hexdigest()}
-    found, bits, given = proof_of(content, samples, numbers, most_bits)
+    fate, bits, given = proof_of(content, samples, numbers, most_bits)
     if isinstance(motion, Pulse):
         what = f"{'reversed ' * motion.reverse}{motion.shape} pulse, {place(given)}"
     else:
         what = f"record {motion.name}" if motion.name else "record"
-    if found is None:
+    if fate is None:
         return Certificate(
             kind="fate",
             verdict=UNDECIDED,
@@ -158,7 +160,7 @@ def certify_fate(
             content={},
             reason=f"a landing, a rest or the end is undecided with {bits} bits",
         )
-    outcome, impacts = found
+    outcome, impacts = fate
     return Certificate(
         kind="fate",
         verdict=PROVED,
@@ -225,8 +227,8 @@ def _edge(
     def outcome(scaled: int) -> str | None:
         given = harmonic_numbers(_decimal(scaled, places), ratio, restitution)
         alone = {name: texts[:1] for name, texts in given.items()}
-        found, _, _ = proof_of(content, [], alone, bits)
-        return None if found is None else str(found[0])
+        fate, _, _ = proof_of(content, [], alone, bits)
+        return None if fate is None else str(fate[0])
 
     fates = [outcome(end) for end in ends]
     known = None not in fates and fates[0] != fates[1]

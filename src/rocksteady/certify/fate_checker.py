@@ -1,9 +1,9 @@
 """Check certificates of the fate of a rocking block, with this file alone.
 
-Usage: python fate_checker.py [--iv] CERTIFICATE [SAMPLES]   Exit code 0 holds, 1 refused,
-3 undecided.
+Usage: python fate_checker.py [--arithmetic iv] CERTIFICATE [SAMPLES]   Exit code 0 holds, 1
+refused, 3 undecided.
 
-Needs Python with python-flint (Arb), or with mpmath and --iv (its intervals). SAMPLES of a record
+Needs Python with python-flint (Arb), or with mpmath (iv, its intervals). SAMPLES of a record
 are its accelerations in m/s^2, one number a line; a certificate has the SHA-256 of their doubles.
 A pulse stands in its certificate, in pieces: duration in quarters of the period, c, d times the
 duration, A, W over the frequency and the phase in quarters of a turn, both over the amplitude.
@@ -115,7 +115,7 @@ def narrowed(K, curve, u):
 def uplift(K, spans, i, t):
     """Return the next span in which a block at rest lifts, and its flight there."""
     for k, span in enumerate(spans[i:], i):
-        (D, c, d, A, _, _), found = span, []
+        (D, c, d, A, _, _), lifts = span, []
         calm = positive(1 - abs(c), 1 - abs(c + d * D)) if A is None else None
         for s in () if calm else (1, -1):
             curve = lambda u, s=s: [
@@ -124,17 +124,17 @@ def uplift(K, spans, i, t):
             above = -curve(t)[0]
             if positive(above):
                 need(not positive(K.ends(t)[1]))
-                found.append((t, s))
+                lifts.append((t, s))
             elif A is not None:
                 zero = first_zero(K, curve, (K.ends(t)[0], K.ends(D)[1]))
-                found += [] if zero is None else [(zero, s)]
+                lifts += [] if zero is None else [(zero, s)]
             elif not positive(curve(D)[0]):
                 need(positive(-curve(D)[0], -above))
-                found.append(((s - c) / d, s))
-        found.sort(key=lambda each: K.mid(each[0]))
-        need(len(found) < 2 or positive(found[1][0] - found[0][0]))
-        if found:
-            return k, (*found[0], K.num(0), K.num(0), True, True)
+                lifts.append(((s - c) / d, s))
+        lifts.sort(key=lambda each: K.mid(each[0]))
+        need(len(lifts) < 2 or positive(lifts[1][0] - lifts[0][0]))
+        if lifts:
+            return k, (*lifts[0], K.num(0), K.num(0), True, True)
         t = K.num(0)
     return len(spans), None
 
@@ -247,8 +247,8 @@ def check(text, arithmetic, samples=()):
             return "refused: it is no fate, or one of other samples"
         models = [c["model"] | {"amplitude": [A]} for A in c.get("between", ())] or [c["model"]]
         K = arithmetic(min(8192, c["bits"] + 64))
-        found = [run(K, c, samples, model)[0] for model in models]
-        return "holds" if found == c["claim"]["outcomes"] else f"refused: it {' and '.join(found)}"
+        fates = [run(K, c, samples, model)[0] for model in models]
+        return "holds" if fates == c["claim"]["outcomes"] else f"refused: it {' and '.join(fates)}"
     except ArithmeticError as unknown:
         return f"undecided: {unknown}"
     except (ValueError, LookupError, TypeError, AttributeError) as wrong:
@@ -256,7 +256,7 @@ def check(text, arithmetic, samples=()):
 
 
 if __name__ == "__main__":
-    names = [name for name in sys.argv[1:] if name != "--iv"]
+    names = [name for name in sys.argv[1:] if name not in ("--arithmetic", "iv")]
     numbers = [float(x) for x in open(names[1]).read().split()] if names[1:] else ()
-    print(verdict := check(open(names[0]).read(), iv if "--iv" in sys.argv else arb, numbers))
+    print(verdict := check(open(names[0]).read(), iv if "iv" in sys.argv else arb, numbers))
     sys.exit({"h": 0, "r": 1, "u": 3}[verdict[0]])

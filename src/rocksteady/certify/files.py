@@ -7,7 +7,7 @@ from os import PathLike
 from pathlib import Path
 
 from rocksteady.certify import checker, fate_checker
-from rocksteady.certify.balls import precision
+from rocksteady.certify._balls import precision
 from rocksteady.certify.region import ProvedRegion, region_from
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
@@ -58,7 +58,7 @@ class CheckedCertificate(Result):
 def check_certificate(
     file: str | PathLike[str],
     *,
-    samples: Sequence[float] = (),
+    accelerations_m_s2: Sequence[float] = (),
     leaves: int | None = 1000,
     arithmetic: str = "arb",
 ) -> CheckedCertificate:
@@ -68,8 +68,8 @@ def check_certificate(
     ----------
     file
         The file.
-    samples
-        Accelerations of the record of a fate [m/s^2].
+    accelerations_m_s2
+        Samples of the record of a fate [m/s^2].
     leaves
         Boxes of a region that are drawn and proved again; None for all.
     arithmetic
@@ -104,12 +104,14 @@ def check_certificate(
         ) from None
     with precision(64):
         if kind == "region":
-            found = _checked_region(region_from(values), leaves)
+            answer = _checked_region(region_from(values), leaves)
         elif kind == "fate":
-            found = fate_checker.check(text, getattr(fate_checker, arithmetic), list(samples))
+            answer = fate_checker.check(
+                text, getattr(fate_checker, arithmetic), list(accelerations_m_s2)
+            )
         else:
-            found = checker.check(text, getattr(checker, arithmetic))
-    verdict, _, reason = found.partition(": ")
+            answer = checker.check(text, getattr(checker, arithmetic))
+    verdict, _, reason = answer.partition(": ")
     return CheckedCertificate(kind=kind, verdict=verdict, reason=reason)
 
 

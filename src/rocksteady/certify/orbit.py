@@ -5,19 +5,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from rocksteady.certify.balls import arb, decimals_around, mid, precision, size
-from rocksteady.certify.certificate import (
-    PROVED,
-    REFUTED,
-    UNDECIDED,
-    Certificate,
-    Numbers,
-    attempts,
-    check_model,
-    harmonic_numbers,
-    place,
-)
-from rocksteady.certify.flight import (
+from flint import arb
+
+from rocksteady.certify._balls import decimals_around, mid, precision, size
+from rocksteady.certify._flight import (
     Arc,
     Factors,
     Phase,
@@ -28,17 +19,26 @@ from rocksteady.certify.flight import (
     row,
     stays_above,
 )
-from rocksteady.certify.krawczyk import Enclosure, enclose
-from rocksteady.dynamics.continuation._from_orbit import chain_at
+from rocksteady.certify._krawczyk import Enclosure, enclose
+from rocksteady.certify.certificate import (
+    MOST_BITS,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Certificate,
+    Numbers,
+    attempts,
+    check_model,
+    harmonic_numbers,
+    place,
+)
+from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import plural
-
-MOST_BITS = 1024
-"""Default precision at which a proof gives up."""
 
 
 class Proposal(NamedTuple):
@@ -151,7 +151,7 @@ def jacobian(rows: list[Row], wrap: int = 1) -> list[list[arb]]:
 
 
 def trace_of(rows: list[Row]) -> Any:
-    """Return the trace of the linearized chain, by its recurrence from impact to impact."""
+    """Return the trace of the linearised chain, by its recurrence from impact to impact."""
     a, b, c, d = arb(1), arb(0), arb(0), arb(1)
     for each in rows:
         scale = -1 / each.after
@@ -178,13 +178,13 @@ def passage(shaking: Shaking, phases: list[arb], half_periods: tuple[int, ...]) 
 
 def prove_orbit(proposal: Proposal, most_bits: int = MOST_BITS) -> OrbitProof:
     """Return what is proved of an orbit, with as many bits as it takes."""
-    found = OrbitProof(UNDECIDED, "no precision was tried", 0, proposal.numbers)
+    proof = OrbitProof(UNDECIDED, "no precision was tried", 0, proposal.numbers)
     for bits, numbers in attempts(proposal.numbers, most_bits):
         with precision(bits):
-            found = _proof(proposal, numbers, bits)
-        if found.verdict != UNDECIDED:
+            proof = _proof(proposal, numbers, bits)
+        if proof.verdict != UNDECIDED:
             break
-    return found
+    return proof
 
 
 def _proof(proposal: Proposal, numbers: Numbers, bits: int) -> OrbitProof:

@@ -4,20 +4,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from flint import arb, arb_mat, arb_series, ctx
 
 from rocksteady.certify import checker
-from rocksteady.certify.balls import (
-    arb,
-    arb_mat,
-    arb_series,
-    ball,
-    ctx,
-    decimals_around,
-    mid,
-    precision,
-    size,
-)
+from rocksteady.certify._balls import ball, decimals_around, mid, precision, size
+from rocksteady.certify._flight import Shaking
+from rocksteady.certify._krawczyk import Enclosure, enclose
 from rocksteady.certify.certificate import (
+    MOST_BITS,
     PROVED,
     UNDECIDED,
     Certificate,
@@ -25,10 +19,7 @@ from rocksteady.certify.certificate import (
     ladder,
     place,
 )
-from rocksteady.certify.flight import Shaking
-from rocksteady.certify.krawczyk import Enclosure, enclose
 from rocksteady.certify.orbit import (
-    MOST_BITS,
     Proposal,
     jacobian,
     links,
@@ -147,8 +138,8 @@ def dot(left: list[arb], right: list[arb]) -> arb:
 
 def solved(matrix: arb_mat, right: list[arb]) -> list[arb]:
     """Return the solution of linear equations in balls."""
-    found = matrix.solve(arb_mat(len(right), 1, right))
-    return [found[k, 0] for k in range(len(right))]
+    proof = matrix.solve(arb_mat(len(right), 1, right))
+    return [proof[k, 0] for k in range(len(right))]
 
 
 def null_vectors(matrix: list[list[arb]]) -> tuple[list[arb], list[arb]]:
@@ -166,18 +157,18 @@ def null_vectors(matrix: list[list[arb]]) -> tuple[list[arb], list[arb]]:
 
 def prove_point(proposal: Proposal, sign: int, most_bits: int = MOST_BITS) -> PointProof:
     """Return what is proved of a point near a proposal, with as many bits as it takes."""
-    # Of the decimals alone: to move a point by the rounding of its parameters says nothing of it.
+    # Of the decimals alone: rounding of the parameters would only move the point.
     numbers = {name: proposal.numbers[name][:1] for name in ("frequency_ratio", "restitution")}
-    found = PointProof(UNDECIDED, "no precision was tried", 0, numbers)
+    proof = PointProof(UNDECIDED, "no precision was tried", 0, numbers)
     start = [*proposal.phases, float(proposal.numbers["amplitude"][0])]
     for bits in ladder(most_bits)[1:]:
         with precision(bits):
             ratio, restitution = map(ball, numbers.values())
             system = Extended(ratio, restitution, proposal.half_periods, sign)
-            found = _proof(system, start, bits, numbers)
-        if found.verdict == PROVED:
+            proof = _proof(system, start, bits, numbers)
+        if proof.verdict == PROVED:
             break
-    return found
+    return proof
 
 
 def _proof(system: Extended, start: list[float], bits: int, numbers: Numbers) -> PointProof:
@@ -233,7 +224,7 @@ def certify_point(origin: BranchPoint, *, most_bits: int = MOST_BITS) -> Certifi
 
     Proved is a regular zero of (E3) with the condition of the multiplier, in the phases and the
     amplitude: the fold is quadratic, or the multiplier passes -1; with the side to which the
-    orbits open, and whether those that branch off are stable (supercritical).
+    orbits open, and whether the orbits that branch off are stable (supercritical).
 
     Parameters
     ----------

@@ -12,11 +12,12 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from flint import arb
 from numpy.typing import NDArray
 
-from rocksteady.certify.balls import arb, ball, hull, precision, stated
+from rocksteady.certify._balls import ball, hull, precision, stated
+from rocksteady.certify._flight import Arc, Shaking, stays_above
 from rocksteady.certify.certificate import FORMAT
-from rocksteady.certify.flight import Arc, Shaking, stays_above
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.answer import Answer
@@ -205,13 +206,13 @@ class ProvedRegion(Result):
         leaves
             Number of boxes; None for all.
         """
-        found = [each for each in self.boxes() if each[1] != UNDECIDED]
-        if leaves is not None and leaves < len(found):
-            chosen = np.random.default_rng(len(found)).choice(len(found), leaves, replace=False)
-            found = [found[k] for k in chosen]
+        rows = [each for each in self.boxes() if each[1] != UNDECIDED]
+        if leaves is not None and leaves < len(rows):
+            chosen = np.random.default_rng(len(rows)).choice(len(rows), leaves, replace=False)
+            rows = [rows[k] for k in chosen]
         with precision(BITS):
             restitution = ball(self.restitution)
-            return all(verdict_of(box, restitution, self.order) == letter for box, letter in found)
+            return all(verdict_of(box, restitution, self.order) == letter for box, letter in rows)
 
     def describe(self) -> Description:
         """Return the shares of the area, and the ranges."""

@@ -118,19 +118,19 @@ def certify(
     if what == "fate":
         of_record = recorded.given(reading, pulse=pulse.given)
         body = recorded.block(block) if of_record else block.described()
-        found = [_fate(body, shaking, pulse, recorded, reading)]
+        certificates = [_fate(body, shaking, pulse, recorded, reading)]
     else:
         body = block.described()
         if what == "region":
             return _region(output, body, shaking, order, out)
-        found = _proofs(what, body, shaking, kind)
+        certificates = _proofs(what, body, shaking, kind)
     if which is not None:
-        if not 1 <= which <= len(found):
-            valid = f"there are {len(found)} of them"
+        if not 1 <= which <= len(certificates):
+            valid = f"there are {len(certificates)} of them"
             raise InputError("--number", which, valid, "take a number of the list")
-        found = [found[which - 1]]
-    _save(found, out)
-    _leave(output, what, found, out)
+        certificates = [certificates[which - 1]]
+    _save(certificates, out)
+    _leave(output, what, certificates, out)
     return 0
 
 
@@ -149,7 +149,9 @@ def _check(
                 "--samples", samples, "it must hold one number a line", "give samples in m/s^2"
             ) from None
     count = None if leaves == "all" else int(number("--leaves", leaves or "1000"))
-    result = check_certificate(file, samples=numbers, leaves=count, arithmetic=arithmetic)
+    result = check_certificate(
+        file, accelerations_m_s2=numbers, leaves=count, arithmetic=arithmetic
+    )
     output.leave("certify", result.describe(), decided=result.verdict != "undecided")
     return 0 if result.holds else NEGATIVE
 
@@ -229,17 +231,17 @@ def _region(
     return 0
 
 
-def _save(found: "Sequence[Certificate]", out: Path | None) -> None:
+def _save(certificates: "Sequence[Certificate]", out: Path | None) -> None:
     """Write a certificate, and the samples of a record beside it."""
     if out is None:
         return
-    if len(found) != 1:
-        valid = f"a file holds one certificate, and there are {len(found)}"
+    if len(certificates) != 1:
+        valid = f"a file holds one certificate, and there are {len(certificates)}"
         raise FlagError("--out", out, valid, "choose one with --number")
-    if found[0].proved:
-        _write(out, found[0].to_json())
-        if found[0].samples:
-            _write(out.with_suffix(".txt"), "".join(f"{x!r}\n" for x in found[0].samples))
+    if certificates[0].proved:
+        _write(out, certificates[0].to_json())
+        if certificates[0].samples:
+            _write(out.with_suffix(".txt"), "".join(f"{x!r}\n" for x in certificates[0].samples))
 
 
 def _write(file: Path, text: str) -> None:
@@ -251,32 +253,32 @@ def _write(file: Path, text: str) -> None:
 
 
 def _leave(
-    output: OutputFlags, what: str, found: "Sequence[Certificate]", out: Path | None
+    output: OutputFlags, what: str, certificates: "Sequence[Certificate]", out: Path | None
 ) -> None:
     """Print one certificate, or a list of them."""
-    proved = sum(each.proved for each in found)
-    decided = all(each.verdict != "undecided" for each in found)
+    proved = sum(each.proved for each in certificates)
+    decided = all(each.verdict != "undecided" for each in certificates)
     after: dict[str, Any] = {"file": None if out is None else str(out)}
-    if len(found) == 1:
+    if len(certificates) == 1:
         further = ""
-        if out is not None and found[0].proved:
-            text = f" --samples {quoted(out.with_suffix('.txt'))}" * bool(found[0].samples)
+        if out is not None and certificates[0].proved:
+            text = f" --samples {quoted(out.with_suffix('.txt'))}" * bool(certificates[0].samples)
             further = f"rocksteady certify --check {quoted(out)}{text}"
-        description = found[0].describe()
+        description = certificates[0].describe()
         output.leave("certify", description, after=after, decided=decided, follow_up=further)
         return
     rows = [
         {"number": n, "verdict": each.verdict, "claim": each.claim, "reason": each.reason}
-        for n, each in enumerate(found, 1)
+        for n, each in enumerate(certificates, 1)
     ]
-    sentence = f"Proved {proved} of {plural(len(found), what)}"
+    sentence = f"Proved {proved} of {plural(len(certificates), what)}"
     shown = [(f"{row['number']}", f"{row['verdict']}: {row['claim']}") for row in rows]
     output.leave(
         "certify",
         Description(
             sentence, tables=[Table("certificates", rows)], answer=Answer(sentence, rows=shown)
         ),
-        values={"proved": proved == len(found), "claim": sentence, "certificates": rows},
+        values={"proved": proved == len(certificates), "claim": sentence, "certificates": rows},
         after=after,
         decided=decided,
         wrap=True,

@@ -8,7 +8,7 @@ from itertools import islice
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.continuation._from_orbit import chain_at
+from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.dynamics.continuation.chains.events import (
     ChainCurve,
     ChainSpot,

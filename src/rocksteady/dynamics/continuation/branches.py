@@ -8,7 +8,7 @@ from typing import Annotated
 
 import numpy as np
 
-from rocksteady.dynamics.continuation._from_orbit import chain_at
+from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.dynamics.continuation.branch import follow_branch
 from rocksteady.dynamics.continuation.chains.chain import MERGED, Chain
 from rocksteady.dynamics.continuation.chains.family import LARGEST_STEP, checked_ranges

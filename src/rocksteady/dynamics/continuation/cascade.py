@@ -9,7 +9,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation._datasets import cascade_dataset
-from rocksteady.dynamics.continuation._from_orbit import chain_at
+from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.dynamics.continuation.branch import follow_branch
 from rocksteady.dynamics.continuation.branch_facts import (
     cascade_notes,

@@ -3,7 +3,9 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rocksteady.certify.balls import arb, arb_mat, around, ctx, mid, size
+from flint import arb, arb_mat, ctx
+
+from rocksteady.certify._balls import around, mid, size
 
 System = Callable[[list[arb]], tuple[list[arb], list[list[arb]]]]
 """Residuals of a point or a box, and their Jacobian there."""

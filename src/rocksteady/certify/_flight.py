@@ -10,7 +10,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from rocksteady.certify.balls import Stated, above, arb, ball, halves, hull, mid
+from flint import arb
+
+from rocksteady.certify._balls import Stated, above, ball, halves, hull, mid
 
 DEPTH = 60
 """Bisections of a flight after which its height above the floor is undecided."""
@@ -99,10 +101,10 @@ def row(shaking: Shaking, ends: list[Phase], first: Factors, second: Factors) ->
     """
     last, here, then = ends
     beta, ratio, loss = shaking.beta, shaking.ratio, shaking.restitution
-    both = loss * first.coth + second.coth
+    coths = loss * first.coth + second.coth
     inverse = 1 / beta
     mismatch = (
-        here.sine * both
+        here.sine * coths
         + loss * last.sine * first.csch
         + then.sine * second.csch
         + (1 - loss) * ratio * here.cosine
@@ -112,7 +114,7 @@ def row(shaking: Shaking, ends: list[Phase], first: Factors, second: Factors) ->
     early = (1 - beta * last.sine) * first.coth - (1 + beta * here.sine) * first.csch
     late = (1 + beta * then.sine) * second.coth - (1 - beta * here.sine) * second.csch
     at = (
-        here.cosine * both
+        here.cosine * coths
         - (1 - loss) * ratio * here.sine
         + (loss * early * first.csch + late * second.csch) * scale
     )
@@ -138,8 +140,8 @@ def stays_above(shaking: Shaking, arc: Arc, depth: int = DEPTH) -> bool | None:
     beta = shaking.beta
     first, last = 1 - beta * arc.phase.sin(), 1 + beta * arc.next_phase.sin()
     ends = (arc.phase, 1, first, last), (arc.next_phase - arb.pi(), -1, last, first)
-    found = [_rises(shaking, arc.duration, *end, depth=depth) for end in ends]
-    return False if False in found else (None if None in found else True)
+    parts = [_rises(shaking, arc.duration, *end, depth=depth) for end in ends]
+    return False if False in parts else (None if None in parts else True)
 
 
 def _rises(

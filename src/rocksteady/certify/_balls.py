@@ -9,21 +9,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from fractions import Fraction
 
-from rocksteady.errors import InputError, ModelError, Words
+from flint import arb, ctx, fmpq
 
-try:
-    from flint import arb, arb_mat, arb_series, ctx, fmpq
-except ImportError:
-    raise ModelError(
-        "python-flint",
-        Words("is not installed"),
-        "proofs are computed in its ball arithmetic",
-        'install it: python3 -m pip install "rocksteady[proof]"',
-    ) from None
+from rocksteady.errors import InputError
 
-__all__ = ["arb", "arb_mat", "arb_series", "ctx"]
-
-BITS = (64, 128, 256, 512, 1024)
+BITS = (64, 128, 256, 512, 1024, 2048, 4096)
 """Precisions of a proof, each tried where the one before leaves the claim undecided."""
 
 Stated = tuple[str, ...]
@@ -78,8 +68,8 @@ def decimal_of(value: Fraction) -> str:
 def ball(texts: Stated) -> arb:
     """Return a ball that holds each of the decimals, and so all numbers between them."""
     first, *rest = (exact(Fraction(text)) for text in texts)
-    for other in rest:
-        first = first.union(other)
+    for member in rest:
+        first = first.union(member)
     return first
 
 

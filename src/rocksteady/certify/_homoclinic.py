@@ -47,11 +47,11 @@ class Model(NamedTuple):
         coth0, coth1, q0, q1 = 1 / np.tanh(t0), 1 / np.tanh(t1), 1 / np.sinh(t0), 1 / np.sinh(t1)
         early = (1 - beta * np.sin(x)) * coth0 - (1 + beta * np.sin(y)) * q0
         late = (1 + beta * np.sin(z)) * coth1 - (1 - beta * np.sin(y)) * q1
-        both = loss * coth0 + coth1
-        mismatch = np.sin(y) * both + loss * np.sin(x) * q0 + np.sin(z) * q1
+        coths = loss * coth0 + coth1
+        mismatch = np.sin(y) * coths + loss * np.sin(x) * q0 + np.sin(z) * q1
         mismatch += (1 - loss) * ratio * np.cos(y)
         mismatch -= (np.tanh(t1 / 2) - loss * np.tanh(t0 / 2)) / beta
-        at = np.cos(y) * both - (1 - loss) * ratio * np.sin(y)
+        at = np.cos(y) * coths - (1 - loss) * ratio * np.sin(y)
         at += (loss * early * q0 + late * q1) / (beta * ratio)
         before = loss * (np.cos(x) - early / (beta * ratio)) * q0
         return mismatch, before, at, (np.cos(z) - late / (beta * ratio)) * q1
@@ -93,7 +93,7 @@ def homoclinics(model: Model, saddle: Saddle) -> Iterator[Floats]:
     """Yield motions that leave the saddle and come back, shape (impacts,), the shortest first."""
     frame = np.array([[1.0, 1.0], [saddle.unstable, saddle.stable]])
     back = np.linalg.inv(frame)
-    found: list[tuple[int, Floats]] = []
+    sets: list[tuple[int, Floats]] = []
     for sign in (1.0, -1.0):
         s = sign * np.geomspace(NEAR, NEAR * saddle.unstable**2, POINTS)
         courses = [saddle.phase + s, saddle.phase + s * saddle.unstable]
@@ -108,8 +108,8 @@ def homoclinics(model: Model, saddle: Saddle) -> Iterator[Floats]:
         cross = (along[0][:, 1:] * along[0][:, :-1] < 0.0) & close[:, 1:] & close[:, :-1]
         for k, n in np.argwhere(cross).tolist():
             if not cross[:k, n].any():
-                found.append((k, course[: k + 2, n]))
-    for _, orbit in sorted(found, key=lambda each: each[0])[:12]:
+                sets.append((k, course[: k + 2, n]))
+    for _, orbit in sorted(sets, key=lambda each: each[0])[:12]:
         yield orbit
 
 
@@ -172,15 +172,15 @@ def frames_along(model: Model, saddle: Saddle, orbit: Floats) -> list[list[str]]
         allowed[k] = allowed[k + 1] / (MARGIN * shrinkage[k])
     a = min((wide - abs(first[0])) * growth[0] / MARGIN, max(NEAR, needed[1]))
     b = max(high * MARGIN * shrinkage[0], min(NEAR, allowed[1]))
-    found = [_frame(np.full(2, saddle.phase), basis[:, 0] * wide, basis[:, 1] * high)]
+    sets = [_frame(np.full(2, saddle.phase), basis[:, 0] * wide, basis[:, 1] * high)]
     for k in range(1, count):
         if a < needed[k] or b > allowed[k]:
             return None
-        found.append(_frame(orbit[k : k + 2], ahead[k] * a, behind[k] * b))
+        sets.append(_frame(orbit[k : k + 2], ahead[k] * a, behind[k] * b))
         if k + 1 < count:
             a = min(a * growth[k] / MARGIN, max(NEAR, needed[k + 1]))
             b = max(b * shrinkage[k] * MARGIN, min(NEAR, allowed[k + 1]))
-    return found
+    return sets
 
 
 def _frame(centre: Floats, wide: Floats, high: Floats) -> list[str]:
