@@ -14,12 +14,14 @@ from tests.certify.test_fate import BLOCK, synthetic
 
 def test_each_kind_is_checked_by_its_program(tmp_path: Path) -> None:
     file = tmp_path / "certificate.json"
-    certify_chaos(0.6, 2, 0.8).save(file)
+    file.write_text(certify_chaos(0.6, 2, 0.8).to_json(), encoding="utf-8")
     assert check_certificate(file).holds
-    certify_region((1.9, 2.1), (1.9, 2.1), 0.8, most_boxes=500).save(file)
+    file.write_text(
+        certify_region((1.9, 2.1), (1.9, 2.1), 0.8, most_boxes=500).to_json(), encoding="utf-8"
+    )
     assert check_certificate(file, leaves=50).holds
     fate = certify_fate(BLOCK, synthetic(1, 6.0, samples=801))
-    fate.save(file)
+    file.write_text(fate.to_json(), encoding="utf-8")
     assert check_certificate(file, accelerations_m_s2=fate.samples).holds
     assert check_certificate(file).verdict == "refused"
 

@@ -3,14 +3,14 @@
 import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from os import PathLike
-from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from rocksteady.certify._balls import BITS, Stated, stated
-from rocksteady.errors import ModelError, Words
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.equations import Linear, Model
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
@@ -20,6 +20,7 @@ FORMAT = "rocking-certificate/1"
 """What the first key of a file holds."""
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
 MOST_BITS = 4096
+BitCount = Annotated[int, Whole(32, 2**16, "give the bits at which a proof gives up, as 1024")]
 """Default precision at which a proof gives up."""
 NAMES = ("amplitude", "frequency_ratio", "restitution")
 """Names of the numbers of harmonic shaking, in the order of `flight.Shaking`."""
@@ -97,21 +98,6 @@ class Certificate(Result):
         values |= self.content
         return json.dumps(values, indent=1) + "\n"
 
-    def save(self, file: str | PathLike[str]) -> None:
-        """Write the certificate as JSON.
-
-        Parameters
-        ----------
-        file
-            Where to.
-
-        Raises
-        ------
-        ModelError
-            If the claim is not proved.
-        """
-        Path(file).write_text(self.to_json(), encoding="utf-8")
-
     def describe(self) -> Description:
         """Return the claim, the verdict, and what is known beside it."""
         headline = f"{self.verdict}: {self.claim}"
@@ -163,9 +149,24 @@ def ladder(most_bits: int) -> list[int]:
 
 
 def harmonic_numbers(amplitude: Any, ratio: Any, restitution: Any) -> Numbers:
-    """Return the decimals of the three parameters of harmonic shaking."""
+    """Return the decimals of the three parameters of harmonic shaking.
+
+    Raises
+    ------
+    InputError
+        If one is no number, not above 0 or too large.
+    """
     given = zip(NAMES, (amplitude, ratio, restitution), strict=True)
-    return {name: stated(name, value) for name, value in given}
+    numbers = {name: stated(name, value) for name, value in given}
+    for name, texts in numbers.items():
+        if not 0.0 < float(texts[0]) <= (1.0 if name == "restitution" else LARGEST):
+            raise InputError(
+                name,
+                texts[0],
+                f"it must be above 0{' and at most 1' * (name == NAMES[2])}",
+                "give a decimal, as 0.8",
+            )
+    return numbers
 
 
 def check_model(block: Block | DimensionlessBlock, model: Model) -> None:

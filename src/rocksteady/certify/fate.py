@@ -4,7 +4,7 @@ import hashlib
 import math
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+from typing import Annotated, Any
 
 from rocksteady.certify import fate_checker
 from rocksteady.certify._balls import decimal_of, precision
@@ -12,6 +12,7 @@ from rocksteady.certify.certificate import (
     MOST_BITS,
     PROVED,
     UNDECIDED,
+    BitCount,
     Certificate,
     Numbers,
     attempts,
@@ -24,6 +25,8 @@ from rocksteady.errors import ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
@@ -96,7 +99,7 @@ def _quarters(angle: float) -> float | None:
 
 @checked
 def certify_fate(
-    block: Block | DimensionlessBlock, motion: Pulse | Record, *, most_bits: int = MOST_BITS
+    block: Block | DimensionlessBlock, motion: Pulse | Record, *, most_bits: BitCount = MOST_BITS
 ) -> Certificate:
     """Prove whether a block at rest falls or stands.
 
@@ -179,7 +182,10 @@ def certify_fate(
 
 @checked
 def certify_edges(
-    windows: OverturningWindows, *, row: int = 0, places: int = 30
+    windows: OverturningWindows,
+    *,
+    row: int = 0,
+    places: Annotated[int, Whole(1, 300, "give digits after the point, as 30")] = 30,
 ) -> tuple[Certificate, ...]:
     """Enclose the edges of overturning windows: amplitudes between which the fate changes.
 
@@ -197,6 +203,11 @@ def certify_edges(
     tuple of Certificate
         One for each edge inside the range, in ascending order: at least one edge lies in each.
 
+    Raises
+    ------
+    InputError, ModelError
+        If there is no such row, or no proof is written for the pulse, the block or the model.
+
     Examples
     --------
     >>> import rocksteady as rs
@@ -207,6 +218,7 @@ def certify_edges(
     ['1.225179423268', '1.225179423269']
     """
     check_model(windows.block, windows.model)
+    row = index_value(row, len(windows.frequency_ratio), "row", name="row")
     ratio = float(windows.frequency_ratio[row])
     content = pulse_content(windows.pulse)
     low, high = windows.within

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rocksteady.certify import checker, fate_checker
 from rocksteady.certify._balls import precision
-from rocksteady.certify.region import ProvedRegion, region_from
+from rocksteady.certify.region import Leaves, ProvedRegion, region_from
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.answer import Answer
@@ -59,7 +59,7 @@ def check_certificate(
     file: str | PathLike[str],
     *,
     accelerations_m_s2: Sequence[float] = (),
-    leaves: int | None = 1000,
+    leaves: Leaves = 1000,
     arithmetic: str = "arb",
 ) -> CheckedCertificate:
     """Check the file of a certificate.
@@ -85,7 +85,7 @@ def check_certificate(
     >>> import tempfile, pathlib
     >>> file = pathlib.Path(tempfile.mkdtemp()) / "chaos.json"
     >>> from rocksteady.certify.chaos import certify_chaos
-    >>> certify_chaos(0.6, 2, 0.8).save(file)
+    >>> _ = file.write_text(certify_chaos(0.6, 2, 0.8).to_json())
     >>> check_certificate(file).holds
     True
     """

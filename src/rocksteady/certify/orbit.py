@@ -25,6 +25,7 @@ from rocksteady.certify.certificate import (
     PROVED,
     REFUTED,
     UNDECIDED,
+    BitCount,
     Certificate,
     Numbers,
     attempts,
@@ -217,7 +218,7 @@ def _proof(proposal: Proposal, numbers: Numbers, bits: int) -> OrbitProof:
 
 
 @checked
-def certify_orbit(origin: Orbit | BranchPoint, *, most_bits: int = MOST_BITS) -> Certificate:
+def certify_orbit(origin: Orbit | BranchPoint, *, most_bits: BitCount = MOST_BITS) -> Certificate:
     """Prove that a periodic motion exists, and whether it is stable.
 
     Proved are, in balls: there is exactly one such motion near the given one, each flight leaves

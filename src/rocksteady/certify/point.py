@@ -14,6 +14,7 @@ from rocksteady.certify.certificate import (
     MOST_BITS,
     PROVED,
     UNDECIDED,
+    BitCount,
     Certificate,
     Numbers,
     ladder,
@@ -219,7 +220,7 @@ def _content(
 
 
 @checked
-def certify_point(origin: BranchPoint, *, most_bits: int = MOST_BITS) -> Certificate:
+def certify_point(origin: BranchPoint, *, most_bits: BitCount = MOST_BITS) -> Certificate:
     """Prove a bifurcation at a point of a branch, and enclose its amplitude.
 
     Proved is a regular zero of (E3) with the condition of the multiplier, in the phases and the

@@ -7,9 +7,7 @@ from collections import Counter, deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from os import PathLike
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 from flint import arb
@@ -20,6 +18,8 @@ from rocksteady.certify._flight import Arc, Shaking, stays_above
 from rocksteady.certify.certificate import FORMAT
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
@@ -36,6 +36,10 @@ WORDS = {
 """What is proved of a box, by its letter in the tree of bisections."""
 MOST_BOXES = 50_000
 """Default number of boxes after which what is left stays undecided."""
+
+
+Cells = Annotated[int, Whole(1, 10_000, "give a number of cells")]
+Leaves = Annotated[int | None, Whole(1, None, "give a number of boxes, or None for all")]
 
 
 class Box(NamedTuple):
@@ -157,7 +161,8 @@ class ProvedRegion(Result):
         """Share of the area that is decided."""
         return 1.0 - self.shares[WORDS[UNDECIDED]]
 
-    def grid(self, rows: int, columns: int) -> NDArray[np.int64]:
+    @checked
+    def grid(self, rows: Cells, columns: Cells) -> NDArray[np.int64]:
         """Return the letter of the box of each point of a grid as a number, lowest row first.
 
         Parameters
@@ -188,17 +193,8 @@ class ProvedRegion(Result):
         }
         return json.dumps(values, indent=1) + "\n"
 
-    def save(self, file: str | PathLike[str]) -> None:
-        """Write the region as JSON.
-
-        Parameters
-        ----------
-        file
-            Where to.
-        """
-        Path(file).write_text(self.to_json(), encoding="utf-8")
-
-    def check(self, leaves: int | None = 1000) -> bool:
+    @checked
+    def check(self, leaves: Leaves = 1000) -> bool:
         """Return whether boxes drawn at random, or all, are proved again to be what they are.
 
         Parameters
@@ -241,7 +237,7 @@ def certify_region(
     restitution: float | str,
     *,
     order: int = 1,
-    most_boxes: int = MOST_BOXES,
+    most_boxes: Annotated[int, Whole(1, 10**8, "give a number of boxes")] = MOST_BOXES,
 ) -> ProvedRegion:
     """Prove where the symmetric motion of branch 1 exists and is stable, over boxes.
 
@@ -275,7 +271,8 @@ def certify_region(
             raise InputError(
                 name, (low, high), "it must be a range above 0", "give its ends, as (0.3, 6)"
             )
-    if order < 1 or order % 2 == 0:
+    order = whole_number("order", order, at_least=1, at_most=99, hint="give 1 or 3")
+    if order % 2 == 0:
         raise InputError("order", order, "it must be odd", "give 1 or 3")
     texts = stated("restitution", restitution)
     if not 0.0 < float(texts[0]) < 1.0:
