@@ -5,12 +5,18 @@ PYTHON ?= python3
 WORKERS ?= 2
 MARKS ?= not slow
 
-BIN := .venv/bin
+# Windows has the programs of an environment in another folder.
+PROGRAMS := $(if $(filter Windows_NT,$(OS)),Scripts,bin)
+BIN := .venv/$(PROGRAMS)
 BARE := .venv/.bare
 LOWERS := .venv/.lowers
 STAMP := .venv/.installed
 FLOOR := build/floor
 FLOOR_STAMP := $(FLOOR)/.installed
+WHEEL := build/wheel
+# What the tests of the package import; those of pages, pictures and tools need the checkout's environment.
+WHEEL_NEEDS := hypothesis mpmath psutil pytest pytest-xdist python-flint statsmodels
+WHEEL_TESTS := $(addprefix tests/,dynamics kernels model records results risk seismic sweep)
 INSTALL := pip install --quiet --no-compile --constraint constraints.txt
 EXTRAS := bench,build,cluster,dev,docs,gpu,jit,records
 PEERS := heyoka mujoco
@@ -124,8 +130,8 @@ tests-jit: warm ## the kernels' tests, kernels compiled by numba
 .PHONY: tests-floor
 tests-floor: $(FLOOR_STAMP) library ## pytest with every dependency at its lower bound, the slow tests excepted [+ build/floor]
 	@# numba at its bound compiles the march alone: all entries would take six minutes.
-	ROCKSTEADY_KERNELS=jit $(FLOOR)/bin/python -m pytest -o cache_dir=$(FLOOR)/pytest tests/kernels/march
-	$(FLOOR)/bin/python -m pytest -n $(WORKERS) -o cache_dir=$(FLOOR)/pytest
+	ROCKSTEADY_KERNELS=jit $(FLOOR)/$(PROGRAMS)/python -m pytest -o cache_dir=$(FLOOR)/pytest tests/kernels/march
+	$(FLOOR)/$(PROGRAMS)/python -m pytest -n $(WORKERS) -o cache_dir=$(FLOOR)/pytest
 
 ##@ Upkeep
 
@@ -200,6 +206,44 @@ wheels: .venv ## build a wheel for each platform and one for GPUs into dist/, an
 	$(BIN)/python -m tools.wheels build --libraries build/libraries --out dist
 	$(BIN)/python -m tools.wheels check --wheels dist
 
+.PHONY: sdist
+sdist: .venv ## build the source distribution into dist/
+	@rm -f dist/rocksteady*.tar.gz
+	$(BIN)/python -m tools.release sdist --out dist
+
+.PHONY: tests-sdist
+tests-sdist: sdist ## build a wheel of it in isolation, and run its tests in a fresh folder and environment
+	folder=$$(mktemp -d) && tar -xzf dist/rocksteady-*.tar.gz -C $$folder --strip-components 1 && \
+		$(BIN)/python -m pip wheel --quiet --no-deps --wheel-dir $$folder/dist $$folder && \
+		$(MAKE) -C $$folder tests && rm -rf $$folder
+
+.PHONY: tests-wheel
+tests-wheel: ## pytest on the wheel of this machine in dist/, in an environment of its own [what tests need]
+	@rm -rf $(WHEEL)
+	@$(call create-environment,$(WHEEL))
+	$(WHEEL)/$(PROGRAMS)/python -m pip install --quiet --no-index --no-deps --find-links dist rocksteady
+	$(WHEEL)/$(PROGRAMS)/python -m pip install --quiet --constraint constraints.txt 'rocksteady[cluster,jit,records]' $(WHEEL_NEEDS)
+	$(WHEEL)/$(PROGRAMS)/rocksteady doctor --check
+	$(WHEEL)/$(PROGRAMS)/python -m pytest -n $(WORKERS) --dist worksteal -o cache_dir=$(WHEEL)/pytest $(WHEEL_TESTS)
+
+.PHONY: metadata
+metadata: .venv ## write codemeta.json from pyproject.toml and CITATION.cff
+	$(BIN)/python -m tools.release metadata
+
+.PHONY: release
+release: wheels sdist ## the files of a release in dist/: wheels, sources, bill of materials, recipe, hashes
+	$(BIN)/python -m tools.release bill --out dist
+	$(BIN)/python -m tools.release recipe --out dist
+	cd dist && sha256sum rocksteady* > SHA256SUMS && cat SHA256SUMS
+
+.PHONY: ready
+ready: .venv ## whether a tag can be released: TAG=v0.1.0; what is missing, with what to do
+	@$(BIN)/python -m tools.release check $(if $(TAG),--tag "$(TAG)")
+
+.PHONY: site
+site: docs ## manual and explorer as one folder for any host: out/site
+	$(BIN)/python -m tools.release site --manual out/manual --out out/site
+
 .PHONY: bench-gpu
 bench-gpu: .venv library gpu ## measure the kernels on a GPU, ten minutes; writes its part of docs/benchmarks.md
 	@mkdir -p out docs
@@ -225,12 +269,12 @@ architecture: .venv ## draw docs/images/architecture.png and its table from the 
 constraints: ## renew constraints.txt with the newest versions that fit together
 	@rm -rf build/constraints
 	@$(call create-environment,build/constraints)
-	build/constraints/bin/python -m pip install --quiet hatchling editables '.[$(EXTRAS)]'
+	build/constraints/$(PROGRAMS)/python -m pip install --quiet hatchling editables '.[$(EXTRAS)]'
 	@{ \
 		echo "# The exact version of everything that the package and its extras ($(EXTRAS)) install, under the"; \
 		echo "# oldest supported Python: what .venv holds and what every check runs with. Renewed as a whole"; \
 		echo "# by 'make constraints', never by hand; pyproject.toml holds the lower bounds."; \
-		build/constraints/bin/python -m pip freeze --exclude rocksteady; \
+		build/constraints/$(PROGRAMS)/python -m pip freeze --exclude rocksteady; \
 	} > build/constraints.txt
 	@mv build/constraints.txt constraints.txt
 	@rm -rf build/constraints
@@ -279,7 +323,7 @@ $(STAMP): $(BARE)
 		then echo installed > $@; \
 		else echo "ptxas cannot be installed here" >&2; : > $@; fi
 
-ifneq ($(shell test -x $(FLOOR)/bin/python && cat $(FLOOR_STAMP) 2>/dev/null),$(CURDIR))
+ifneq ($(shell test -x $(FLOOR)/$(PROGRAMS)/python && cat $(FLOOR_STAMP) 2>/dev/null),$(CURDIR))
 .PHONY: $(FLOOR_STAMP)
 endif
 
@@ -287,11 +331,11 @@ $(FLOOR_STAMP): pyproject.toml constraints.txt tools/floor.py
 	@rm -rf $(FLOOR)
 	@$(call create-environment,$(FLOOR))
 	@echo "Installing the lower bounds into $(FLOOR) (about a minute)"
-	$(FLOOR)/bin/python tools/floor.py > $(FLOOR)/constraints.txt
+	$(FLOOR)/$(PROGRAMS)/python tools/floor.py > $(FLOOR)/constraints.txt
 	@# Wheels alone: an old release that must be built depends on the compilers of the machine.
-	$(FLOOR)/bin/python -m pip install --quiet --only-binary :all: --constraint $(FLOOR)/constraints.txt hatchling editables
-	$(FLOOR)/bin/python -m pip install --quiet --only-binary :all: --constraint $(FLOOR)/constraints.txt --no-build-isolation --editable '.[$(EXTRAS)]'
-	$(FLOOR)/bin/python -m pip check
+	$(FLOOR)/$(PROGRAMS)/python -m pip install --quiet --only-binary :all: --constraint $(FLOOR)/constraints.txt hatchling editables
+	$(FLOOR)/$(PROGRAMS)/python -m pip install --quiet --only-binary :all: --constraint $(FLOOR)/constraints.txt --no-build-isolation --editable '.[$(EXTRAS)]'
+	$(FLOOR)/$(PROGRAMS)/python -m pip check
 	@echo "$(CURDIR)" > $@
 
 # $(call create-environment,FOLDER): a virtual environment with pip. Some systems ship python3

@@ -21,7 +21,7 @@ def ensemble() -> Any:
     return run_ensemble(
         Block.rectangle(width=0.32, height=1.8),
         make_synthetic_suite(RECORDS),
-        stripes=Levels(beside=()),
+        levels=Levels(beside=()),
         restitution=RestitutionBand(draws=10),
     )
 

@@ -29,9 +29,10 @@ TWICE = {
 
 
 ROOTS = {
-    *(".ci", ".gitignore", "CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md"),
-    *("LICENSE", "Makefile", "README.md", "bench", "constraints.txt", "docs", "examples"),
-    *("paper", "pyproject.toml", "src", "tests", "tools"),
+    *(".ci", ".github", ".gitignore", "CHANGELOG.md", "CITATION.cff", "CODE_OF_CONDUCT.md"),
+    *("CONTRIBUTING.md", "LICENSE", "Makefile", "README.md", "SECURITY.md", "bench"),
+    *("codemeta.json", "constraints.txt", "docs", "examples", "paper", "pyproject.toml", "src"),
+    *("tests", "tools"),
 }
 """What stands in the root of the repository."""
 

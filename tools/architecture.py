@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "rocksteady"
-PAGE = ROOT / "docs" / "architecture.md"
+PAGE = ROOT / "docs" / "reference" / "folders.md"
 PICTURE = ROOT / "docs" / "images" / "architecture.png"
 NAMESPACE = "rocksteady"
 EXPORTS = "The public names, imported from where they are defined when they are first used."
@@ -232,7 +232,7 @@ def table(tree: Tree) -> str:
     for place in folders(tree):
         path = file_of(place)
         target = path.parent if path.name == "__init__.py" else path
-        link = f"[`{place}`](../{target.relative_to(ROOT).as_posix()})"
+        link = f"[`{place}`](../../{target.relative_to(ROOT).as_posix()})"
         said = sentence_of(place).replace("``", "`").replace("|", r"\|")
         rows.append(f"| {link if '/' in place else f'**{link}**'} | {said} |")
     return "\n".join(rows) + "\n"

@@ -15,7 +15,7 @@ cabinet = rs.Block.rectangle(width=0.45, height=1.8)
 fragility = rs.compute_fragility(
     cabinet,
     rs.motions.make_synthetic_suite(16),
-    stripes=rs.risk.Levels("pgv_m_s", [0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.2], beside=()),
+    levels=rs.risk.Levels("pgv_m_s", [0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.2], beside=()),
     restitution=rs.risk.RestitutionBand(draws=2),
     fitting=rs.risk.FitOptions(
         states=["uplift", 0.5, "overturned"], bands=rs.risk.BandOptions(replicates=200)

@@ -18,6 +18,7 @@ __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 # Results lie below the pictures; the namespace, which imports both, connects them.
 use_plots(
     {
+        "Assessment": "assessment",
         "Attractor": "poincare_section",
         "AttractorSweep": "bifurcations",
         "Attractors": "attractor_kinds",

@@ -40,6 +40,7 @@ from .show.plots.portraits.shares import plot_basin_shares as basin_shares
 from .show.plots.records import plot_husid as husid
 from .show.plots.records import plot_integrated_record as integrated_record
 from .show.plots.records import plot_response_spectra as response_spectra
+from .show.plots.risk.assessment import plot_assessment as assessment
 from .show.plots.risk.fragility import plot_fragility as fragility
 from .show.plots.risk.fragility import plot_fragility_states as fragility_states
 from .show.plots.risk.hazard import plot_risk as risk
@@ -59,6 +60,7 @@ from .show.plots.steady_states import plot_steady_states as steady_states
 
 __all__ = [
     "animate",
+    "assessment",
     "attractor_kinds",
     "back_analysis",
     "base",

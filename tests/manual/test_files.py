@@ -472,17 +472,15 @@ def test_formats_and_units_of_motions_are_those_of_the_readers() -> None:
 
 
 def test_files_of_folders_and_columns_of_runs_are_those_that_are_written() -> None:
-    from rocksteady.show.assessment import folder
-    from rocksteady.show.calibration import calibration_folder
+    from rocksteady.show.export.folders import ASSESSMENT, CALIBRATION, FACADE
     from rocksteady.show.export.manifest import SCHEMA, make_manifest
-    from rocksteady.show.facade import facade_folder
 
     parts = sections("results")
     rows = parts["Report folders"].splitlines()
     for word, pattern in (
-        ("assess", folder.OURS),
-        ("facade --out", facade_folder.OURS),
-        ("calibrate", calibration_folder.OURS),
+        ("assess", ASSESSMENT.ours),
+        ("facade --out", FACADE.ours),
+        ("calibrate", CALIBRATION.ours),
     ):
         lines = [row.split("|")[2] for row in rows if row.startswith("|") and word in row]
         named = {name for line in lines for name in re.findall(r"`([\w.]+)`", line)}

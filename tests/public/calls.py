@@ -344,6 +344,7 @@ def calls() -> dict[str, Call]:
         rs.plots.attractor_kinds: {"attractors": t["many"]},
         rs.plots.hazard_curve: {"curves": t["hazard"]},
         rs.plots.neighbours: {"neighbours": t["neighbours"]},
+        rs.plots.assessment: {"assessment": t["assessed runs"]},
         rs.plots.objects: {"table": t["objects"], "most": 3},
         rs.plots.screens: {"screens": t["screens"]},
         rs.plots.steady_states: {"states": t["states"]},

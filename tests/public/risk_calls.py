@@ -106,13 +106,13 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.risk.RestitutionBand: {"draws": 2},
         rs.risk.RestitutionBand().ratios: {"block": block},
         rs.risk.Levels: {"measure": "pga_g", "levels": [0.2, 0.4], "beside": ()},
-        t["stripes"].levels_for: {"blocks": [block]},
-        t["stripes"].at_scale_one: {"records": [record], "blocks": [block]},
+        t["levels"].levels_for: {"blocks": [block]},
+        t["levels"].at_scale_one: {"records": [record], "blocks": [block]},
         rs.measures.compute_measure: {"record": record, "intensity": "pga_per_uplift", "block":
         block}, rs.run_ensemble: {
             "blocks": block,
             "motions": record,
-            "stripes": t["stripes"],
+            "levels": t["levels"],
             "restitution": rs.risk.RestitutionBand(draws=1),
         },
         rs.risk.DamageState: {"name": "half", "peak": 0.5},
@@ -120,7 +120,7 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.compute_fragility: {
             "blocks": block,
             "motions": [record, record.scaled(0.8)],
-            "stripes": t["stripes"],
+            "levels": t["levels"],
             "restitution": rs.risk.RestitutionBand(draws=1),
             "fitting": t["fitting"],
         },

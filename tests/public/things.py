@@ -99,12 +99,12 @@ def things() -> dict[str, Any]:
             rs.sweeps.evaluate(
                 square, grid, (rs.sweeps.Output(name="value"),), run=rs.Execution(store=path)
             )
-    stripes = rs.risk.Levels("pga_g", [0.4, 0.8, 1.6])
+    levels = rs.risk.Levels("pga_g", [0.4, 0.8, 1.6])
     fitting = rs.risk.FitOptions(states=["uplift", "overturned"], bands=None)
     fragility = rs.compute_fragility(
         block,
         [record, other],
-        stripes=stripes,
+        levels=levels,
         restitution=rs.risk.RestitutionBand(draws=1),
         fitting=fitting,
     )
@@ -126,7 +126,7 @@ def things() -> dict[str, Any]:
             [record, other],
             scan=rs.calibration.ScanOptions(levels=6, draws=2, temper=0.5, trials=0),
         ),
-        "stripes": stripes,
+        "levels": levels,
         "fitting": fitting,
         "fragility": fragility,
         "state_fragility": fragility.states[0],
@@ -161,6 +161,9 @@ def things() -> dict[str, Any]:
         "object": described,
         "facts": rs.risk.compute_object_facts(described),
         "assessment": assessed,
+        "assessed runs": rs.assess_object(
+            described.with_peaks(pga_g=0.5, pgv_m_s=0.3), [record, other]
+        ),
         "objects": rs.assess_objects([described], [record, other], pga_g=0.3, pgv_m_s=0.3),
         "output": rs.sweeps.Output(name="value"),
         "map": maps,

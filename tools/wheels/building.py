@@ -134,14 +134,14 @@ def build_programs(libraries: Path, out: Path) -> Path:
         if sources_of(file) != sources_hash()
     ]
     project = _config()["project"]
-    kept = ("requires-python", "license", "license-files", "authors", "classifiers")
+    kept = ("requires-python", "license", "license-files", "authors", "keywords", "classifiers")
     config = {
         "project": {
             "name": PROGRAMS,
             "version": __version__,
             "description": "Programs for GPUs of the package rocksteady",
             "dependencies": [f"rocksteady[gpu] == {__version__}"],
-            **{name: project[name] for name in kept},
+            **{name: project[name] for name in (*kept, "urls") if name in project},
         },
         "tool": {"hatch": {"build": {"targets": {"wheel": {"bypass-selection": True}}}}},
     }

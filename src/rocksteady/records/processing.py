@@ -11,10 +11,7 @@ from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.sampling import interpolated
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from rocksteady.arrays import Floats
 
 _HIGHEST_ORDER: Final = 10
 _MOST_SAMPLES: Final = 20_000_000

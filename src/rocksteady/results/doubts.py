@@ -1,7 +1,7 @@
 """Words and thresholds of estimates that do not exist, or rest on too little.
 
 Fits, posteriors and intervals of the package take their rules from here; the table in
-``docs/architecture.md`` lists them.
+``docs/decisions.md`` lists them.
 """
 
 import math

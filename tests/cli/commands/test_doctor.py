@@ -1,5 +1,6 @@
 """`rocksteady doctor`: its contract, its screen, and its exit codes."""
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -135,6 +136,36 @@ def test_the_json_keeps_the_contract() -> None:
     assert values["versions"]["numba"] is None
     assert (values["gpu"], values["no_gpu"]) == ("NVIDIA H100, compute capability 9.0", None)
     assert [entry["kernel"] for entry in values["checks"]] == ["march", "settle_cells"]
+
+
+@pytest.mark.usefixtures("ill")
+def test_a_report_has_all_facts_the_dependencies_and_the_variables_but_no_home(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Path, "home", lambda: Path("/home/user"))
+    monkeypatch.setenv("ROCKSTEADY_CACHE", "/home/user/kernels")
+    file = tmp_path / "report.md"
+    ran = rocksteady(f"doctor --report {file}")
+    assert (ran.code, ran.out) == (0, rocksteady("doctor").out)
+    text = file.read_text(encoding="utf-8")
+    assert text.startswith("```text\n")
+    assert text.endswith("\n```\n")
+    assert rocksteady("doctor --more").out.replace("/home/user", "~") in text
+    assert "\nROCKSTEADY_CACHE=~/kernels\n" in text
+    assert re.search(r"^numpy +\d+\.\d+", text, re.MULTILINE)
+    assert not re.search(r"^(?:ruff|sphinx) ", text, re.MULTILINE)
+    assert "/home" not in text
+
+
+@pytest.mark.usefixtures("healthy")
+def test_a_report_overwrites_nothing_and_is_text(tmp_path: Path) -> None:
+    file = tmp_path / "report.txt"
+    file.write_text("mine", encoding="utf-8")
+    assert "add --force" in refused(f"doctor --report {file}")
+    assert file.read_text(encoding="utf-8") == "mine"
+    assert rocksteady(f"doctor --report {file} --force").code == 0
+    assert file.read_text(encoding="utf-8").startswith("```text\n")
+    assert ".md, .txt" in refused(f"doctor --report {tmp_path / 'report.pdf'}")
 
 
 def test_the_real_one_runs_and_takes_no_arguments() -> None:

@@ -141,7 +141,7 @@ def test_no_name_of_a_record_ends_a_command(odd: Path, tmp_path: Path) -> None:
     block = "--width-m 0.4 --height-m 2"
     ran = rocksteady(f"record {block} --plot", plot, "--csv", csv, odd)
     assert ran.code == 0, ran.err
-    assert "".join(printable(odd.name).split()) in "".join(ran.out.split())
+    assert "".join(printable(odd.stem).split()) in "".join(ran.out.split())
     assert rocksteady("record --json", odd).json["file"] == str(odd)
     ran = rocksteady(f"simulate {block} --force --plot", plot, "--csv", csv, "--record", odd)
     assert ran.code == 0, ran.err

@@ -44,7 +44,8 @@ def test_the_units_of_a_width_agree(tmp_path: Path) -> None:
         file = tmp_path / f"{number}.png"
         ran = rocksteady("simulate -A 2 -W 4 -r 0.8 --cycles 5", "--plot", file, "--width", width)
         assert ran.code == 0, ran.err
-        seen.append(file.read_bytes())
+        with Image.open(file) as picture:
+            seen.append((picture.size, picture.tobytes()))
     assert len(set(seen)) == 1
 
 

@@ -29,7 +29,7 @@ def test_a_known_gate_makes_the_second_stage_one_of_the_excess() -> None:
         found = compute_fragility(
             BLOCK,
             SUITE,
-            stripes=Levels(name, level * np.array([0.6, 1.3, 1.8, 2.5, 3.5, 5.0]), beside=()),
+            levels=Levels(name, level * np.array([0.6, 1.3, 1.8, 2.5, 3.5, 5.0]), beside=()),
             restitution=RestitutionBand(draws=1),
             fitting=FitOptions(states=[0.5], bands=None),
         )
@@ -54,7 +54,7 @@ def test_a_gate_is_known_below_the_lowest_level_too() -> None:
     found = compute_fragility(
         BLOCK,
         SUITE,
-        stripes=Levels("pga_g", [1.5 * gate, 3.0 * gate, 6.0 * gate], beside=()),
+        levels=Levels("pga_g", [1.5 * gate, 3.0 * gate, 6.0 * gate], beside=()),
         restitution=RestitutionBand(draws=1),
         fitting=FitOptions(states=["overturned"], bands=None),
     )
@@ -68,7 +68,7 @@ def test_unequal_sides_and_unequal_blocks_have_no_one_gate(blocks: list[Block]) 
     found = compute_fragility(
         blocks,
         SUITE,
-        stripes=Levels("pga_g", [0.05, 0.3, 0.6, 1.2], beside=()),
+        levels=Levels("pga_g", [0.05, 0.3, 0.6, 1.2], beside=()),
         restitution=RestitutionBand(draws=1),
         fitting=FitOptions(states=["overturned"], bands=None),
     )
@@ -79,11 +79,11 @@ def test_unequal_sides_and_unequal_blocks_have_no_one_gate(blocks: list[Block]) 
 
 def test_a_block_against_a_wall_has_no_gate_in_the_peak_of_either_sign() -> None:
     gate = math.tan(BLOCK.alpha)
-    levels = [0.9 * gate, 1.05 * gate, 1.2 * gate, 1.5 * gate, 4.0 * gate]
-    stripes = Levels("pga_g", levels, beside=())
+    at = [0.9 * gate, 1.05 * gate, 1.2 * gate, 1.5 * gate, 4.0 * gate]
+    levels = Levels("pga_g", at, beside=())
     band = RestitutionBand(draws=1)
     found = compute_fragility(
-        BLOCK.against_wall(), SUITE, stripes=stripes, restitution=band, fitting=PLAIN
+        BLOCK.against_wall(), SUITE, levels=levels, restitution=band, fitting=PLAIN
     )
     two = found.state("overturned").two_stage
     assert two is not None
@@ -95,19 +95,19 @@ def test_a_block_against_a_wall_has_no_gate_in_the_peak_of_either_sign() -> None
             for r in SUITE
             for sign in (1.0, -1.0)
         )
-        for level in levels
+        for level in at
     ]
     assert [row[2] for row in found.state("overturned").points] == lifts
     assert len(SUITE) < lifts[1] < 2 * len(SUITE)
-    free = compute_fragility(BLOCK, SUITE, stripes=stripes, restitution=band, fitting=PLAIN)
+    free = compute_fragility(BLOCK, SUITE, levels=levels, restitution=band, fitting=PLAIN)
     assert free.state("overturned").two_stage.gate == pytest.approx(gate)  # type: ignore[union-attr]
     assert free.state("uplift").curve.median != found.state("uplift").curve.median
 
 
 def test_a_gate_that_a_run_contradicts_is_not_known() -> None:
     gate = math.tan(BLOCK.alpha)
-    stripes = Levels("pga_g", [0.8 * gate, 2.0 * gate, 4.0 * gate], beside=())
-    runs = run_ensemble(BLOCK, SUITE, stripes=stripes, restitution=RestitutionBand(draws=1))
+    levels = Levels("pga_g", [0.8 * gate, 2.0 * gate, 4.0 * gate], beside=())
+    runs = run_ensemble(BLOCK, SUITE, levels=levels, restitution=RestitutionBand(draws=1))
     runs["peak_angle"].values[..., 0].flat[0] = 0.01
     two = fit_fragility(runs, fitting=PLAIN).state("overturned").two_stage
     assert two is not None
@@ -118,7 +118,7 @@ def test_few_records_are_a_whole_sentence_and_come_once() -> None:
     runs = run_ensemble(
         BLOCK,
         SUITE[:7],
-        stripes=Levels("pga_g", [0.1, 0.3, 0.6, 1.2], beside=()),
+        levels=Levels("pga_g", [0.1, 0.3, 0.6, 1.2], beside=()),
         restitution=RestitutionBand(draws=1),
     )
     sentences = [text for text in fit_fragility(runs).warnings if "7 records" in text]
@@ -137,7 +137,7 @@ def test_a_statue_in_pga_is_described_by_two_stages() -> None:
     found = compute_fragility(
         Block.from_radius(alpha=0.27, radius=0.9),
         [read_record(file) for file in files],
-        stripes=Levels("pga_g", np.linspace(0.1, 1.5, 29), beside=()),
+        levels=Levels("pga_g", np.linspace(0.1, 1.5, 29), beside=()),
         restitution=RestitutionBand(draws=3),
         fitting=PLAIN,
     )

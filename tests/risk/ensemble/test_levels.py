@@ -45,9 +45,9 @@ def test_what_scaling_does_not_change_has_no_levels() -> None:
 
 
 def test_a_measure_with_a_period_keeps_it() -> None:
-    stripes = Levels(Measure("sa_g", 0.5), [0.3])
-    assert stripes.key == "sa_g_0.5s"
-    assert stripes.intensity == Measure("sa_g", 0.5)
+    levels = Levels(Measure("sa_g", 0.5), [0.3])
+    assert levels.key == "sa_g_0.5s"
+    assert levels.intensity == Measure("sa_g", 0.5)
 
 
 def test_no_more_than_a_thousand_levels() -> None:

@@ -48,7 +48,7 @@ def ensemble() -> xarray.Dataset:
     return run_ensemble(
         BLOCKS,
         MOTIONS,
-        stripes=Levels("pga_per_uplift", LEVELS),
+        levels=Levels("pga_per_uplift", LEVELS),
         restitution=RestitutionBand(draws=2),
     )
 
@@ -95,8 +95,8 @@ def test_each_cell_of_a_block_against_a_wall_is_a_time_history(model: Linear | N
     block = OFF_CENTRE.against_wall()
     motions = MOTIONS if model is None else SUITE
     for band in (RestitutionBand(draws=2), RestitutionBand(low=0.0, high="housner", draws=3)):
-        stripes = Levels("pga_per_uplift", LEVELS, beside=())
-        found = run_ensemble(block, motions, stripes=stripes, restitution=band, model=model)
+        levels = Levels("pga_per_uplift", LEVELS, beside=())
+        found = run_ensemble(block, motions, levels=levels, restitution=band, model=model)
         ways = (4 if model is None else 3) * 2
         assert found.attrs["runs"] == ways * band.draws * len(LEVELS)  # no mirror images
         for (j, motion), k, direction, draw in product(
@@ -130,7 +130,7 @@ def test_one_sided_uplift_is_that_of_the_peak_of_one_sign() -> None:
         found = run_ensemble(
             walls,
             SUITE,
-            stripes=Levels("scale", levels, beside=()),
+            levels=Levels("scale", levels, beside=()),
             restitution=RestitutionBand(draws=1),
             model=model,
         )
@@ -149,12 +149,12 @@ def test_one_sided_uplift_is_that_of_the_peak_of_one_sign() -> None:
 
 def test_scatter_at_a_wall_is_that_of_the_wall_alone_and_has_the_bits_of_every_executor() -> None:
     wall = SYMMETRIC.against_wall(0.5)
-    stripes = Levels("pga_per_uplift", LEVELS, beside=())
+    levels = Levels("pga_per_uplift", LEVELS, beside=())
     plain, still = (
         run_ensemble(
             wall,
             SUITE,
-            stripes=stripes,
+            levels=levels,
             restitution=RestitutionBand(low=0.5, high=0.5, draws=4, scatter=scatter),
             run=run,
         )
@@ -163,7 +163,7 @@ def test_scatter_at_a_wall_is_that_of_the_wall_alone_and_has_the_bits_of_every_e
     threads = run_ensemble(
         wall,
         SUITE,
-        stripes=stripes,
+        levels=levels,
         restitution=RestitutionBand(low=0.5, high=0.5, draws=4, scatter=0.1),
         run=Execution(executor="threads", workers=3),
     )
@@ -179,10 +179,10 @@ def test_scatter_at_a_wall_is_that_of_the_wall_alone_and_has_the_bits_of_every_e
 
 
 def test_a_mirror_image_has_the_bits_of_its_run() -> None:
-    stripes = Levels("pga_per_uplift", LEVELS, beside=())
+    levels = Levels("pga_per_uplift", LEVELS, beside=())
     band = RestitutionBand(draws=2)
-    both = run_ensemble(SYMMETRIC, MOTIONS, stripes=stripes, restitution=band)
-    one = run_ensemble(SYMMETRIC, MOTIONS, stripes=stripes, restitution=band, reverse=True)
+    both = run_ensemble(SYMMETRIC, MOTIONS, levels=levels, restitution=band)
+    one = run_ensemble(SYMMETRIC, MOTIONS, levels=levels, restitution=band, reverse=True)
     assert both.attrs["runs"] == one.attrs["runs"] == 4 * 3 * 2
     for name in NAMES:
         np.testing.assert_array_equal(both[name].sel(direction=["reversed"]), one[name])
@@ -201,7 +201,7 @@ def test_plain_factors_are_the_runs_of_simulate_many() -> None:
     found = run_ensemble(
         BLOCKS,
         MOTIONS,
-        stripes=Levels("scale", factors, beside=()),
+        levels=Levels("scale", factors, beside=()),
         restitution=RestitutionBand(draws=1),
         vertical=True,
     )
@@ -221,7 +221,7 @@ def test_every_executor_gives_the_same_bits(run: Execution) -> None:
     found = run_ensemble(
         BLOCKS,
         MOTIONS,
-        stripes=Levels("pga_per_uplift", LEVELS),
+        levels=Levels("pga_per_uplift", LEVELS),
         restitution=RestitutionBand(draws=2),
         run=run,
     )
@@ -236,7 +236,7 @@ def test_small_batches_give_the_same_bits(monkeypatch: pytest.MonkeyPatch) -> No
     found = run_ensemble(
         BLOCKS,
         MOTIONS,
-        stripes=Levels("pga_per_uplift", LEVELS, beside=()),
+        levels=Levels("pga_per_uplift", LEVELS, beside=()),
         restitution=RestitutionBand(draws=2),
     )
     for name in NAMES:
@@ -256,7 +256,7 @@ def test_an_interrupted_ensemble_goes_on_from_its_store(tmp_path: Path) -> None:
         return run_ensemble(
             BLOCKS,
             MOTIONS,
-            stripes=Levels("pga_per_uplift", LEVELS),
+            levels=Levels("pga_per_uplift", LEVELS),
             restitution=RestitutionBand(draws=2),
             run=run,
         )
@@ -288,7 +288,7 @@ def test_warnings_count_what_they_warn_of() -> None:
     found = run_ensemble(
         SYMMETRIC,
         [SUITE[0], again, BaseMotion(SUITE[1], down)],
-        stripes=Levels("scale", [1.0, 30.0], beside=()),
+        levels=Levels("scale", [1.0, 30.0], beside=()),
         restitution=RestitutionBand(draws=1),
     )
     alike, large, lost = json.loads(found.attrs["warnings"])
@@ -298,7 +298,7 @@ def test_warnings_count_what_they_warn_of() -> None:
     count = int((found.status == Status.LOST_CONTACT).sum())
     assert lost.startswith(f"{count} of 24 runs")
     assert count > 0
-    clean = run_ensemble(SYMMETRIC, SUITE, stripes=Levels("scale", [1.0], beside=()))
+    clean = run_ensemble(SYMMETRIC, SUITE, levels=Levels("scale", [1.0], beside=()))
     assert json.loads(clean.attrs["warnings"]) == []
 
 
@@ -308,7 +308,7 @@ def test_vertical_motion_needs_a_record_and_full_equations() -> None:
     with pytest.raises(ModelError, match="vertical"):
         run_ensemble(SYMMETRIC, MOTIONS, model=Linear())
     flat = run_ensemble(
-        SYMMETRIC, MOTIONS, model=Linear(), vertical=False, stripes=Levels(levels=[1.0])
+        SYMMETRIC, MOTIONS, model=Linear(), vertical=False, levels=Levels(levels=[1.0])
     )
     assert flat.attrs["model"] == "linear"
     assert flat.vertical.values.tolist() == ["without"]
@@ -321,7 +321,7 @@ def test_a_linear_block_lifts_above_alpha_g() -> None:
         block,
         shock,
         model=Linear(),
-        stripes=Levels("scale", [1.0], beside=()),
+        levels=Levels("scale", [1.0], beside=()),
         restitution=RestitutionBand(draws=1),
     )
     assert float(found.uplift_time_s.isel(direction=0).squeeze()) == pytest.approx(

@@ -24,8 +24,8 @@ def scattered(scatter: float = 0.05, seed: int = 0) -> xarray.Dataset:
 
 
 def computed(band: RestitutionBand, run: Execution | None = None) -> xarray.Dataset:
-    stripes = Levels("scale", [0.8, 1.6], beside=())
-    return run_ensemble(BLOCKS, SUITE, stripes=stripes, restitution=band, run=run)
+    levels = Levels("scale", [0.8, 1.6], beside=())
+    return run_ensemble(BLOCKS, SUITE, levels=levels, restitution=band, run=run)
 
 
 def test_draws_of_one_mean_differ_and_without_scatter_are_one() -> None:

@@ -49,7 +49,7 @@ def ensemble() -> xarray.Dataset:
     return run_ensemble(
         [BLOCK, OTHER],
         SUITE,
-        stripes=Levels("p_pgv_per_uplift", LEVELS),
+        levels=Levels("p_pgv_per_uplift", LEVELS),
         restitution=RestitutionBand(draws=2),
     )
 
@@ -138,7 +138,7 @@ def test_a_measure_has_one_curve_in_all_answers() -> None:
         found = compute_fragility(
             BLOCK,
             SUITE[:6],
-            stripes=Levels(measure, levels, beside=kept),
+            levels=Levels(measure, levels, beside=kept),
             restitution=RestitutionBand(draws=1),
             fitting=PLAIN,
         )
@@ -181,9 +181,9 @@ def test_a_measure_has_one_curve_in_all_answers() -> None:
 
 def test_over_pgv_a_curve_is_of_the_runs_whose_pga_lifts() -> None:
     """By hand, of runs of a suite whose records differ in PGV/PGA; points and words agree."""
-    stripes = Levels(levels=[0.15, 0.3, 0.6, 0.9, 1.4, 2.0])
-    assert stripes.key == "pgv_m_s"
-    runs = run_ensemble(BLOCK, SUITE, stripes=stripes, restitution=RestitutionBand(draws=1))
+    levels = Levels(levels=[0.15, 0.3, 0.6, 0.9, 1.4, 2.0])
+    assert levels.key == "pgv_m_s"
+    runs = run_ensemble(BLOCK, SUITE, levels=levels, restitution=RestitutionBand(draws=1))
     found = fit_fragility(runs, fitting=PLAIN)
     lifts = ((runs.im_pga_g * runs.scale) > math.tan(BLOCK.alpha)).broadcast_like(runs.status)
     lifts = lifts.transpose(*runs.status.dims).values
@@ -231,7 +231,7 @@ def test_a_step_at_one_level_is_not_refuted_by_that_level() -> None:
     found = compute_fragility(
         BLOCK,
         SUITE,
-        stripes=Levels("pga_g", [0.8 * gate, 1.2 * gate, 2.4 * gate], beside=()),
+        levels=Levels("pga_g", [0.8 * gate, 1.2 * gate, 2.4 * gate], beside=()),
         restitution=RestitutionBand(draws=2),
         fitting=FitOptions(states=[0.05], bands=None),
     )
@@ -251,10 +251,10 @@ def test_records_are_the_groups_however_many_blocks_are_pooled() -> None:
 
 
 def test_mirror_images_do_not_move_a_curve() -> None:
-    stripes, band = Levels(levels=LEVELS, beside=()), RestitutionBand(draws=1)
+    levels, band = Levels(levels=LEVELS, beside=()), RestitutionBand(draws=1)
     both, one = (
         compute_fragility(
-            BLOCK, SUITE, stripes=stripes, restitution=band, reverse=reverse, fitting=PLAIN
+            BLOCK, SUITE, levels=levels, restitution=band, reverse=reverse, fitting=PLAIN
         )
         for reverse in ("both", False)
     )
@@ -270,7 +270,7 @@ def test_uplift_over_pga_is_a_step_at_g_tan_alpha() -> None:
     found = compute_fragility(
         BLOCK,
         SUITE,
-        stripes=Levels("pga_g", levels, beside=()),
+        levels=Levels("pga_g", levels, beside=()),
         restitution=RestitutionBand(draws=1),
         fitting=PLAIN,
     )
@@ -351,7 +351,7 @@ def test_curves_of_plain_factors_are_over_the_default_measure() -> None:
     found = compute_fragility(
         BLOCK,
         SUITE,
-        stripes=Levels("scale", [0.5, 1.0, 2.0, 4.0]),
+        levels=Levels("scale", [0.5, 1.0, 2.0, 4.0]),
         restitution=RestitutionBand(draws=1),
         fitting=PLAIN,
     )
@@ -369,7 +369,7 @@ def test_a_measure_that_is_not_beside_the_runs_is_named() -> None:
     runs = run_ensemble(
         BLOCK,
         SUITE[:2],
-        stripes=Levels("pga_g", [0.3, 0.6], beside=()),
+        levels=Levels("pga_g", [0.3, 0.6], beside=()),
         restitution=RestitutionBand(draws=1),
     )
     with pytest.raises(InputError, match="no such measure beside it; it has pga_g"):
@@ -415,7 +415,7 @@ def test_the_suite_gives_the_published_curve() -> None:
     runs = run_ensemble(
         blocks,
         [read_record(file) for file in files],
-        stripes=Levels("scale", [1.0, 2.0, 4.0, 8.0, 16.0]),
+        levels=Levels("scale", [1.0, 2.0, 4.0, 8.0, 16.0]),
         restitution=RestitutionBand(draws=1),
     )
     found = fit_fragility(runs, fitting=PLAIN)

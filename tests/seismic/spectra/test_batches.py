@@ -181,14 +181,14 @@ def ensembles(rng: Draw) -> Iterator[Cell]:
     body = rs.Block.rectangle(width=rng.uniform(0.2, 0.8), height=2.0)
     model = drawn_model(rng)
     grounds = [ground(rng, body.uplift_acceleration, body.p) for _ in range(2)]
-    levels = sorted(rng.uniform(0.3, 2.0, 2).tolist())
-    stripes = rs.risk.Levels(levels=levels, measure="scale")
-    table = rs.run_ensemble(body, grounds, stripes=stripes, model=model).isel(block=0, vertical=0)
+    scales = sorted(rng.uniform(0.3, 2.0, 2).tolist())
+    levels = rs.risk.Levels(levels=scales, measure="scale")
+    table = rs.run_ensemble(body, grounds, levels=levels, model=model).isel(block=0, vertical=0)
     for draw, ratio in enumerate(table.restitution.values.tolist()):
         drawn = body.with_restitution(ratio)
         for j, motion in enumerate(grounds):
             for k, sign in enumerate((1.0, -1.0)):
-                for m, scale in enumerate(levels):
+                for m, scale in enumerate(scales):
                     shaken = motion.scaled(sign * scale)
                     found = table.isel(record=j, direction=k, draw=draw, level=m)
                     yield cell_of(found, rs.simulate(drawn, shaken, model=model))

@@ -182,7 +182,7 @@ def real() -> Fragility:
     return compute_fragility(
         Block.rectangle(width=0.3, height=1.2),
         suite,
-        stripes=Levels("pgv_m_s", np.geomspace(0.1, 3.0, 8).tolist(), beside=()),
+        levels=Levels("pgv_m_s", np.geomspace(0.1, 3.0, 8).tolist(), beside=()),
         restitution=RestitutionBand(draws=2),
         fitting=FitOptions(bands=None),
     )

@@ -29,7 +29,7 @@ def _runs() -> xarray.Dataset:
     return run_ensemble(
         [Block.rectangle(width=0.3, height=1.6), Block.rectangle(width=0.5, height=1.2)],
         suite,
-        stripes=Levels("pga_g", [0.1, 0.4, 1.5], beside=()),
+        levels=Levels("pga_g", [0.1, 0.4, 1.5], beside=()),
         restitution=RestitutionBand(draws=2),
     )
 

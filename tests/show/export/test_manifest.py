@@ -43,7 +43,7 @@ def test_seed_model_and_warnings_come_from_the_ensemble(tmp_path: Path) -> None:
     runs = run_ensemble(
         Block.rectangle(width=0.4, height=1.6),
         SHOCK,
-        stripes=Levels("pga_g", [0.2, 4.0], beside=()),
+        levels=Levels("pga_g", [0.2, 4.0], beside=()),
         restitution=RestitutionBand(draws=2, seed=7),
     )
     found = make_manifest([SHOCK], ensemble=runs, warnings=["one", "one"])

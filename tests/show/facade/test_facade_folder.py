@@ -9,8 +9,9 @@ import pytest
 
 from rocksteady.errors import InputError, OutputError
 from rocksteady.risk.facades.facade_runs import FacadeRuns
+from rocksteady.show.export.folders import FACADE
 from rocksteady.show.facade import facade_folder as module
-from rocksteady.show.facade.facade_folder import check_facade_folder, write_facade
+from rocksteady.show.facade.facade_folder import write_facade
 from tests.show.facade.checked_facades import SUITE, alone, thin
 
 FILES = ["checks.csv", "facade.json", "report.html", "run.json", "runs.csv"]
@@ -96,9 +97,9 @@ def test_only_a_folder_of_ours_is_replaced_and_no_runs_stay_behind(tmp_path: Pat
     assert names(out) == [name for name in FILES if name != "runs.csv"]
     (out / "thesis.txt").write_text("years of work", encoding="utf-8")
     with pytest.raises(OutputError, match=r"it holds checks\.csv and 3 more; add --force"):
-        check_facade_folder(out)
+        FACADE.check(out)
     with pytest.raises(OutputError, match=r"it holds thesis\.txt, which is no file of a facade"):
-        check_facade_folder(out, force=True)
+        FACADE.check(out, force=True)
     assert (out / "thesis.txt").exists()
 
 

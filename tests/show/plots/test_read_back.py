@@ -99,9 +99,9 @@ def shares_of(t: dict[str, Any]) -> np.ndarray:
     return np.asarray(fell.mean(over))
 
 
-def fallen_by_level(t: dict[str, Any]) -> np.ndarray:
+def fallen_by_level(fragility: rs.risk.Fragility) -> np.ndarray:
     """Return the share of runs of an ensemble that overturn, at each level."""
-    fell = t["fragility"].ensemble["status"] == rs.Status.OVERTURNED
+    fell = fragility.ensemble["status"] == rs.Status.OVERTURNED
     return np.asarray(fell.mean([name for name in fell.dims if name != "level"]))
 
 
@@ -123,6 +123,10 @@ CASES: dict[str, Case] = {
     "plot_base": lambda t: (
         {"motion": t["run"]},
         [t["run"].base_acceleration(t["run"].times()) * t["run"].block.alpha],
+    ),
+    "plot_assessment": lambda t: (
+        {"assessment": t["assessed runs"]},
+        [[0.3, 0.3], fallen_by_level(t["assessed runs"].fragility)],
     ),
     "plot_basin_shares": lambda t: (
         {"shares": t["shares"]},
@@ -180,7 +184,7 @@ CASES: dict[str, Case] = {
     ),
     "plot_fragility_states": lambda t: (
         {"fragility": t["fragility"]},
-        [[fallen_by_level(t).max()]],
+        [[fallen_by_level(t["fragility"]).max()]],
     ),
     "plot_free_rocking": lambda _: (
         {"restitutions": [0.8], "impacts": 3},

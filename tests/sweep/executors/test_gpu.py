@@ -122,7 +122,7 @@ def test_runs_on_records_are_those_of_one_thread(memory: DriverInMemory) -> None
         run_ensemble(
             blocks,
             motions,
-            stripes=Levels("pga_per_uplift", (0.5, 1.0, 2.0)),
+            levels=Levels("pga_per_uplift", (0.5, 1.0, 2.0)),
             run=Execution(executor=executor),
         )
         for executor in ("serial", "gpu")

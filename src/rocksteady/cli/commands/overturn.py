@@ -160,10 +160,9 @@ def overturn(
         unit = Harmonic(amplitude=1.0, frequency_ratio=ratios[0])
         shape = pulse.of(unit, phase=phase, reverse=recorded.reverse)
         within = _range(body, amplitude, accel_g)
-        if output.plot is not None and len(ratios) < 2:
-            raise FlagError(
-                "--plot",
-                output.plot,
+        if len(ratios) < 2:
+            refuse(
+                {"--plot": output.plot},
                 "a spectrum is drawn over two frequencies or more",
                 "give -W as an axis, as 0.5:8:200, or leave --plot out",
             )
@@ -305,10 +304,9 @@ def _of_kicks(
         rate = body.p
     elif at_s is not None:
         raise FlagError("--at-s", at_s, "seconds need a block with a p", "describe a block")
-    if output.plot is not None and len(times) < 2:
-        raise FlagError(
-            "--plot",
-            output.plot,
+    if len(times) < 2:
+        refuse(
+            {"--plot": output.plot},
             "kicks are drawn over two moments or more",
             "give --at-s as an axis, as 0:20:81, or leave --plot out",
         )

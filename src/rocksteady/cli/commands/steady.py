@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console.outputs import announce_compilation
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -55,17 +55,15 @@ def steady(
             hint="ask for its periodic motions with `rocksteady orbits`",
         )
     amplitudes, ratios = shaking.of(body)
-    if output.plot is not None and len(set(order or (1,))) > 1 and len(ratios) == 1:
-        raise FlagError(
-            "--plot",
-            output.plot,
+    if len(set(order or (1,))) > 1 and len(ratios) == 1:
+        refuse(
+            {"--plot": output.plot},
             "a point is drawn for one order, and there are several",
             "give -n once, or -W as an axis start:stop:count",
         )
-    if output.plot is not None and len(amplitudes) > 1 and len(ratios) == 1:
-        raise FlagError(
-            "--plot",
-            output.plot,
+    if len(amplitudes) > 1 and len(ratios) == 1:
+        refuse(
+            {"--plot": output.plot},
             "response curves are drawn over frequency ratios, and there is one",
             "give -W as an axis start:stop:count, or take --csv",
         )

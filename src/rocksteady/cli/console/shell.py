@@ -44,6 +44,6 @@ def _escaped(letter: str) -> str:
         return f"\\{letter}"
     if printable(letter) == letter:
         return letter
-    stray = "\udc80" <= letter <= "\udcff"  # a byte, as the system's names have it
+    stray = "\udc80" <= letter <= "\udcff"  # a byte of a name of the system
     codes = letter.encode("utf-8", "surrogateescape" if stray else "surrogatepass")
     return "".join(f"\\{code:03o}" for code in codes)

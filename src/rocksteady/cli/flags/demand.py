@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from rocksteady.cli.console.refusals import both, missing, needs
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
-from rocksteady.cli.flags.groups import OutputFlags
+from rocksteady.cli.flags.groups import OutputFlags, ScreenFlags
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.model.blocks.block import Block
@@ -148,12 +148,9 @@ class SpectrumFlags:
 
 
 @dataclass(frozen=True, kw_only=True)
-class RowFlags:
+class RowFlags(ScreenFlags):
     """Output of a command whose result is a table."""
 
-    as_json: bool = options.as_json()
-    more: bool = options.more()
-    quiet: bool = options.quiet()
     csv: Path | None = options.csv()
     force: bool = options.force()
 

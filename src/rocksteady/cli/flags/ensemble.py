@@ -204,7 +204,7 @@ class EnsembleFlags:
         "--seed N", "Set the seed of the scatter and of the bands.", default=0
     )
 
-    def stripes(self) -> "Levels":
+    def levels_asked(self) -> "Levels":
         """Return the levels.
 
         Raises

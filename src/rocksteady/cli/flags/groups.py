@@ -23,6 +23,7 @@ from rocksteady.model.checks.validation import positive
 from rocksteady.results.description import Description, Table
 from rocksteady.results.rendering import print_answer, print_description
 from rocksteady.show.export.files import check_apart, check_writable, save_csv, save_figure
+from rocksteady.show.export.folders import OwnFolder
 from rocksteady.show.style.legends import checked_place
 from rocksteady.show.style.page import Page, width_mm_of
 
@@ -38,100 +39,12 @@ FIGURE_FORMATS = (".png", ".svg", ".pdf")
 
 
 @dataclass(frozen=True, kw_only=True)
-class OutputFlags:
-    """What a command leaves behind."""
+class ScreenFlags:
+    """What a command prints."""
 
     as_json: bool = options.as_json()
     more: bool = options.more()
     quiet: bool = options.quiet()
-    plot: Path | None = options.output_flag("--plot FILE", "Save a figure: .png, .svg or .pdf.")
-    width: str | None = options.output_flag(
-        "--width LENGTH",
-        "Set the width of --plot with its unit (mm, cm or in), as 84mm for a journal column.",
-    )
-    legend: str | None = options.output_flag(
-        "--legend PLACE",
-        "Place the legends of --plot: inside, right, below or none; default where there is room.",
-    )
-    csv: Path | None = options.csv()
-    force: bool = options.force()
-
-    def check(self, read: Sequence[Path] = (), *, out: Path | None = None) -> None:
-        """Refuse, before anything is computed, what could not be written afterwards.
-
-        Parameters
-        ----------
-        read
-            Files that the command reads.
-        out
-            Folder that it fills.
-
-        Raises
-        ------
-        OutputError
-            If a file exists and --force is off, its folder is missing or not writable, a figure's
-            format is unknown, or one file is given twice, is read, or lies in `out`.
-        InputError
-            If a width or the place of legends is not valid.
-        ModelError
-            If there is one of these and no figure.
-        """
-        _ = self.page
-        for flag, value in (("--width", self.width), ("--legend", self.legend)):
-            needs(flag, value, "--plot", "figure.pdf", beside=self.plot)
-        check_ending("--plot", self.plot, *FIGURE_FORMATS)
-        check_apart(self.files, {"--out": out}, read)
-        for flag, file in self.files.items():
-            if file is not None:
-                check_writable(flag, file, force=self.force)
-
-    @property
-    def files(self) -> dict[str, Path | None]:
-        """The files that are written, by their flags."""
-        return {"--plot": self.plot, "--csv": self.csv}
-
-    @property
-    def page(self) -> Page:
-        """Width of a figure, and place of its legends.
-
-        Raises
-        ------
-        InputError
-            If one of the two is not valid.
-        """
-        return Page(
-            width_mm=None if self.width is None else width_mm_of(self.width),
-            legend=checked_place(self.legend),
-        )
-
-    def write_csv(self, rows: "Callable[[], Rows]") -> None:
-        """Save the rows of --csv where it is given; a missing value is an empty cell."""
-        if self.csv is None:
-            return
-        made = rows()
-        if isinstance(made, Table):
-            made = made.header, made.records()
-        elif not isinstance(made, tuple):
-            for name in made.columns[made.isna().any()]:
-                made[name] = made[name].astype(object).where(made[name].notna(), None)
-            made = list(made), made.itertuples(index=False, name=None)
-        save_csv("--csv", self.csv, *made)
-        announce_file(self.csv)
-
-    def write_cells(self, dataset: "Callable[[], xarray.Dataset]") -> None:
-        """Save a sweep as the file of --csv, one row per cell, where the flag is given."""
-        if self.csv is None:
-            return
-        from rocksteady.show.export.csv_files import save_cells
-
-        save_cells("--csv", self.csv, dataset())
-        announce_file(self.csv)
-
-    def write_plot(self, figure: "Callable[[Page], Figure]") -> None:
-        """Save the picture of --plot, drawn for its page where the flag is given."""
-        if self.plot is not None:
-            save_figure("--plot", self.plot, figure(self.page), command=command_line())
-            announce_file(self.plot)
 
     def leave(
         self,
@@ -196,6 +109,112 @@ class OutputFlags:
         if self.more or answer is None:
             for description in descriptions:
                 print_description(description, console)
+
+
+@dataclass(frozen=True, kw_only=True)
+class OutputFlags(ScreenFlags):
+    """What a command leaves behind."""
+
+    plot: Path | None = options.output_flag("--plot FILE", "Save a figure: .png, .svg or .pdf.")
+    width: str | None = options.output_flag(
+        "--width LENGTH",
+        "Set the width of --plot with its unit (mm, cm or in), as 84mm for a journal column.",
+    )
+    legend: str | None = options.output_flag(
+        "--legend PLACE",
+        "Place the legends of --plot: inside, right, below or none; default where there is room.",
+    )
+    csv: Path | None = options.csv()
+    force: bool = options.force()
+
+    def check(self, read: Sequence[Path] = (), *, out: Path | None = None) -> None:
+        """Refuse, before anything is computed, what could not be written afterwards.
+
+        Parameters
+        ----------
+        read
+            Files that the command reads.
+        out
+            Folder that it fills.
+
+        Raises
+        ------
+        OutputError
+            If a file exists and --force is off, its folder is missing or not writable, a figure's
+            format is unknown, or one file is given twice, is read, or lies in `out`.
+        InputError
+            If a width or the place of legends is not valid.
+        ModelError
+            If there is one of these and no figure.
+        """
+        _ = self.page
+        for flag, value in (("--width", self.width), ("--legend", self.legend)):
+            needs(flag, value, "--plot", "figure.pdf", beside=self.plot)
+        check_ending("--plot", self.plot, *FIGURE_FORMATS)
+        check_apart(self.files, {"--out": out}, read)
+        for flag, file in self.files.items():
+            if file is not None:
+                check_writable(flag, file, force=self.force)
+
+    def check_folder(self, own: OwnFolder, out: Path | None, read: Sequence[Path] = ()) -> None:
+        """Refuse, before anything is computed, outputs that would replace a file that is read.
+
+        Raises
+        ------
+        OutputError
+            As for `OwnFolder.check`, and where --plot or --csv is one of the files.
+        """
+        check_apart(self.files, read=read)
+        if out is not None:
+            own.check(out, force=self.force, read=read)
+
+    @property
+    def files(self) -> dict[str, Path | None]:
+        """The files that are written, by their flags."""
+        return {"--plot": self.plot, "--csv": self.csv}
+
+    @property
+    def page(self) -> Page:
+        """Width of a figure, and place of its legends.
+
+        Raises
+        ------
+        InputError
+            If one of the two is not valid.
+        """
+        return Page(
+            width_mm=None if self.width is None else width_mm_of(self.width),
+            legend=checked_place(self.legend),
+        )
+
+    def write_csv(self, rows: "Callable[[], Rows]") -> None:
+        """Save the rows of --csv where it is given; a missing value is an empty cell."""
+        if self.csv is None:
+            return
+        made = rows()
+        if isinstance(made, Table):
+            made = made.header, made.records()
+        elif not isinstance(made, tuple):
+            for name in made.columns[made.isna().any()]:
+                made[name] = made[name].astype(object).where(made[name].notna(), None)
+            made = list(made), made.itertuples(index=False, name=None)
+        save_csv("--csv", self.csv, *made)
+        announce_file(self.csv)
+
+    def write_cells(self, dataset: "Callable[[], xarray.Dataset]") -> None:
+        """Save a sweep as the file of --csv, one row per cell, where the flag is given."""
+        if self.csv is None:
+            return
+        from rocksteady.show.export.csv_files import save_cells
+
+        save_cells("--csv", self.csv, dataset())
+        announce_file(self.csv)
+
+    def write_plot(self, figure: "Callable[[Page], Figure]") -> None:
+        """Save the picture of --plot, drawn for its page where the flag is given."""
+        if self.plot is not None:
+            save_figure("--plot", self.plot, figure(self.page), command=command_line())
+            announce_file(self.plot)
 
 
 @dataclass(frozen=True, kw_only=True)

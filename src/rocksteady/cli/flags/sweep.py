@@ -231,7 +231,7 @@ class RunsFlags:
 
 @contextmanager
 def resumable_study(parts: "Parts", context: typer.Context) -> Iterator[None]:
-    """Print, where the study inside is ended, where its finished parts are and how it goes on.
+    """Print where the finished parts of an ended study are, and remove those of a whole one.
 
     Parameters
     ----------
@@ -253,6 +253,7 @@ def resumable_study(parts: "Parts", context: typer.Context) -> Iterator[None]:
                 file=sys.stderr,
             )
         raise
+    parts.remove()
 
 
 def resuming(arguments: list[str]) -> str:

@@ -8,8 +8,7 @@ from typing import Any
 from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
 from rocksteady.dynamics.basins.basin_answers import basins_answer, erosion_answer
 from rocksteady.dynamics.basins.window import axis_facts, window_text
-from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.steady.verdicts import multipliers_value
+from rocksteady.dynamics.orbits.orbit_facts import plain_orbit
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.model.facts import (
@@ -59,7 +58,7 @@ def basins_described(basins: Any) -> Description:
                 **attractor.to_dict(),
                 **part.to_dict(),
                 "stroboscopic": basins.stroboscopic[part.label].tolist(),
-                "orbit": None if orbit is None else _orbit_values(orbit, basins),
+                "orbit": None if orbit is None else plain_orbit(orbit, block, motion),
             }
         )
 
@@ -99,30 +98,6 @@ def _no_tangency(erosion: Any) -> str:
     if erosion.block.one_sided:
         return "none: against a wall there is one saddle"
     return "no closed form in the nonlinear model"
-
-
-def _orbit_values(orbit: Orbit, basins: Any) -> dict[str, Any]:
-    """Return an orbit in plain values, in SI too where the block has a size."""
-    block = basins.block
-    peaks = [orbit.highest, orbit.lowest] if orbit.admissible else None
-    values: dict[str, Any] = {
-        "kind": orbit.kind,
-        "period": orbit.period,
-        "impacts_per_period": orbit.impacts,
-        "rest_phases": orbit.rest_phases,
-        "peaks": peaks,
-        "multipliers": multipliers_value(orbit.multipliers),
-        "lyapunov": orbit.lyapunov,
-        "residual": orbit.residual,
-        "states": [
-            {"side": state.side, "phase": state.phase, "speed": state.speed}
-            for state in orbit.states
-        ],
-    }
-    if isinstance(block, Block):
-        values["peaks_rad"] = None if peaks is None else [peak * block.alpha for peak in peaks]
-        values["period_s"] = orbit.period / basins.motion.frequency_hz(block)
-    return values
 
 
 def erosion_described(erosion: Any) -> Description:

@@ -1,7 +1,7 @@
 """Facts of branches, their bifurcations and cascades, for texts, JSON and tables."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from rocksteady.dynamics.parameters import SYMBOLS
@@ -112,7 +112,7 @@ def case_text(
 ) -> str:
     """Return the three parameters of a diagram in a few words."""
     parts = []
-    for name, value in _fixed(block, motion, parameter).items():
+    for name, value in fixed_values(block, motion, [parameter]).items():
         symbol, equals = SYMBOLS[name], " " if name == "restitution" else " = "
         if value is None:
             parts.append(f"{symbol} from {within[0]:.6g} to {within[1]:.6g}")
@@ -144,7 +144,7 @@ def case_facts(
     """Return what moves in a diagram, between what, and what else is fixed."""
     scales = {"amplitude": motion.amplitude, "frequency_ratio": motion.frequency_ratio}
     over = f"{SYMBOLS[parameter]} from {number(within[0], 6)} to {number(within[1], 6)}"
-    fixed = _fixed(block, motion, parameter)
+    fixed = fixed_values(block, motion, [parameter])
     facts = [Fact(name, value) for name, value in fixed.items()]
     facts += series_facts(harmonics_of(motion))
     if isinstance(block, Block):
@@ -166,13 +166,15 @@ def case_facts(
     ]
 
 
-def _fixed(block: AnyBlock, motion: PeriodicMotion, parameter: str) -> dict[str, float | None]:
-    """Return the three parameters; None for the varied parameter."""
+def fixed_values(
+    block: AnyBlock, motion: PeriodicMotion, varied: Iterable[str]
+) -> dict[str, float | None]:
+    """Return the three parameters; None for those that are varied."""
     return {
         "amplitude": motion.amplitude,
         "frequency_ratio": motion.frequency_ratio,
         "restitution": block.dimensionless().restitution,
-        parameter: None,
+        **dict.fromkeys(varied),
     }
 
 
@@ -182,16 +184,37 @@ def extremes(point: Any, lean: float = 1.0) -> list[float]:
     return [float(peaks.max()), float(peaks.min())]
 
 
-def point_values(point: Any, lean: float, block: AnyBlock) -> dict[str, Any]:
-    """Return a point of a branch in plain values, in SI too where the block has a size."""
-    values: dict[str, Any] = {
+def place_values(point: Any) -> dict[str, Any]:
+    """Return the type of a point, where it lies, and its period."""
+    return {
         "type": point.type.value,
         "amplitude": point.amplitude,
         "frequency_ratio": point.frequency_ratio,
         "restitution": point.restitution,
         "period": point.period,
-        "impacts": point.impacts,
-        "symmetric": point.symmetric,
+    }
+
+
+def orbit_values(point: Any) -> dict[str, Any]:
+    """Return the type of a point, where it lies, and which orbit is there."""
+    return {**place_values(point), "impacts": point.impacts, "symmetric": point.symmetric}
+
+
+def multiplier_columns(multipliers: Iterable[complex]) -> dict[str, float]:
+    """Return both multipliers as columns of a file."""
+    first, second = (complex(m) for m in multipliers)
+    return {
+        "multiplier_1_re": first.real,
+        "multiplier_1_im": first.imag,
+        "multiplier_2_re": second.real,
+        "multiplier_2_im": second.imag,
+    }
+
+
+def point_values(point: Any, lean: float, block: AnyBlock) -> dict[str, Any]:
+    """Return a point of a branch in plain values, in SI too where the block has a size."""
+    values: dict[str, Any] = {
+        **orbit_values(point),
         "peaks": extremes(point, lean),
         "multipliers": multipliers_value(point.multipliers),
     }
@@ -203,23 +226,13 @@ def point_values(point: Any, lean: float, block: AnyBlock) -> dict[str, Any]:
 
 def point_row(branch: int, point: Any, lean: float, block: AnyBlock) -> dict[str, Any]:
     """Return the row of a point of a branch in a file."""
-    first, second = (complex(m) for m in point.multipliers)
     high, low = extremes(point, lean)
     row: dict[str, Any] = {
         "branch": branch,
-        "type": point.type.value,
-        "amplitude": point.amplitude,
-        "frequency_ratio": point.frequency_ratio,
-        "restitution": point.restitution,
-        "period": point.period,
-        "impacts": point.impacts,
-        "symmetric": point.symmetric,
+        **orbit_values(point),
         "stable": point.stable,
         "admissible": point.admissible,
-        "multiplier_1_re": first.real,
-        "multiplier_1_im": first.imag,
-        "multiplier_2_re": second.real,
-        "multiplier_2_im": second.imag,
+        **multiplier_columns(point.multipliers),
         "highest": high,
         "lowest": low,
         "arclength": point.arclength,

@@ -269,10 +269,6 @@ class NoiseFates(Result):
         words = f"{motion_text(self.block, self.motion)} with noise"
         return f"Overturning under {words}: {case_text(self.block)}, {self.model.name} model"
 
-    def __repr__(self) -> str:
-        """Return one line."""
-        return f"<NoiseFates: {self._headline}>"
-
 
 @checked
 def compute_noise_fates(

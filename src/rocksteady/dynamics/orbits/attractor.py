@@ -22,7 +22,9 @@ from rocksteady.dynamics.history.start import (
     start_of,
 )
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.dynamics.orbits._orbit_facts import (
+from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
+from rocksteady.dynamics.orbits.orbit_answers import attractor_answer
+from rocksteady.dynamics.orbits.orbit_facts import (
     case_facts,
     kind_text,
     orbit_facts,
@@ -30,8 +32,6 @@ from rocksteady.dynamics.orbits._orbit_facts import (
     start_text,
     where,
 )
-from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
-from rocksteady.dynamics.orbits.orbit_answers import attractor_answer
 from rocksteady.dynamics.orbits.return_map import (
     has_mirror_images,
     make_system,

@@ -13,9 +13,9 @@ from numpy.typing import ArrayLike
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.start import HasStart, ImpactState, Rest, Start, start_of
-from rocksteady.dynamics.orbits._orbit_facts import kind_text, start_text
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS, KINDS, Attractor, find_attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.dynamics.orbits.orbit_facts import kind_text, start_text
 from rocksteady.dynamics.orbits.return_map import (
     make_system,
     periodic_motion,

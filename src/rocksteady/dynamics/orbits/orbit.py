@@ -15,7 +15,7 @@ from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.dynamics.orbits._orbit_facts import (
+from rocksteady.dynamics.orbits.orbit_facts import (
     case_facts,
     kind_text,
     orbit_facts,

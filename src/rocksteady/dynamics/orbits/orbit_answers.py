@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from rocksteady.dynamics.history.start import Rest
-from rocksteady.dynamics.orbits._orbit_facts import start_text, worth
+from rocksteady.dynamics.orbits.orbit_facts import start_text, worth
 from rocksteady.dynamics.orbits.return_map import has_mirror_images
 from rocksteady.dynamics.steady.steady_answers import BEYOND
 from rocksteady.dynamics.steady.verdicts import multipliers_text

@@ -10,10 +10,10 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.departure import nonlinear_half
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import ImpactState, Rest
-from rocksteady.dynamics.orbits._orbit_facts import case_facts, orbit_values, orbits_table, where
 from rocksteady.dynamics.orbits.attractor import full_outcomes
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.orbit_answers import orbits_answer
+from rocksteady.dynamics.orbits.orbit_facts import case_facts, orbit_values, orbits_table, where
 from rocksteady.dynamics.orbits.return_map import (
     has_mirror_images,
     make_system,

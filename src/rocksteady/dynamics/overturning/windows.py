@@ -403,17 +403,9 @@ def _unit(pulse: Pulse | str, ratios: Floats) -> Pulse:
         raise InputError(
             "pulse", pulse, "it must be a Pulse or the name of one", "give a name, as 'one-sine'"
         )
-    shape: dict[str, Any] = {
-        "shape": given.shape,
-        "amplitude": 1.0,
-        "oscillations": given.oscillations,
-        "phase": given.phase,
-        "tolerance": given.tolerance,
-        "reverse": given.reverse,
-    }
-    for ratio in (ratios.min(), ratios.max()):
-        Pulse(frequency_ratio=float(ratio), **shape)  # refuses what is outside its range
-    return Pulse(frequency_ratio=1.0, **shape)
+    for ratio in (ratios.min(), ratios.max()):  # refuses what is outside its range
+        replace(given, amplitude=1.0, frequency_ratio=float(ratio))
+    return replace(given, amplitude=1.0, frequency_ratio=1.0)
 
 
 def _ratios(frequency_ratios: ArrayLike) -> Axis:

@@ -18,6 +18,8 @@ SAME_BODY = 1e-6
 """How near two sides' heights and moments of inertia are, relative to their size, if they belong to
 one body: measured values agree to less, computed ones to rounding."""
 
+CONSERVING = "the restitution that conserves angular momentum"
+
 
 @checked
 @dataclass(frozen=True, kw_only=True)
@@ -149,16 +151,9 @@ def sides_of_body(
             impact_ratio(alphas, radii, gyration),
             impact_ratio(alphas[::-1], radii[::-1], gyration),
         )
-        if min(ratios) <= 0.0:
-            # Not left to the check of the angles, which the caller may not have given.
-            raise InputError(
-                "left",
-                left,
-                f"with {right:.6g} m to the right edge and {centre_height:.6g} m down to the "
-                f"base the restitution that conserves angular momentum is {min(ratios):.4g}, and "
-                "rocking needs one above 0",
-                "give a measured restitution in (0, 1], or a more slender block",
-            )
+        # Not left to the check of the angles, which the caller may not have given.
+        words = f"with {right:.6g} m to the right edge and {centre_height:.6g} m down to the base "
+        refuse_no_rocking("left", left, min(ratios), f"{words}{CONSERVING} is")
         return ratios
 
     impacts = Impacts.of(restitution)
@@ -207,14 +202,7 @@ def impact_restitution(
     lengths = tuple([distance("radii", radius) for radius in radii])
     k = GYRATION("gyration", gyration)
     ratio = impact_ratio(angles, lengths, k)
-    if ratio <= 0.0:
-        raise InputError(
-            "alphas",
-            alphas,
-            f"the restitution that conserves angular momentum is {ratio:.4g}, and rocking "
-            "needs one above 0",
-            "give a measured restitution in (0, 1], or a more slender block",
-        )
+    refuse_no_rocking("alphas", alphas, ratio, f"{CONSERVING} is")
     return ratio
 
 
@@ -259,14 +247,22 @@ def housner_restitution(
         radius=RADIUS("radius", radius),
         gravity=GRAVITY("gravity", gravity),
     )
-    if ratio <= 0.0:
-        raise InputError(
-            "alpha",
-            alpha,
-            f"Housner's restitution for it is {ratio:.4g}, and rocking needs one above 0",
-            "give a measured restitution in (0, 1], or a more slender block",
-        )
+    refuse_no_rocking("alpha", alpha, ratio, "Housner's restitution for it is")
     return ratio
+
+
+def refuse_no_rocking(name: str, value: object, ratio: float, words: str) -> None:
+    """Refuse a body so stocky that its restitution, which `words` introduce, is not positive.
+
+    Raises
+    ------
+    InputError
+        If it is not.
+    """
+    if ratio <= 0.0:
+        valid = f"{words} {ratio:.4g}, and rocking needs one above 0"
+        hint = "give a measured restitution in (0, 1], or a more slender block"
+        raise InputError(name, value, valid, hint)
 
 
 def wall_ratio(positive: Side, negative: Side, gravity: float) -> float:

@@ -3,9 +3,9 @@
 import warnings
 from collections.abc import Mapping
 
-from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
-from rocksteady.model.blocks.sides import housner_ratio
+from rocksteady.model.blocks.sides import housner_ratio, refuse_no_rocking
 from rocksteady.model.checks.bounds import GYRATION, P, length
 
 TALLEST = 200.0
@@ -127,12 +127,5 @@ def refuse_stocky(width: float, height: float, alpha: float) -> None:
     InputError
         If that is not positive.
     """
-    ratio = housner_ratio(alpha)
-    if ratio <= 0.0:
-        raise InputError(
-            "width",
-            width,
-            f"with a height of {height:.6g} m Housner's restitution is {ratio:.4g}, and rocking "
-            "needs one above 0",
-            "give a measured restitution in (0, 1], or a more slender block",
-        )
+    words = f"with a height of {height:.6g} m Housner's restitution is"
+    refuse_no_rocking("width", width, housner_ratio(alpha), words)

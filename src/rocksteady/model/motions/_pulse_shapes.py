@@ -21,10 +21,7 @@ from rocksteady.model.motions._sampled import refuse_many_lines
 from rocksteady.model.motions.segments import Segment
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from rocksteady.arrays import Floats
 
 CLOSED, RICKER, RICKER_ANTISYMMETRIC, MAVROEIDIS_PAPAGEORGIOU = range(4)
 """Forms of a pulse, as `rocksteady.kernels.core.motions` has them."""

@@ -11,10 +11,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.motions.segments import Segment
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from rocksteady.arrays import Floats
 
 MOST_LINES = 200_000
 """Straight lines of one motion; as many take some seconds to make."""

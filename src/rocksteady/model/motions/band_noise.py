@@ -30,10 +30,7 @@ from rocksteady.model.motions.segments import (
 )
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from rocksteady.arrays import Floats
 
 SAMPLES_A_PERIOD = 20
 """Of the highest frequency: straight lines between them leave out 0.3 % of the rms of a wide band,

@@ -23,10 +23,9 @@ from rocksteady.model.motions.segments import (
 )
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
-    Floats = NDArray[np.float64]
+    from rocksteady.arrays import Floats
 
 CELLS = 32
 """Parts of the shortest wave in which the peak is looked for."""

@@ -23,10 +23,7 @@ from rocksteady.model.motions.segments import (
 )
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from rocksteady.arrays import Floats
 
 SAMPLES_A_PERIOD = 40
 """Of the ground; the spectrum then reaches to 20 times its frequency."""

@@ -13,10 +13,7 @@ from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import UNITS, acceleration_unit, in_m_s2
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from rocksteady.arrays import Floats
 
 _LARGEST_PEAK_G: Final = 10.0
 _FEWEST: Final = 20

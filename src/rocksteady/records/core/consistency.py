@@ -14,10 +14,7 @@ from rocksteady.records.core.numbers import NUMBER, numbers, samples
 from rocksteady.records.core.text import RecordText
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from rocksteady.arrays import Floats
 
 _LONGEST_WORD: Final = 40
 _HINT: Final = "fetch the file again: it is cut or garbled"

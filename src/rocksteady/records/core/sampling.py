@@ -13,10 +13,7 @@ from rocksteady.records.core.numbers import number
 from rocksteady.records.core.text import RecordText
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from rocksteady.arrays import Floats
 
 _JITTER: Final = 0.01
 """Part of the interval by which a time may be off its place."""

@@ -7,7 +7,7 @@ times. Names are understood with their unit, as in ``time [s]``, ``Acc (g)`` or 
 import re
 from dataclasses import replace
 from itertools import pairwise
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.records.core.assembling import Channel, Given, built
@@ -26,12 +26,6 @@ from rocksteady.records.core.sampling import Spaced, evenly_spaced, places
 from rocksteady.records.core.table import Table, table
 from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import UNITS, in_m_s2
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 CSV: Final = "csv"
 COLUMNS: Final = "columns"

@@ -21,10 +21,7 @@ from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import acceleration_unit, in_m_s2, leading, modifies
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from rocksteady.arrays import Floats
 
 FORMATS: Final = ("csmip-v1", "csmip-v2")
 

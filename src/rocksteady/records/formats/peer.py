@@ -23,10 +23,7 @@ from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.text import RecordText
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from rocksteady.arrays import Floats
 
 FORMAT: Final = "peer-at2"
 

@@ -23,9 +23,6 @@ from rocksteady.records.core.text import RecordText
 
 if TYPE_CHECKING:
     import numpy as np
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 MSEED: Final = "mseed"
 SAC: Final = "sac"

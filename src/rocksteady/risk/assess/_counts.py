@@ -153,7 +153,7 @@ def run_at(
     ensemble = run_ensemble(
         list(blocks),
         list(motions),
-        stripes=Levels(measure, list(levels), beside=()),
+        levels=Levels(measure, list(levels), beside=()),
         restitution=restitution,
         vertical=vertical,
         run=run,

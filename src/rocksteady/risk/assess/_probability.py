@@ -188,22 +188,22 @@ def fit_fragilities(
     sweeps = []
     for place, (described, intensity) in enumerate(zip(objects, intensities, strict=True)):
         block, options = described.block, described.given.assessment
-        stripes = levels_of(intensity, block, motions, options.levels)
+        wanted = levels_of(intensity, block, motions, options.levels)
         band = band_of(described, most=options.draws)
-        levels = stripes.levels_for([block])
+        levels = wanted.levels_for([block])
         # Equal coordinates in one group: an object's part of it is as if it ran alone.
         key = (intensity, levels, band, block.symmetric, block.one_sided)
         if key not in groups:
-            beside = stripes.beside if ranked else ()
-            sweeps.append((replace(stripes, levels=levels, beside=beside), band))
+            beside = wanted.beside if ranked else ()
+            sweeps.append((replace(wanted, levels=levels, beside=beside), band))
         groups.setdefault(key, []).append(place)
     runs = _runs_for(run, len(groups))
     fragilities: dict[int, Fragility] = {}
-    for (stripes, band), places, sweep_run in zip(sweeps, groups.values(), runs, strict=True):
+    for (wanted, band), places, sweep_run in zip(sweeps, groups.values(), runs, strict=True):
         ensemble = run_ensemble(
             [objects[place].block for place in places],
             list(motions),
-            stripes=stripes,
+            levels=wanted,
             restitution=band,
             run=sweep_run,
         )

@@ -4,11 +4,11 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.confidence import CONFIDENCE
@@ -211,23 +211,6 @@ class Assessment(Result):
         """Parameter, lowest and highest probability, the widest first, as a tornado plot takes."""
         rows = tornado(self.cases, self.basis) if self.cases else []
         return [(parameter_words(row["parameter"]), row["low"], row["high"]) for row in rows]
-
-    def plot(self, *arguments: Any, **options: Any) -> Any:
-        """Plot the fragility, as `Fragility.plot`.
-
-        Raises
-        ------
-        ModelError
-            If there is none: the object slides.
-        """
-        if self.fragility is None:
-            raise ModelError(
-                "plot",
-                Words("has no curve"),
-                "the object slides, and rocking is no answer",
-                "read summary()",
-            )
-        return self.fragility.plot(*arguments, **options)
 
     def describe(self) -> Description:
         """Return the sentence, facts, screens, sensitivity, remedies, risk, caveats and inputs."""

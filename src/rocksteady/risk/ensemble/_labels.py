@@ -30,7 +30,7 @@ MOST_NAMES = 5
 def labelled(
     arrays: Mapping[str, NDArray[Any]],
     things: tuple[Sequence[Block], Sequence[Record], Sequence[str]],
-    stripes: Levels,
+    levels: Levels,
     scale: Floats,
     band: RestitutionBand,
     *,
@@ -45,7 +45,7 @@ def labelled(
         The variables, over all dimensions.
     things
         Blocks, records, and names of the records.
-    stripes, scale, band
+    levels, scale, band
         What they were run at; the scale has shape (blocks, records, levels).
     coordinates, attributes
         More of both.
@@ -56,7 +56,7 @@ def labelled(
     words = {output.name: output.attributes for output in OUTPUTS}
     words["uplift_time_s"] = {"units": "s", "long_name": "time of the first uplift"}
     ratios = np.stack([band.ratios(block) for block in bodies])
-    intensity = stripes.intensity
+    intensity = levels.intensity
     level = {"long_name": "factor of all accelerations", "units": "1"}
     if intensity is not None:
         level = {"long_name": intensity.label, "units": intensity.unit or "1"}
@@ -81,7 +81,7 @@ def labelled(
             ratios[:, :, column],
             {"units": "1", "long_name": "restitution" + (f" of the {side} side" if two else "")},
         )
-    beside = dict.fromkeys((*stripes.beside, *(() if intensity is None else (intensity,))))
+    beside = dict.fromkeys((*levels.beside, *(() if intensity is None else (intensity,))))
     for each in beside:
         columns[f"im_{each.key}"] = (
             ("block", "record"),

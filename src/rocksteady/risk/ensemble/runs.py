@@ -19,7 +19,7 @@ from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel
 from rocksteady.seismic.spectra.grounds import check_grounds, extremes_of, grounds_of, names_of
-from rocksteady.seismic.spectra.many import DIRECTIONS, blocks_of
+from rocksteady.seismic.spectra.many import DIRECTIONS, blocks_of, chosen
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import evaluate
@@ -37,7 +37,7 @@ def run_ensemble(
     blocks: Block | Sequence[Block],
     motions: Record | BaseMotion | Sequence[Record | BaseMotion],
     *,
-    stripes: Levels | None = None,
+    levels: Levels | None = None,
     restitution: RestitutionBand | None = None,
     reverse: bool | Literal["both"] = "both",
     vertical: bool | Literal["both"] = "both",
@@ -57,7 +57,7 @@ def run_ensemble(
     motions
         A record or several, or `BaseMotion` of a horizontal and a vertical record, which are scaled
         by the same factor.
-    stripes
+    levels
         The levels, and what they are in; default `Levels()`.
     restitution
         The band of restitutions; default `RestitutionBand()`.
@@ -94,8 +94,8 @@ def run_ensemble(
     >>> from rocksteady.risk import Levels, RestitutionBand
     >>> cabinet = Block.rectangle(width=0.4, height=1.6)
     >>> suite = [Record(acceleration_m_s2=[0.0, 1.0, -1.0, 0.0], dt_s=dt) for dt in (0.1, 0.3)]
-    >>> stripes = Levels("pga_g", [0.2, 0.5, 2.0], beside=())
-    >>> runs = run_ensemble(cabinet, suite, stripes=stripes, restitution=RestitutionBand(draws=1))
+    >>> levels = Levels("pga_g", [0.2, 0.5, 2.0], beside=())
+    >>> runs = run_ensemble(cabinet, suite, levels=levels, restitution=RestitutionBand(draws=1))
     >>> fell = (runs.status == Status.OVERTURNED).stack(run=set(runs.dims) - {"level"})
     >>> fell.mean("run").values
     array([0. , 0.5, 0.5])
@@ -103,15 +103,15 @@ def run_ensemble(
     bodies, grounds = blocks_of(blocks), grounds_of(motions)
     records = [ground.record for ground in grounds]
     names = names_of(records)
-    wanted = Levels() if stripes is None else stripes
+    wanted = Levels() if levels is None else levels
     band = RestitutionBand() if restitution is None else restitution
     for body in bodies:
         band.ratios(body)  # refused before anything runs
-    directions = _chosen(reverse, DIRECTIONS)
+    directions = chosen(reverse, DIRECTIONS)
     lifts = _lifts(vertical, grounds)
-    levels = np.array(wanted.levels_for(bodies))
+    at = np.array(wanted.levels_for(bodies))
     at_one = wanted.at_scale_one(records, bodies)
-    scale = levels / at_one[:, :, np.newaxis]
+    scale = at / at_one[:, :, np.newaxis]
     equations = chosen_model(model, bodies[0], records[0])
     used = grounds if "with" in lifts else [GroundShaking(record=record) for record in records]
     check_grounds(used, scale.max(axis=(0, 2)).tolist(), extremes_of(bodies), equations)
@@ -132,7 +132,7 @@ def run_ensemble(
             long_name="block",
             items=[Body(block=block, number=place) for place, block in enumerate(bodies)],
         ),
-        Axis(name="level", values=levels, long_name=wanted.key),
+        Axis(name="level", values=at, long_name=wanted.key),
         Axis(name="draw", values=np.arange(band.draws), long_name="value of the restitution"),
     )
     load_kernel(equations)
@@ -165,7 +165,7 @@ def run_ensemble(
         wanted,
         scale,
         band,
-        coordinates={"direction": list(directions), "vertical": list(lifts), "level": levels},
+        coordinates={"direction": list(directions), "vertical": list(lifts), "level": at},
         attributes={
             **swept.attrs,
             "kind": "rocking ensemble",
@@ -175,14 +175,9 @@ def run_ensemble(
     )
 
 
-def _chosen(value: object, both: tuple[str, str]) -> tuple[str, ...]:
-    """Return one of two kinds of runs, or both."""
-    return (both[value],) if isinstance(value, bool) else both
-
-
 def _lifts(value: object, grounds: Sequence[GroundShaking]) -> tuple[str, ...]:
     """Return whether runs are with vertical motion, without, or both."""
-    lifts = _chosen(value, VERTICAL)
+    lifts = chosen(value, VERTICAL)
     if any(ground.vertical is not None for ground in grounds):
         return lifts
     if value is True:

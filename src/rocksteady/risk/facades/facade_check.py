@@ -26,6 +26,13 @@ MECHANISM: Final = (Column("name", "quantity", left=True), Column("value", "valu
 """Columns of the table of the mechanism."""
 
 
+KEYS = (
+    "limit_state", "method", "formula", "page", "quantity", "unit", "demand", "capacity",
+    "satisfied", "remark",
+)  # fmt: skip
+"""Columns of a row of JSON and CSV."""
+
+
 @checked_result
 @dataclass(frozen=True, kw_only=True)
 class LimitStateCheck:
@@ -284,18 +291,8 @@ class FacadeCheck(Result):
 
 def _row(check: LimitStateCheck) -> dict[str, object]:
     """Return a check as plain values."""
-    return {
-        "limit_state": check.limit_state,
-        "method": check.method,
-        "formula": check.formula,
-        "page": check.page,
-        "quantity": check.quantity,
-        "unit": check.unit,
-        "demand": None if check.demand == math.inf else check.demand,
-        "capacity": check.capacity,
-        "satisfied": check.satisfied,
-        "remark": check.remark,
-    }
+    row = {key: getattr(check, key) for key in KEYS}
+    return {**row, "demand": None if check.demand == math.inf else check.demand}
 
 
 def _ratio_words(check: LimitStateCheck) -> str:

@@ -71,12 +71,6 @@ class DescribedFacade(Result):
     def describe(self) -> Description:
         """Return the sizes, what acts, and which limit states have a demand."""
         facade = self.facade
-        acting = {
-            "loads": len(facade.loads),
-            "masses": len(facade.masses),
-            "ties": len(facade.ties),
-            "thrusts": len(facade.thrusts),
-        }
         ending = [each.name for each in facade.ending]
         facts = [
             Fact("name", facade.name, "facade"),
@@ -84,7 +78,7 @@ class DescribedFacade(Result):
             Fact("thickness_m", facade.thickness_m, "thickness", f"{facade.thickness_m:g} m"),
             Fact("height_m", facade.height_m, "height", f"{facade.height_m:g} m"),
             Fact("weight_kn", facade.weight_kn, "own weight", f"{facade.weight_kn:.4g} kN"),
-            *(Fact(key, count, key) for key, count in acting.items()),
+            *(Fact(key, len(getattr(facade, key)), key) for key in FILE.lists),
             Fact("ending", ending, "not counted in d0", ", ".join(ending) or "none"),
             Fact("base_height_m", facade.base_height_m),
             Fact("elastic_modulus_mpa", facade.elastic_modulus_mpa),

@@ -34,7 +34,7 @@ class Efficiency(Result):
     >>> fragility = compute_fragility(
     ...     Block.rectangle(width=0.3, height=1.5),
     ...     make_synthetic_suite(3),
-    ...     stripes=Levels("pgv_m_s", [0.2, 0.5, 1.0]),
+    ...     levels=Levels("pgv_m_s", [0.2, 0.5, 1.0]),
     ...     restitution=RestitutionBand(draws=1),
     ...     fitting=FitOptions(states=["overturned"], bands=None),
     ... )

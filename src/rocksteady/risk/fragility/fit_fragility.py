@@ -75,9 +75,9 @@ def fit_fragility(ensemble: "xarray.Dataset", *, fitting: FitOptions | None = No
     ...     Record(acceleration_m_s2=np.sin(f * t), dt_s=0.02, name=f"{f} rad/s")
     ...     for f in (4, 6, 9, 12)
     ... ]
-    >>> stripes = Levels("pgv_m_s", [0.8, 1.2, 1.6, 2.0], beside=())
+    >>> levels = Levels("pgv_m_s", [0.8, 1.2, 1.6, 2.0], beside=())
     >>> block = Block.rectangle(width=0.4, height=1.6)
-    >>> runs = run_ensemble(block, suite, stripes=stripes, restitution=RestitutionBand(draws=1))
+    >>> runs = run_ensemble(block, suite, levels=levels, restitution=RestitutionBand(draws=1))
     >>> fragility = fit_fragility(runs, fitting=FitOptions(states=["overturned"], bands=None))
     >>> print(f"{fragility.state('overturned').curve.median:.2f}")
     1.55
@@ -107,7 +107,7 @@ def compute_fragility(
     blocks: Block | Sequence[Block],
     motions: Record | BaseMotion | Sequence[Record | BaseMotion],
     *,
-    stripes: Levels | None = None,
+    levels: Levels | None = None,
     restitution: RestitutionBand | None = None,
     reverse: bool | Literal["both"] = "both",
     vertical: bool | Literal["both"] = "both",
@@ -120,7 +120,7 @@ def compute_fragility(
 
     Parameters
     ----------
-    blocks, motions, stripes, restitution, reverse, vertical, run
+    blocks, motions, levels, restitution, reverse, vertical, run
         As for `run_ensemble`; several blocks are pooled.
     fitting
         As for `fit_fragility`.
@@ -145,7 +145,7 @@ def compute_fragility(
     >>> fragility = compute_fragility(
     ...     Block.rectangle(width=0.4, height=1.6),
     ...     suite,
-    ...     stripes=Levels("pga_g", [0.2, 0.3, 0.6, 1.2], beside=()),
+    ...     levels=Levels("pga_g", [0.2, 0.3, 0.6, 1.2], beside=()),
     ...     restitution=RestitutionBand(draws=1),
     ...     fitting=FitOptions(states=["uplift"], bands=None),
     ... )
@@ -156,7 +156,7 @@ def compute_fragility(
     ensemble = run_ensemble(
         blocks,
         motions,
-        stripes=stripes,
+        levels=levels,
         restitution=restitution,
         reverse=reverse,
         vertical=vertical,

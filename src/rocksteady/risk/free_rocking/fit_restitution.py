@@ -354,14 +354,7 @@ def _trend(
     amplitude = np.array([row.amplitude for row in rows])
     if len(rows) < FEWEST_FOR_TREND + steps.design.shape[1] - 1 or np.ptp(amplitude) < 1e-6:
         return None
-    again = Steps(
-        change=steps.change,
-        design=np.column_stack([steps.design, amplitude * steps.impacts]),
-        impacts=steps.impacts,
-        before=steps.before,
-        after=steps.after,
-        follows=steps.follows,
-    )
+    again = replace(steps, design=np.column_stack([steps.design, amplitude * steps.impacts]))
     factor, covariance = solved(again, estimate.scatter, estimate.error)
     mean = math.exp(float(np.mean([math.log(each.restitution) for each in impacts])))
     return mean * float(factor[-1]), mean * math.sqrt(float(covariance[-1, -1]))

@@ -13,6 +13,11 @@ Standing = Literal["computed", "approximate", "needs input", "refused"]
 
 Detail = tuple[str, float, str]
 """Name, value and unit of an intermediate quantity."""
+KEYS = (
+    "name", "equation", "edition", "status", "value", "unit", "verdict", "passes", "needs",
+    "source", "remark",
+)  # fmt: skip
+"""Columns of a row of JSON and CSV."""
 
 
 @checked_result
@@ -64,19 +69,7 @@ class Screen(Result):
 
     def values(self) -> dict[str, str | float | bool | None]:
         """Return the row of JSON and CSV."""
-        return {
-            "name": self.name,
-            "equation": self.equation,
-            "edition": self.edition,
-            "status": self.status,
-            "value": self.value,
-            "unit": self.unit,
-            "verdict": self.verdict,
-            "passes": self.passes,
-            "needs": self.needs,
-            "source": self.source,
-            "remark": self.remark,
-        }
+        return {key: getattr(self, key) for key in KEYS}
 
     def describe(self) -> Description:
         """Return value, verdict and source, and the intermediate quantities."""

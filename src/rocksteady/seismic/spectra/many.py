@@ -155,7 +155,7 @@ def cells_of_many(
         factors = np.array(levels) * STANDARD_GRAVITY / peaks[:, np.newaxis]
     equations = chosen_model(model, bodies[0], grounds[0].record)
     check_grounds(grounds, factors.max(axis=1).tolist(), extremes_of(bodies), equations)
-    directions = _directions(reverse)
+    directions = chosen(reverse, DIRECTIONS)
     sign = {"as recorded": lambda ground: ground, "reversed": turned_round}
     shaking = [sign[direction](ground) for direction in directions for ground in grounds]
     cases = [f"{direction}: {name}" for direction in directions for name in names]
@@ -268,9 +268,9 @@ def blocks_of(blocks: Block | Sequence[Block]) -> list[Block]:
     return bodies
 
 
-def _directions(reverse: object) -> tuple[str, ...]:
-    """Return the directions of `reverse`."""
-    return (DIRECTIONS[reverse],) if isinstance(reverse, bool) else DIRECTIONS
+def chosen(value: object, both: tuple[str, str]) -> tuple[str, ...]:
+    """Return one of two kinds of runs, or both."""
+    return (both[value],) if isinstance(value, bool) else both
 
 
 def _measures(bodies: Sequence[Block]) -> dict[str, Any]:

@@ -5,25 +5,21 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.results.numbers import chance, number
 from rocksteady.risk.assess.assessment import Assessment
-from rocksteady.risk.fragility.damage_states import OVERTURNED
-from rocksteady.show.assessment._demand_in_units import demand_in_measure
+from rocksteady.risk.assess.demand_in_units import demand_in_measure
 from rocksteady.show.assessment._object_drawing import draw_object
-from rocksteady.show.plots.risk.fragility import NOT_RUN, plot_fragility, plot_fragility_states
+from rocksteady.show.plots.risk.assessment import plot_assessment
+from rocksteady.show.plots.risk.fragility import plot_fragility_states
 from rocksteady.show.plots.risk.tornado import plot_measure_efficiency, plot_tornado
 from rocksteady.show.report import picture, twins
-from rocksteady.show.style.limits import draw_limit
-from rocksteady.show.style.tokens import inks_of
 from rocksteady.show.style.wording import greek, key_words, span
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+    pass
 
 ROW = 0.34
 """Height of a row of bars [inches]."""
 LEAST_BAR = 1e-4
 """Width of the widest bar below which there is nothing to be seen."""
-ROOM = 1.25
-"""Factor by which a picture goes beyond a demand outside of it."""
 
 
 def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
@@ -39,7 +35,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
     if fragility is None:
         return pictures
     pictures["fragility"] = picture(
-        lambda axes: _draw_fragility(axes, assessment), 4.1, _words_of_curve(assessment)
+        lambda axes: plot_assessment(assessment, axes), 4.1, _words_of_curve(assessment)
     )
     if len(fragility.states) > 1:
         names = ", ".join(greek(each.state.name) for each in fragility.states)
@@ -100,27 +96,6 @@ def tornado_rows(assessment: Assessment) -> list[tuple[str, float, float]]:
             rows.append((f"{name}, {first.change}", base, low))
     rows = [row for row in rows if all(math.isfinite(end) for end in row[1:])]
     return sorted(rows, key=lambda row: -abs(row[1] - row[2]))
-
-
-def _draw_fragility(axes: "Axes", assessment: Assessment) -> None:
-    """Draw the curve of falling, the range that was run, and the demand."""
-    fragility = assessment.fragility
-    assert fragility is not None
-    plot_fragility(fragility, axes, state=OVERTURNED)
-    demand, limits = demand_in_measure(assessment), axes.get_xlim()
-    if math.isfinite(demand):
-        _draw_demand(axes, demand, limits)
-
-
-def _draw_demand(axes: "Axes", demand: float, limits: tuple[float, float]) -> None:
-    """Draw the demand; the picture grows where it lies outside."""
-    inks = inks_of(axes)
-    shown = (min(limits[0], demand / ROOM), max(limits[1], demand * ROOM))
-    for begin, end in zip(shown, limits, strict=True):
-        if begin != end:  # not run either
-            axes.axvspan(begin, end, color=inks.edge, alpha=NOT_RUN, lw=0.0, zorder=0.5)
-    axes.set_xlim(shown)
-    draw_limit(axes, demand, "demand", zorder=2.5)
 
 
 def _words_of_object(assessment: Assessment) -> str:

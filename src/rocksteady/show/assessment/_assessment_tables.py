@@ -7,11 +7,11 @@ from typing import Any
 from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.results.numbers import angle, chance, interval, length, number, quantity
 from rocksteady.risk.assess.assessment import Assessment
+from rocksteady.risk.assess.demand_in_units import PEAKS, unit_of
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
-from rocksteady.show.assessment._demand_in_units import PEAKS, unit_of
 from rocksteady.show.report import prose
 from rocksteady.show.style.markup import (
     Cell,

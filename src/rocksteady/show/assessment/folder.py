@@ -12,7 +12,7 @@ from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.export.components import LossComponent
 from rocksteady.show.export.ensemble_rows import write_runs_csv
 from rocksteady.show.export.files import save_csv, save_text
-from rocksteady.show.export.folders import check_own_folder, fill_own_folder
+from rocksteady.show.export.folders import ASSESSMENT
 from rocksteady.show.export.manifest import make_manifest, write_manifest
 from rocksteady.show.export.openquake import write_openquake
 from rocksteady.show.export.pelicun import write_pelicun
@@ -20,10 +20,6 @@ from rocksteady.show.export.pelicun import write_pelicun
 if TYPE_CHECKING:
     from rocksteady.risk.assess.assessment import Assessment
     from rocksteady.risk.fragility.fragility import Fragility
-
-OURS = r"report\.html|answers\.csv|results\.csv|fragility\.(csv|json|xml)|run\.json"
-"""Names of the files of an assessment."""
-KIND = "an assessment"
 
 
 @checked
@@ -83,29 +79,13 @@ def write_assessment(
     ...     [file.name for file in write_assessment(assessment, folder)]
     ['report.html', 'run.json']
     """
-    return fill_own_folder(
+    return ASSESSMENT.fill(
         folder,
-        OURS,
-        KIND,
         lambda stage: _fill(assessment, stage, command, files),
         force=force,
         read=files,
         hashes=[] if isinstance(assessment, ObjectsTable) else [assessment.described.sha256],
     )
-
-
-def check_assessment_folder(
-    folder: Path | str, *, force: bool = False, read: Sequence[Path] = ()
-) -> None:
-    """Refuse, before anything is computed, a folder that could not be filled.
-
-    Raises
-    ------
-    OutputError
-        If it holds anything but files of an assessment, or those without `force`, or one that is
-        read.
-    """
-    check_own_folder(folder, OURS, KIND, force=force, read=read)
 
 
 def _fill_with_table(table: ObjectsTable, stage: Path, command: str, files: Sequence[Path]) -> None:

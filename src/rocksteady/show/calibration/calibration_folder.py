@@ -1,7 +1,6 @@
 """The folder of a calibration: page, fit, posterior, predictions and parameters."""
 
 import hashlib
-from collections.abc import Sequence
 from pathlib import Path
 
 from rocksteady.model.checks.arguments import checked
@@ -9,12 +8,9 @@ from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.stored import TABLES, posterior_rows
 from rocksteady.show.calibration._calibration_report import calibration_html
 from rocksteady.show.export.files import json_text, save_csv, save_text
-from rocksteady.show.export.folders import check_own_folder, fill_own_folder
+from rocksteady.show.export.folders import CALIBRATION
 from rocksteady.show.export.manifest import make_manifest
 
-OURS = r"report\.html|fit\.json|(posterior|predictions|parameters)\.csv"
-"""Names of the files of a calibration."""
-KIND = "a calibration"
 SCHEMA = "rocksteady/calibrate/1"
 
 
@@ -81,18 +77,4 @@ def write_calibration(
         save_text("out", stage / "report.html", page)
 
     sources = {**calibration.tests.sources, **calibration.prior.sources}
-    return fill_own_folder(folder, OURS, KIND, write, force=force, hashes=sources.values())
-
-
-def check_calibration_folder(
-    folder: Path | str, *, force: bool = False, read: Sequence[Path] = ()
-) -> None:
-    """Refuse, before anything is computed, a folder that could not be filled.
-
-    Raises
-    ------
-    OutputError
-        If it holds anything but files of a calibration, or those without `force`, or one that is
-        read.
-    """
-    check_own_folder(folder, OURS, KIND, force=force, read=read)
+    return CALIBRATION.fill(folder, write, force=force, hashes=sources.values())

@@ -63,8 +63,8 @@ def write_runs_csv(path: Path | str, ensemble: "xarray.Dataset") -> Path:
     >>> from rocksteady.risk import Levels, RestitutionBand
     >>> cabinet = Block.rectangle(width=0.4, height=1.6)
     >>> shock = Record(acceleration_m_s2=[0.0, 1.0, -1.0, 0.0], dt_s=0.3, name="shock")
-    >>> stripes = Levels("pga_g", [0.2], beside=())
-    >>> runs = run_ensemble(cabinet, shock, stripes=stripes, restitution=RestitutionBand(draws=1))
+    >>> levels = Levels("pga_g", [0.2], beside=())
+    >>> runs = run_ensemble(cabinet, shock, levels=levels, restitution=RestitutionBand(draws=1))
     >>> with TemporaryDirectory() as folder:
     ...     print(write_runs_csv(f"{folder}/results.csv", runs).read_text().splitlines()[0])
     block,record,direction,vertical,level,scale,restitution,status,peak_angle,impacts,uplift_time_s

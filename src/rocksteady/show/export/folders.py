@@ -7,6 +7,7 @@ import shutil
 from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import suppress
 from pathlib import Path
+from typing import NamedTuple
 
 from rocksteady import durable
 from rocksteady.errors import OutputError
@@ -91,87 +92,101 @@ def _was_read(file: Path, read: Iterable[Path], hashes: Collection[str | None]) 
     return False
 
 
-def check_own_folder(
-    folder: Path | str,
-    ours: str,
-    kind: str,
-    *,
-    force: bool = False,
-    read: Iterable[Path | str] = (),
-    hashes: Collection[str | None] = (),
-) -> None:
-    """Refuse, before anything is computed, a folder that is not wholly ours.
+class OwnFolder(NamedTuple):
+    """A folder that is wholly ours."""
 
-    Parameters
-    ----------
-    folder, ours, force, read, hashes
-        As for `check_folder`.
-    kind
-        What the folder is of, as "an assessment".
+    ours: str
+    """Regular expression of the names of its files."""
+    kind: str
+    """What it is of, as "an assessment"."""
 
-    Raises
-    ------
-    OutputError
-        As for `check_folder`; and if the folder holds anything else, or files of such names
-        without the manifest of an earlier answer, which therefore did not write them.
-    """
-    target = Path(folder)
-    check_folder(target, ours, force=force, read=read, hashes=hashes)
-    held = sorted(each.name for each in target.iterdir()) if target.is_dir() else []
-    foreign = [name for name in held if not re.fullmatch(f"{ours}|{durable.PRIVATE}", name)]
-    named = [name for name in held if re.fullmatch(ours, name)]
-    if named and not foreign and not MANIFESTS & set(named):
-        raise OutputError(
-            "out",
-            target,
-            f"it holds {named[0]}, which no earlier answer wrote",
-            "move it, or name a new or an empty folder",
-        )
-    if foreign:
-        raise OutputError(
-            "out",
-            target,
-            f"it holds {foreign[0]}, which is no file of {kind}",
-            "name a new or an empty folder",
-        )
+    def check(
+        self,
+        folder: Path | str,
+        *,
+        force: bool = False,
+        read: Iterable[Path | str] = (),
+        hashes: Collection[str | None] = (),
+    ) -> None:
+        """Refuse, before anything is computed, a folder that could not be filled.
+
+        Parameters
+        ----------
+        folder, force, read, hashes
+            As for `check_folder`.
+
+        Raises
+        ------
+        OutputError
+            As for `check_folder`; and if the folder holds anything else, or files of such names
+            without the manifest of an earlier answer, which therefore did not write them.
+        """
+        target = Path(folder)
+        check_folder(target, self.ours, force=force, read=read, hashes=hashes)
+        held = sorted(each.name for each in target.iterdir()) if target.is_dir() else []
+        foreign = [
+            name for name in held if not re.fullmatch(f"{self.ours}|{durable.PRIVATE}", name)
+        ]
+        named = [name for name in held if re.fullmatch(self.ours, name)]
+        if named and not foreign and not MANIFESTS & set(named):
+            raise OutputError(
+                "out",
+                target,
+                f"it holds {named[0]}, which no earlier answer wrote",
+                "move it, or name a new or an empty folder",
+            )
+        if foreign:
+            raise OutputError(
+                "out",
+                target,
+                f"it holds {foreign[0]}, which is no file of {self.kind}",
+                "name a new or an empty folder",
+            )
+
+    def fill(
+        self,
+        folder: Path | str,
+        write: Callable[[Path], None],
+        *,
+        force: bool = False,
+        read: Iterable[Path | str] = (),
+        hashes: Collection[str | None] = (),
+    ) -> list[Path]:
+        """Fill a folder, and remove what an earlier answer left in it.
+
+        Parameters
+        ----------
+        folder, force, read, hashes
+            As for `check_folder`.
+        write
+            As for `fill_folder`.
+
+        Returns
+        -------
+        list of Path
+            The written files.
+
+        Raises
+        ------
+        OutputError
+            As for `check` and `fill_folder`.
+        """
+        self.check(folder, force=force, read=read, hashes=hashes)
+        written = fill_folder(folder, write)
+        fresh = {each.name for each in written}
+        for file in Path(folder).iterdir():  # of an earlier answer, without a counterpart in this
+            if file.name not in fresh and re.fullmatch(self.ours, file.name):
+                file.unlink()
+        return written
 
 
-def fill_own_folder(
-    folder: Path | str,
-    ours: str,
-    kind: str,
-    write: Callable[[Path], None],
-    *,
-    force: bool = False,
-    read: Iterable[Path | str] = (),
-    hashes: Collection[str | None] = (),
-) -> list[Path]:
-    """Fill a folder that is wholly ours, and remove what an earlier answer left in it.
-
-    Parameters
-    ----------
-    folder, ours, kind, force, read, hashes
-        As for `check_own_folder`.
-    write
-        As for `fill_folder`.
-
-    Returns
-    -------
-    list of Path
-        The written files.
-
-    Raises
-    ------
-    OutputError
-        As for both.
-    """
-    check_own_folder(folder, ours, kind, force=force, read=read, hashes=hashes)
-    written = fill_folder(folder, write)
-    fresh = {each.name for each in written}
-    for file in Path(folder).iterdir():  # of an earlier answer, without a counterpart in this one
-        if file.name not in fresh and re.fullmatch(ours, file.name):
-            file.unlink()
-    return written
+ASSESSMENT = OwnFolder(
+    r"report\.html|answers\.csv|results\.csv|fragility\.(csv|json|xml)|run\.json", "an assessment"
+)
+CALIBRATION = OwnFolder(
+    r"report\.html|fit\.json|(posterior|predictions|parameters)\.csv", "a calibration"
+)
+FACADE = OwnFolder(r"report\.html|(checks|runs)\.csv|(facade|run)\.json", "a facade")
 
 
 def fill_folder(

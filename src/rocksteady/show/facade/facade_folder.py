@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.show.export.files import json_text, save_csv, save_text
-from rocksteady.show.export.folders import check_own_folder, fill_own_folder
+from rocksteady.show.export.folders import FACADE
 from rocksteady.show.export.manifest import make_manifest, write_manifest
 from rocksteady.show.facade._facade_page import facade_html
 from rocksteady.show.plots.facades.languages import Language, language_of
@@ -18,9 +18,6 @@ if TYPE_CHECKING:
     from rocksteady.results.description import Table
     from rocksteady.risk.facades.facade_check import FacadeCheck
 
-OURS = r"report\.html|(checks|runs)\.csv|(facade|run)\.json"
-"""Names of the files of a facade."""
-KIND = "a facade"
 SCHEMA = "rocksteady/facade/1"
 
 
@@ -91,20 +88,7 @@ def write_facade(
     def write(stage: Path) -> None:
         _fill(check, stage, manifest, words)
 
-    return fill_own_folder(out, OURS, KIND, write, force=force, read=files)
-
-
-def check_facade_folder(
-    folder: Path | str, *, force: bool = False, read: Sequence[Path] = ()
-) -> None:
-    """Refuse, before anything is computed, a folder that could not be filled.
-
-    Raises
-    ------
-    OutputError
-        If it holds anything but files of a facade, or those without `force`, or one that is read.
-    """
-    check_own_folder(folder, OURS, KIND, force=force, read=read)
+    return FACADE.fill(out, write, force=force, read=files)
 
 
 def _fill(check: "FacadeCheck", stage: Path, manifest: dict[str, object], words: Language) -> None:

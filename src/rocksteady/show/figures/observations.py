@@ -65,9 +65,7 @@ def back_analysis_figure(analysis: BackAnalysis, title: str = "", page: Page = S
     page
         Width of the figure, and place of its legend.
     """
-    with page.figure(6.6, 5.0, title) as figure:
-        plot_back_analysis(analysis, figure.add_subplot(), legend=page.legend)
-    return figure
+    return page.panel(6.6, 5.0, title, plot_back_analysis, analysis)
 
 
 def predictions_figure(predictions: Predictions, title: str = "", page: Page = SCREEN) -> "Figure":
@@ -83,9 +81,7 @@ def predictions_figure(predictions: Predictions, title: str = "", page: Page = S
         Width of the figure, and place of its legend.
     """
     rows = min(len(predictions), NAMED)
-    with page.figure(6.6, max(2.2, 1.3 + 0.2 * rows), title) as figure:
-        plot_predictions(predictions, figure.add_subplot(), legend=page.legend)
-    return figure
+    return page.panel(6.6, max(2.2, 1.3 + 0.2 * rows), title, plot_predictions, predictions)
 
 
 def restitution_figure(fit: RestitutionFit, title: str = "", page: Page = SCREEN) -> "Figure":

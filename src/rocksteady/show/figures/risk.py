@@ -32,9 +32,7 @@ def fragility_figure(
         Width of the figure, and place of its legends.
     """
     if not isinstance(fragility, Fragility) or len(fragility.states) == 1:
-        with page.figure(6.6, 4.4, title) as figure:
-            plot_fragility(fragility, figure.add_subplot(), state=state, legend=page.legend)
-        return figure
+        return page.panel(6.6, 4.4, title, plot_fragility, fragility, state=state)
     with page.figure(10.8, 4.6, title, stacked=1.6) as figure:
         stacked = page.stacks(10.8)
         first, second = figure.subplots(2, 1) if stacked else figure.subplots(1, 2)

@@ -215,18 +215,14 @@ def response_figure(
     """Return a figure of response curves."""
     from rocksteady.show.plots.steady import plot_response
 
-    with page.figure(7.2, 4.4, title) as figure:
-        plot_response(curves, figure.add_subplot(), hertz=hertz, legend=page.legend)
-    return figure
+    return page.panel(7.2, 4.4, title, plot_response, curves, hertz=hertz)
 
 
 def basins_figure(basins: "Basins", title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of basins of attraction."""
     from rocksteady.show.plots.portraits.basins import plot_basins
 
-    with page.figure(7.6, 4.8, title) as figure:
-        plot_basins(basins, figure.add_subplot(), legend=page.legend)
-    return figure
+    return page.panel(7.6, 4.8, title, plot_basins, basins)
 
 
 def edge_figure(
@@ -248,18 +244,14 @@ def shares_figure(shares: "BasinShares", title: str = "", page: Page = SCREEN) -
     """Return a figure of the shares of basins over a parameter."""
     from rocksteady.show.plots.portraits.shares import plot_basin_shares
 
-    with page.figure(7.6, 4.4, title) as figure:
-        plot_basin_shares(shares, figure.add_subplot(), legend=page.legend)
-    return figure
+    return page.panel(7.6, 4.4, title, plot_basin_shares, shares)
 
 
 def fate_basins_figure(fates: "FateBasins", title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of the fates over a window of initial states."""
     from rocksteady.show.plots.portraits.fate_basins import plot_fate_basins
 
-    with page.figure(7.6, 4.8, title) as figure:
-        plot_fate_basins(fates, figure.add_subplot(), legend=page.legend)
-    return figure
+    return page.panel(7.6, 4.8, title, plot_fate_basins, fates)
 
 
 def erosion_figure(
@@ -295,9 +287,7 @@ def overturning_figure(
     """Return a figure of an overturning spectrum."""
     from rocksteady.show.plots.overturning import plot_overturning
 
-    with page.figure(8.0, 4.6, title) as figure:
-        plot_overturning(windows, figure.add_subplot(), legend=page.legend)
-    return figure
+    return page.panel(8.0, 4.6, title, plot_overturning, windows)
 
 
 def fatal_figure(
@@ -374,9 +364,7 @@ def record_figure(
     )
 
     if len(courses) > 1:
-        with page.figure(7.2, 4.8, title) as figure:
-            plot_response_spectra(spectra, figure.add_subplot(), legend=page.legend)
-        return figure
+        return page.panel(7.2, 4.8, title, plot_response_spectra, spectra)
     with page.figure(10.4, 5.6, title, stacked=2.2) as figure:
         if page.stacks(10.4):
             grid = figure.add_gridspec(5, 1, height_ratios=(1.0, 1.0, 1.0, 1.4, 1.6))

@@ -7,8 +7,9 @@ from rocksteady.dynamics.batch.attractors import Attractors
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.outcomes import AttractorKind
-from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.layout import axes_or_new, name_rows
 from rocksteady.show.style.legends import text_size
+from rocksteady.show.style.line_ends import write_beside
 from rocksteady.show.style.tokens import HATCHES, inks_of
 
 if TYPE_CHECKING:
@@ -63,13 +64,8 @@ def plot_attractor_kinds(attractors: Attractors, ax: "Axes | None" = None) -> "A
         role, _ = AREAS.get(kind, (kind, kind))
         style: dict[str, Any] = {"color": getattr(inks, role), "hatch": HATCHES.get(role)}
         axes.barh(place, count, height=0.62, ec=inks.edge, lw=0.6, **style)
-        axes.annotate(
-            f"{count:,} of {total:,}", (1.0, place), (4.0, 0.0),
-            xycoords=("axes fraction", "data"), textcoords="offset points", va="center",
-            fontsize=small, color=inks.ink, annotation_clip=False,
-        )  # fmt: skip
-    axes.set_yticks(range(len(counts)), [AREAS.get(kind, ("", kind))[1] for kind, _ in counts])
-    axes.tick_params(axis="y", length=0.0)
-    axes.grid(visible=False, axis="y")
-    axes.set(xlabel="motions", xlim=(0.0, 1.03 * counts[0][1]), ylim=(len(counts) - 0.4, -0.6))
+        words = f"{count:,} of {total:,}"
+        write_beside(axes, words, place, inks.ink, small, of_row=True)
+    name_rows(axes, [AREAS.get(kind, ("", kind))[1] for kind, _ in counts])
+    axes.set(xlabel="motions", xlim=(0.0, 1.03 * counts[0][1]))
     return axes

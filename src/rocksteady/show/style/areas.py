@@ -189,9 +189,7 @@ def write_words(
     marks
         Points of which words keep clear, in the units of the axes, shape (points, 2).
     """
-    from matplotlib.patheffects import Normal, Stroke
-
-    inks, size = inks_of(axes), text_size(axes, 8.5)
+    size = text_size(axes, 8.5)
     fractions = (np.arange(SAMPLES) + 0.5) / SAMPLES
     places = axes.transAxes.transform(np.column_stack([fractions, fractions]))
     x, y = axes.transData.inverted().transform(places).T
@@ -213,19 +211,29 @@ def write_words(
         )
         if middle is None:
             continue
-        axes.text(
-            fractions[middle[1]],
-            fractions[middle[0]],
-            word,
-            transform=axes.transAxes,
-            ha="center",
-            va="center",
-            fontsize=size,
-            fontweight="bold",
-            color=word_ink(fill, inks),
-            path_effects=[Stroke(linewidth=2.5, foreground=fill), Normal()],
-            zorder=5.5,
-        )
+        row, column = middle
+        place = (fractions[column], fractions[row])
+        write_upon(axes, word, place, fill, size, zorder=5.5)
+
+
+def write_upon(
+    axes: "Axes", word: str, place: tuple[float, float], fill: str, size: float, *, zorder: float
+) -> None:
+    """Write a word of a size [points] upon an area, its middle at a place in parts of the axes."""
+    from matplotlib.patheffects import Normal, Stroke
+
+    axes.text(
+        *place,
+        word,
+        transform=axes.transAxes,
+        ha="center",
+        va="center",
+        fontsize=size,
+        fontweight="bold",
+        color=word_ink(fill, inks_of(axes)),
+        path_effects=[Stroke(linewidth=2.5, foreground=fill), Normal()],
+        zorder=zorder,
+    )
 
 
 def _roomiest(where: Bools, box: Sequence[int], point: Floats) -> tuple[int, int] | None:

@@ -10,6 +10,7 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import spaced_by_ratio
 from rocksteady.show.style.legends import size_of, text_size
+from rocksteady.show.style.line_ends import write_beside
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -108,17 +109,7 @@ def lane_of(axes: "Axes") -> float:
 
 def name_lane(axes: "Axes", name: str, height: float, colour: str) -> None:
     """Write the name of a row of bars to the right of the axes, at a height in parts of them."""
-    axes.annotate(
-        name,
-        (1.0, height),
-        (3.0, 0.0),
-        xycoords="axes fraction",
-        textcoords="offset points",
-        va="center",
-        fontsize=text_size(axes, 7.0),
-        color=colour,
-        annotation_clip=False,
-    )
+    write_beside(axes, name, height, colour, text_size(axes, 7.0), aside=3.0)
 
 
 def prepare_axis(

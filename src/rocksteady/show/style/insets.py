@@ -20,10 +20,12 @@ APART = 12.0
 """Distance of marks that do not touch [points]."""
 LARGEST = 0.25
 """Side of a crowd, in parts of the axes; a larger one would hardly grow in an inset."""
-SIZE = (0.42, 0.4)
-"""Width and height of an inset, in parts of the axes."""
+SIZES = ((0.42, 0.4), (0.42, 0.3), (0.3, 0.3), (0.2, 0.26))
+"""Widths and heights of insets, in parts of the axes; the first with room is drawn."""
 MOST_HIDDEN = 0.02
 """Part of what is drawn that an inset may hide."""
+CELL = 1.0 / 256.0
+"""Parts of the axes within which all that is drawn counts once."""
 LEAST_ROOM = (220.0, 120.0)
 """Width and height of axes [points] that have room for one."""
 
@@ -88,24 +90,25 @@ def draw_inset(
         As for `crowd_of`; hidden least of all.
     """
     across = axes.transAxes.inverted()
-    points = np.concatenate(
-        [_dense(across.transform(axes.transData.transform(line))) for line in drawn]
-    )
+    dense = [_dense(across.transform(axes.transData.transform(line))) for line in drawn]
+    points = np.unique(np.round(np.concatenate(dense) / CELL), axis=0) * CELL  # ink, not samples
     spots = across.transform(axes.transData.transform(np.array(marks)))
     corners = across.transform(axes.transData.transform(np.array(crowd).reshape(2, 2)))
     here = (*corners[0].tolist(), *corners[1].tolist())
-    wide, high = SIZE
     left, low = (24.0, 14.0) / np.array(size_of(axes))  # of the tick labels
-    choices = [
-        (x, y, x + wide, y + high)
-        for y in np.linspace(low + 0.05, 0.95 - high, 9).tolist()
-        for x in np.linspace(left + 0.04, 0.97 - wide, 12).tolist()
-    ]
-    hidden, (x0, y0, x1, y1) = min(
-        (_hidden((box[0] - left, box[1] - low, *box[2:]), points, spots, here), box)
-        for box in choices
-    )
-    if hidden > MOST_HIDDEN:
+    for wide, high in SIZES:
+        choices = [
+            (x, y, x + wide, y + high)
+            for y in np.linspace(low + 0.05, 0.95 - high, 24).tolist()
+            for x in np.linspace(left + 0.04, 0.97 - wide, 24).tolist()
+        ]
+        hidden, (x0, y0, x1, y1) = min(
+            (_hidden((box[0] - left, box[1] - low, *box[2:]), points, spots, here), box)
+            for box in choices
+        )
+        if hidden <= MOST_HIDDEN:
+            break
+    else:
         return None
     inset = axes.inset_axes((x0, y0, x1 - x0, y1 - y0), zorder=5.0)
     inks = inks_of(axes)

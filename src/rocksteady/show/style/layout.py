@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -135,6 +135,14 @@ def put_beside(
         )
 
 
+def name_rows(axes: "Axes", names: Sequence[str], **text: Any) -> None:
+    """Name the rows 0, 1, 2, ... of axes, the first on top; `text` sets how they are written."""
+    axes.set_yticks(range(len(names)), names, **text)
+    axes.set_ylim(len(names) - 0.4, -0.6)
+    axes.tick_params(axis="y", length=0.0)
+    axes.grid(visible=False, axis="y")
+
+
 def extent(axes: "Axes", *, width: float, height: float) -> tuple[float, float]:
     """Return a size in points as fractions of the axes, at most the whole of them."""
     wide, high = size_of(axes)
@@ -175,7 +183,6 @@ def region_centres(
     ceiling: float,
     floor: float = 0.0,
     *,
-    taken: tuple[Corner, tuple[float, float]] | None = None,
     point: tuple[float, float] | None = None,
 ) -> dict[int, tuple[float, float]]:
     """Return where each region has most room for its number; too narrow ones are left out.
@@ -186,8 +193,6 @@ def region_centres(
         The map, its frequencies in ascending order.
     ceiling, floor
         Ends of the amplitude axis; it is logarithmic where the floor is above 0.
-    taken
-        Corner that the legend takes, and the legend's size in fractions of the axes.
     point
         A marked (frequency_ratio, amplitude), from which the numbers keep away.
     """
@@ -203,15 +208,7 @@ def region_centres(
     spread = np.geomspace if spaced_by_ratio(w) else np.linspace
     columns = np.searchsorted(w, spread(w[0], w[-1], rows)[:-1])
     columns = np.append(columns, len(w) - 1)
-    free = np.ones((rows, rows), dtype=bool)
-    if taken is not None:
-        (right, upper), (wide, high) = CORNERS[taken[0]], taken[1]
-        across, up = math.ceil(wide * rows), math.ceil(high * rows)
-        free[
-            rows - up if upper else 0 : rows if upper else up,
-            rows - across if right else 0 : rows if right else across,
-        ] = False
-    clear = free.copy()
+    clear = np.ones((rows, rows), dtype=bool)
     for curve in (curves.symmetry_breaking, curves.heteroclinic):
         above = np.pad(height > curve[columns], ((1, 0), (1, 0)), mode="edge")
         clear &= (above[1:, 1:] == above[:-1, 1:]) & (above[1:, 1:] == above[1:, :-1])
@@ -222,7 +219,7 @@ def region_centres(
     for number in range(1, 6):
         room = np.zeros((rows, rows))
         # Clear of the other curves and the point where that is possible.
-        for allowed in (clear, free):
+        for allowed in (clear, True):
             inside = np.pad((region[:, columns] == number) & allowed, 1)
             room = distance_transform_edt(inside)[1:-1, 1:-1]
             if room.max() > 5.0:

@@ -1,4 +1,4 @@
-"""Names of lines at their ends, beside the axes, instead of a legend."""
+"""Names of lines and rows at their ends, beside the axes, instead of a legend."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -59,17 +59,47 @@ def name_line_ends(
         above = max([most, *heights.tolist()]) + step * (1.3 + 0.5 * title.count("\n"))
         entries.append((title, above, axes.yaxis.label.get_color()))
     for text, height, colour in entries:
-        axes.annotate(
-            text,
-            (1.0, height),
-            (ASIDE, 0.0),
-            xycoords="axes fraction",
-            textcoords="offset points",
-            va="center",
-            fontsize=size,
-            color=colour,
-            annotation_clip=False,
-        )
+        write_beside(axes, text, height, colour, size)
+
+
+def write_beside(
+    axes: "Axes",
+    words: str,
+    height: float,
+    colour: str,
+    size: float,
+    *,
+    aside: float = ASIDE,
+    of_row: bool = False,
+) -> None:
+    """Write words to the right of axes.
+
+    Parameters
+    ----------
+    axes
+        Axes to write beside.
+    words
+        What is written.
+    height
+        Height of its middle, in parts of the axes.
+    colour, size
+        Its colour, and its size [points].
+    aside
+        Distance from the axes [points].
+    of_row
+        Whether the height is an ordinate: that of a row of bars.
+    """
+    axes.annotate(
+        words,
+        (1.0, height),
+        (aside, 0.0),
+        xycoords=("axes fraction", "data") if of_row else "axes fraction",
+        textcoords="offset points",
+        va="center",
+        fontsize=size,
+        color=colour,
+        annotation_clip=False,
+    )
 
 
 def spread_heights(

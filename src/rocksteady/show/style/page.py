@@ -2,7 +2,7 @@
 
 import re
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -105,6 +105,20 @@ class Page:
             settle(figure)
             if self.width_mm is not None or self.legend is not None:
                 _fit(figure)
+
+    def panel(
+        self,
+        width: float,
+        height: float,
+        title: str,
+        plot: Callable[..., Any],
+        shown: Any,
+        **options: Any,
+    ) -> "Figure":
+        """Return a figure of one panel, which a function plots with these options."""
+        with self.figure(width, height, title) as figure:
+            plot(shown, figure.add_subplot(), legend=self.legend, **options)
+        return figure
 
     def stacks(self, natural: float) -> bool:
         """Return whether panels of a figure stand one above the other."""

@@ -11,12 +11,11 @@ from numpy.typing import ArrayLike
 from rocksteady import Execution, __version__
 from rocksteady.results.answer import Answer
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
-from rocksteady.show.export.folders import check_folder, fill_folder
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.atlas.analysis.coexistence import Coexistence, coexistence
 from rocksteady.studies.atlas.analysis.columns import columns
 from rocksteady.studies.atlas.analysis.families import FamilyMap, family_map
-from rocksteady.studies.atlas.analysis.from_rest import MARKED, PARTS, FromRest, from_rest
+from rocksteady.studies.atlas.analysis.from_rest import MARKED, PARTS, FromRest, from_rest, in_steps
 from rocksteady.studies.atlas.analysis.lines import Line, family_lines
 from rocksteady.studies.atlas.analysis.plane import AMPLITUDES, FREQUENCY_RATIOS, ORDERS, Plane
 from rocksteady.studies.atlas.analysis.windows import Window, windows
@@ -36,6 +35,7 @@ from rocksteady.studies.atlas.pages.pictures import draw_coexistence, draw_famil
 from rocksteady.studies.atlas.pages.report import command, report_html
 from rocksteady.studies.folder import Done, environment, nothing
 from rocksteady.studies.parts import Parts
+from rocksteady.studies.saving import Saved
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -52,7 +52,7 @@ OURS = rf"({'|'.join(PICTURES)})\.(png|svg|pdf)|({'|'.join(TABLES)})\.csv|atlas\
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Atlas:
+class Atlas(Saved):
     """The plane of frequency and amplitude for one restitution.
 
     Attributes
@@ -75,6 +75,7 @@ class Atlas:
         Run time of the computation [s].
     """
 
+    ours = OURS
     plane: Plane
     families: tuple[FamilyMap, ...]
     bands: tuple[BandsAt, ...]
@@ -102,22 +103,12 @@ class Atlas:
     def values(self) -> dict[str, Any]:
         """Return the key numbers as plain values: what ``atlas.json`` holds."""
         plane = self.plane
+        ends = ("frequency_ratio_from", "frequency_ratio_to", "amplitude_from", "amplitude_to")
         return {
             "version": __version__,
             "restitution": plane.restitution,
             "orders": list(plane.orders),
-            "window": dict(
-                zip(
-                    (
-                        "frequency_ratio_from",
-                        "frequency_ratio_to",
-                        "amplitude_from",
-                        "amplitude_to",
-                    ),
-                    plane.window,
-                    strict=True,
-                )
-            ),
+            "window": dict(zip(ends, plane.window, strict=True)),
             "cells": {"amplitude": len(plane.amplitudes), "frequency_ratio": len(plane.ratios)},
             "families": [family_values(family, self.lines) for family in self.families],
             "bands": [vars(band) for band in self.bands],
@@ -128,44 +119,7 @@ class Atlas:
             "tables": [f"{name}.csv" for name in TABLES],
         }
 
-    def save(
-        self,
-        folder: Path | str,
-        *,
-        force: bool = False,
-        parts: Parts | None = None,
-        done: Done = nothing,
-    ) -> list[Path]:
-        """Write pictures, tables, ``atlas.json`` and the page ``atlas.html``.
-
-        Parameters
-        ----------
-        folder
-            Made if it does not exist, in an existing folder.
-        force
-            Whether files of these names in it are replaced; others stay.
-        parts
-            Where what is finished is kept: nothing half written is left elsewhere.
-        done
-            Called with the name of each picture, and of the page, when it has been written.
-
-        Returns
-        -------
-        list of Path
-            The written files.
-
-        Raises
-        ------
-        OutputError
-            If the folder cannot be made or written, or a file exists and `force` is off.
-        """
-        check_folder(folder, OURS, force=force)
-        if parts is not None:
-            parts.begin()
-        within = None if parts is None else parts.folder
-        return fill_folder(folder, lambda stage: self._write(stage, done), within=within)
-
-    def _write(self, stage: Path, done: Done) -> None:
+    def write(self, stage: Path, done: Done) -> None:
         """Write every file into a hidden folder."""
         began = time.perf_counter()
         every = (*self.lines, *(line for window in self.strips for line in window.lines))
@@ -299,9 +253,8 @@ def atlas(
             at_marks = columns(plane, order, marked(plane), run=kept(f"marked-{order}", COLUMNS))
             bands += [bands_at(column, order) for column in at_marks]
         done(f"borders, n = {order}")
-    coexisting = coexistence(
-        plane, run=replace(kept("coexistence", CELLS), progress=_in_steps(done))
-    )
+    beside = in_steps(1, CELLS, lambda _: done("side by side"))
+    coexisting = coexistence(plane, run=replace(kept("coexistence", CELLS), progress=beside))
     strips = windows(coexisting)
     done("windows")
     rest = from_rest(plane, run=how, parts=parts, done=done)
@@ -339,16 +292,3 @@ def steps(plane: Plane) -> int:
     """Return the number of times that `atlas` reports progress."""
     searched = len(plane.amplitudes) * len(plane.ratios) // CELLS
     return len(plane.orders) * (len(plane.ratios) + 1) + searched + 1 + PARTS
-
-
-def _in_steps(done: Done) -> Callable[[int], None]:
-    """Return what a sweep calls with numbers of cells, some of which make a step."""
-    passed = 0
-
-    def swept(cells: int) -> None:
-        nonlocal passed
-        before, passed = passed, passed + cells
-        for _ in range(before // CELLS, passed // CELLS):
-            done("side by side")
-
-    return swept

@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady import Execution, Record, __version__
 from rocksteady.results.answer import Answer
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
-from rocksteady.show.export.folders import check_folder, fill_folder
 from rocksteady.show.report import render, twins
 from rocksteady.show.style.page import SCREEN, Page
 from rocksteady.studies.facade_checks import _tables
@@ -36,6 +35,7 @@ from rocksteady.studies.facade_checks._plane import HEIGHTS_M, PGA_G, SLENDERNES
 from rocksteady.studies.facade_checks._worked_walls import FEW, KINDS, WorkedWall, worked_walls
 from rocksteady.studies.folder import Done, environment, nothing
 from rocksteady.studies.parts import Parts
+from rocksteady.studies.saving import Saved
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -54,7 +54,7 @@ KIND_WORDS = {
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class FacadeChecks:
+class FacadeChecks(Saved):
     """Linear, nonlinear static and dynamic checks of bare walls over slenderness and height.
 
     Attributes
@@ -67,6 +67,7 @@ class FacadeChecks:
         Run time of the computation [s].
     """
 
+    ours = OURS
     walls: CheckedWalls
     worked: tuple[WorkedWall, ...]
     seconds: float
@@ -115,54 +116,13 @@ class FacadeChecks:
             "tables": [f"{name}.csv" for name in TABLES],
         }
 
-    def figure(self, name: str, *, page: Page = SCREEN) -> "Figure":
+    def figure(self, name: str, page: Page = SCREEN) -> "Figure":
         """Return a picture by its name: "verdicts", "ratios", "wall-1" or "wall-2"."""
         if name == "verdicts":
             return verdict_figure(self.walls, self._shown, page=page)
         if name == "ratios":
             return ratio_figure(self.walls, page=page)
         return worked_figure(self.worked[int(name[-1]) - 1], page=page)
-
-    def _on(self, name: str, page: Page) -> "Figure":
-        """Return a picture on a page."""
-        return self.figure(name, page=page)
-
-    def save(
-        self,
-        folder: Path | str,
-        *,
-        force: bool = False,
-        parts: Parts | None = None,
-        done: Done = nothing,
-    ) -> list[Path]:
-        """Write pictures, tables, ``facade-checks.json`` and the page ``facade-checks.html``.
-
-        Parameters
-        ----------
-        folder
-            Made if it does not exist, in an existing folder.
-        force
-            Whether files of these names in it are replaced; others stay.
-        parts
-            Where what is finished is kept: nothing half written is left elsewhere.
-        done
-            Called with the name of each picture, and of the page, when it has been written.
-
-        Returns
-        -------
-        list of Path
-            The written files.
-
-        Raises
-        ------
-        OutputError
-            If the folder cannot be made or written, or a file exists and `force` is off.
-        """
-        check_folder(folder, OURS, force=force)
-        if parts is not None:
-            parts.begin()
-        within = None if parts is None else parts.folder
-        return fill_folder(folder, lambda stage: self._write(stage, done), within=within)
 
     @property
     def _shown(self) -> tuple[WorkedWall, ...]:
@@ -171,7 +131,7 @@ class FacadeChecks:
             wall for wall in self.worked if len(wall.records) == len(self.walls.plane.records)
         )
 
-    def _write(self, stage: Path, done: Done) -> None:
+    def write(self, stage: Path, done: Done) -> None:
         """Write every file into a hidden folder."""
         began = time.perf_counter()
         save_csv("out", stage / "walls.csv", *_tables.walls_table(self.walls))
@@ -182,7 +142,7 @@ class FacadeChecks:
             for kind in ("png", "svg", "pdf"):
                 data = figure_bytes(figure, kind, command=command)
                 (stage / f"{name}.{kind}").write_bytes(data)
-            pictures[name] = twins(partial(self._on, name), "")
+            pictures[name] = twins(partial(self.figure, name), "")
             done(name)
         text = json_text(SCHEMA, self.values(), indent=1) + "\n"
         save_text("out", stage / "facade-checks.json", text)

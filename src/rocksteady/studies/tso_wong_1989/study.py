@@ -7,7 +7,7 @@ from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rocksteady import __version__
 from rocksteady.errors import InputError
@@ -17,6 +17,7 @@ from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.folder import Done, environment, nothing
 from rocksteady.studies.parts import Parts
 from rocksteady.studies.processes import in_processes
+from rocksteady.studies.saving import fill_study
 from rocksteady.studies.tso_wong_1989._report import ReportedPanel, report_html
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from rocksteady.studies.tso_wong_1989.claims.findings import Claim, Verdict
@@ -25,9 +26,6 @@ from rocksteady.studies.tso_wong_1989.figures.histories import History, historie
 from rocksteady.studies.tso_wong_1989.figures.panel import Panel
 from rocksteady.studies.tso_wong_1989.figures.regions import Plane, planes
 from rocksteady.studies.tso_wong_1989.figures.responses import Responses, responses
-
-if TYPE_CHECKING:
-    pass
 
 SCHEMA = "rocksteady/paper/1"
 REFERENCE = (
@@ -138,12 +136,7 @@ class Study:
         """
         only = () if self.claims else [timed.panel.id for timed in self.panels]
         check_folder(folder, only, force=force)
-        if parts is not None:
-            parts.begin()
-        within = None if parts is None else parts.folder
-        return folders.fill_folder(
-            folder, lambda stage: self._write(stage, parts, done, processes), within=within
-        )
+        return fill_study(folder, lambda stage: self._write(stage, parts, done, processes), parts)
 
     def _write(self, stage: Path, parts: Parts | None, done: Done, processes: int) -> None:
         """Write every file into a hidden folder."""

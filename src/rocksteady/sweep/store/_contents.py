@@ -33,6 +33,10 @@ COMPUTED = "computed"
 TAKEN = (DONE, CHUNK, COMPUTED)
 OUTPUTS = "outputs"
 """Attribute of the checksums: names of the outputs in their order, which a folder does not keep."""
+SCHEMA = "schema"
+"""Attribute of the checksums: which form of stores this is."""
+FORM = "rocksteady/store/1"
+"""The only form so far: a later one has another number, and says how it differs."""
 LOCK = "lock"
 """A file beside the checksums: zarr would complain of it beside the arrays."""
 
@@ -149,6 +153,9 @@ def contents_of(folder: Path, refused: Callable[[str], RocksteadyError]) -> Cont
     try:
         group = zarr.open_group(folder, mode="r", zarr_format=3, use_consolidated=False)
         flags: Any = group[DONE]
+        if (form := flags.attrs.get(SCHEMA, FORM)) != FORM:
+            message = f"its form is {form}, and this version of rocksteady reads {FORM}"
+            raise ValueError(message)
         names = list(flags.attrs[OUTPUTS])
         first: Any = group[names[0]]
         chunks = Chunks(shape=first.shape, box=first.chunks)

@@ -13,7 +13,15 @@ from rocksteady.sweep.cases.inputs import attributes_of, differences
 from rocksteady.sweep.cases.outputs import Output, words_of
 from rocksteady.sweep.cases.task import Task
 from rocksteady.sweep.store._checksums import identity_of
-from rocksteady.sweep.store._contents import CHUNK, DONE, GROUP, OUTPUTS, attributes_in
+from rocksteady.sweep.store._contents import (
+    CHUNK,
+    DONE,
+    FORM,
+    GROUP,
+    OUTPUTS,
+    SCHEMA,
+    attributes_in,
+)
 from rocksteady.sweep.store.chunks import Chunks
 from rocksteady.sweep.store.ownership import MARKS, REPLACES, Marks, is_begun
 
@@ -98,6 +106,7 @@ class Described:
             compressors=None,
             attributes={
                 **words_of("checksums of the outputs of each finished chunk, else 0", "1"),
+                SCHEMA: FORM,
                 OUTPUTS: list(self.marks.outputs),
             },
             dimension_names=[CHUNK],

@@ -35,7 +35,7 @@ def test_the_json_keeps_the_contract(folder: Path) -> None:
     found = compute_fragility(
         Block.rectangle(width=0.32, height=1.8),
         [read_record(file) for file in files],
-        stripes=Levels(levels=[0.3, 0.8, 2.0]),
+        levels=Levels(levels=[0.3, 0.8, 2.0]),
         restitution=RestitutionBand(draws=1),
         fitting=FitOptions(bands=None),
     )
@@ -122,7 +122,9 @@ def test_runs_are_kept_continued_and_written(folder: Path, tmp_path: Path) -> No
     with table.open(newline="") as lines:
         rows = list(csv.DictReader(lines))
     assert len(rows) == 4 * 3 * 2
-    assert {"record", "level", "direction", "status", "peak_angle", "uplift_time_s"} <= set(rows[0])
+    assert {"record", "level_m_s", "direction", "status", "peak_angle", "uplift_time_s"} <= set(
+        rows[0]
+    )
     with xarray.open_dataset(data) as kept:
         assert kept.attrs["kind"] == "rocking ensemble"
         assert dict(kept.sizes)["record"] == 4

@@ -75,8 +75,8 @@ def attractors(block: Any, model: Any, cycles: int) -> Callable[[Execution], Any
 
 
 def ensemble(model: Any) -> Callable[[Execution], Any]:
-    stripes = Levels("pga_per_uplift", (0.5, 1.0, 2.0, 3.0))
-    return lambda run: run_ensemble(BLOCKS, RECORDS, stripes=stripes, model=model, run=run)
+    levels = Levels("pga_per_uplift", (0.5, 1.0, 2.0, 3.0))
+    return lambda run: run_ensemble(BLOCKS, RECORDS, levels=levels, model=model, run=run)
 
 
 CASES = {

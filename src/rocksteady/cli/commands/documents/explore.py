@@ -19,7 +19,7 @@ from rocksteady.cli.flags.block_and_shaking import (
     equations_for,
     named_model,
 )
-from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.groups import ScreenFlags, grouped
 from rocksteady.cli.flags.parsing import single
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, scale_flag, warn
 from rocksteady.cli.flags.start import StartFlags
@@ -82,9 +82,8 @@ def explore(
         "--no-browser", "Write the page without opening it, as --json does too.", default=False
     ),
     force: bool = options.force(),
-    as_json: bool = options.as_json(),
-    more: bool = options.more(),
-    quiet: bool = options.quiet(),
+    *,
+    output: ScreenFlags,
 ) -> None:
     """Run `rocksteady explore`; `HELP` is what its users read."""
     files = record or []
@@ -112,9 +111,8 @@ def explore(
         raise in_flags(error, block, start) from error
     recordings = across(files, reading)
     file = write(out, view, recordings)
-    output = OutputFlags(as_json=as_json, more=more, quiet=quiet)
     output.leave("explore", described(file, out or file, view, recordings))
-    if not (as_json or no_browser):
+    if not (output.as_json or no_browser):
         show(file)
 
 

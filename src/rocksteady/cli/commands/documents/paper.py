@@ -10,7 +10,7 @@ from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.groups import ScreenFlags, grouped
 from rocksteady.cli.flags.sweep import resumable_study
 from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Column, Description, Table
@@ -46,9 +46,8 @@ def paper(
     ),
     force: bool = options.force(),
     resume: bool = options.resume_study(),
-    as_json: bool = options.as_json(),
-    more: bool = options.more(),
-    quiet: bool = options.quiet(),
+    *,
+    output: ScreenFlags,
 ) -> None:
     """Run `rocksteady paper`; `HELP` is what its users read."""
     from rocksteady.studies.tso_wong_1989.study import check_folder, parts_of, reproduce, steps
@@ -65,9 +64,7 @@ def paper(
             files = study.save(
                 out, force=force or resume, parts=parts, done=done, processes=usable_cores()
             )
-    parts.remove()
     values = {**study.values(), "out": str(out), "files": [file.name for file in files]}
-    output = OutputFlags(as_json=as_json, more=more, quiet=quiet)
     output.leave("paper", described(study, out, files), values=values)
 
 

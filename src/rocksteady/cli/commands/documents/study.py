@@ -13,7 +13,7 @@ from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.ensemble import SuiteFlags, values_of
-from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.groups import ScreenFlags, grouped
 from rocksteady.cli.flags.parsing import axis, number
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import resumable_study, workers_flag
@@ -84,9 +84,8 @@ def atlas(
     ),
     force: bool = options.force(),
     resume: bool = options.resume_study(),
-    as_json: bool = options.as_json(),
-    more: bool = options.more(),
-    quiet: bool = options.quiet(),
+    *,
+    output: ScreenFlags,
 ) -> None:
     """Run `rocksteady study atlas`; `ATLAS_HELP` is what its users read."""
     from rocksteady.show.export.folders import check_folder
@@ -107,8 +106,6 @@ def atlas(
             result = module.atlas(**arguments, parts=parts, done=done)
         with progress("drawing", result.steps) as done:
             files = result.save(out, force=force or resume, parts=parts, done=done)
-    parts.remove()
-    output = OutputFlags(as_json=as_json, more=more, quiet=quiet)
     _leave("atlas", result, output, out, files)
 
 
@@ -140,9 +137,8 @@ def facade_checks(
     workers: int | None = workers_flag(),
     force: bool = options.force(),
     resume: bool = options.resume_study(),
-    as_json: bool = options.as_json(),
-    more: bool = options.more(),
-    quiet: bool = options.quiet(),
+    *,
+    output: ScreenFlags,
 ) -> None:
     """Run `rocksteady study facade-checks`; `FACADE_HELP` is what its users read."""
     from rocksteady.seismic.spectra.grounds import grounds_of
@@ -175,12 +171,10 @@ def facade_checks(
             result = module.facade_checks(plane, run=how, parts=parts, done=done)
         with progress("drawing", result.steps) as done:
             files = result.save(out, force=force or resume, parts=parts, done=done)
-    parts.remove()
-    output = OutputFlags(as_json=as_json, more=more, quiet=quiet)
     _leave("facade-checks", result, output, out, files)
 
 
-def _leave(name: str, result: Any, output: OutputFlags, out: Path, files: list[Path]) -> None:
+def _leave(name: str, result: Any, output: ScreenFlags, out: Path, files: list[Path]) -> None:
     """Print what came out, how many files there are, and how to open the page."""
     values = {**result.values(), "out": str(out), "files": [file.name for file in files]}
     page = quoted(out / f"{name}.html")

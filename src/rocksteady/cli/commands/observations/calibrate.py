@@ -1,6 +1,5 @@
 """`rocksteady calibrate`: from what fell and what stood to a block that predicts."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,7 +27,7 @@ from rocksteady.cli.flags.shaking_tests import (
     test_flag,
 )
 from rocksteady.cli.flags.sweep import executor_flag, workers_flag
-from rocksteady.show.export.files import check_apart
+from rocksteady.show.export.folders import CALIBRATION
 
 if TYPE_CHECKING:
     from rocksteady.risk.calibration.calibration import Calibration
@@ -95,7 +94,7 @@ def calibrate(
 
     read = [*table.files, *([] if prior is None else [prior])]
     output.check(read, out=out)
-    _check_folder(out, output, read)
+    output.check_folder(CALIBRATION, out, read)
     if example:
         valid = "--example has synthetic tests and reads no file"
         refuse({**table.given, "--prior": prior}, valid, "leave one out")
@@ -106,7 +105,7 @@ def calibrate(
     run = Execution(executor=executor, workers=workers)
     tests, known = _tests(table, example=example), prior_of(prior)
     read += table.record_files(tests)
-    _check_folder(out, output, read)
+    output.check_folder(CALIBRATION, out, read)
 
     announce_compilation("records.record_fates")
     from rocksteady.risk.calibration.calibrate import calibrate as calibrated
@@ -145,21 +144,6 @@ def _next_command(context: typer.Context, calibration: "Calibration", out: Path 
         return report_command(context, out)
     flags = [f"--draws {max(USUAL_DRAWS, 2 * len(few.values))}", *(["--force"] if out else [])]
     return again(context, *flags, but=("--draws",))
-
-
-def _check_folder(out: Path | None, output: OutputFlags, read: Sequence[Path] = ()) -> None:
-    """Refuse, before anything is computed, outputs that would replace a file that is read.
-
-    Raises
-    ------
-    OutputError
-        As for `check_calibration_folder`, and where --plot or --csv is one of the files.
-    """
-    check_apart(output.files, read=read)
-    if out is not None:
-        from rocksteady.show.calibration.calibration_folder import check_calibration_folder
-
-        check_calibration_folder(out, force=output.force, read=read)
 
 
 def _example_draws(context: typer.Context, sampled: SamplingFlags) -> SamplingFlags:

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from rocksteady.cli.console.refusals import FlagError, flags_of, missing
+from rocksteady.cli.console.refusals import flags_of, missing, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, named_model
 from rocksteady.cli.flags.demand import sized_block
@@ -51,13 +51,8 @@ def restitution(
             valid="a restitution follows from the peaks of measured half cycles",
             hint="add --peaks FILE, a table with a column peak_rad",
         )
-    if block.restitution is not None:
-        raise FlagError(
-            "--restitution/-r",
-            block.restitution,
-            "the restitution is what this command finds",
-            "leave it out",
-        )
+    sought = "the restitution is what this command finds"
+    refuse({"--restitution/-r": block.restitution}, sought)
     if block.one_sided:
         raise block.refuse_sides(
             "the peaks are those of a block that rocks to both sides",

@@ -24,7 +24,7 @@ from rocksteady.cli.flags.groups import grouped
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import RunsFlags
 from rocksteady.errors import InputError
-from rocksteady.show.export.files import check_apart
+from rocksteady.show.export.folders import ASSESSMENT
 
 if TYPE_CHECKING:
     from rocksteady.results.description import Description
@@ -195,7 +195,7 @@ def _answer(
     from rocksteady.risk.assess.assessment import assess_object
     from rocksteady.risk.assess.described.objects import EXAMPLE, read_object
 
-    _check_folder(out, output)
+    output.files.check_folder(ASSESSMENT, out)
     run = kept.sweep.run(force=output.force)
     described = read_object(EXAMPLE if file is None else file)
     if target is not None:
@@ -203,7 +203,7 @@ def _answer(
     curves = _hazard_curves(hazard)
     suite = _suite(file, recorded, reading, described)
     read = [each for each in (file, hazard, *suite.read) if each is not None]
-    _check_folder(out, output, read)
+    output.files.check_folder(ASSESSMENT, out, read)
     announce_compilation("records.record_fates")
     with sweeping("running the object", _cells(described, suite)) as meter:
         assessment = assess_object(
@@ -255,11 +255,11 @@ def _answers(
             valid="objects are assessed under one demand",
             hint="add --pgv-m-s 0.4, and --pga-g 0.35 where it is known",
         )
-    _check_folder(out, output)
+    output.files.check_folder(ASSESSMENT, out)
     run = kept.sweep.run(force=output.force)
     objects = read_objects(file)
     suite = recorded.suite(reading)
-    _check_folder(out, output, [file, *suite.read])
+    output.files.check_folder(ASSESSMENT, out, [file, *suite.read])
     announce_compilation("records.record_fates")
     with sweeping("running objects", sum(_cells(each, suite) for each in objects)) as meter:
         table = assess_objects(
@@ -273,21 +273,6 @@ def _answers(
     if out is not None:
         _write_folder(context, table, out, [file, *suite.files], force=output.force)
     return table
-
-
-def _check_folder(out: Path | None, output: RowFlags, read: Sequence[Path] = ()) -> None:
-    """Refuse, before anything is computed, outputs that would replace a file that is read.
-
-    Raises
-    ------
-    OutputError
-        As for `check_assessment_folder`, and where --csv is one of the files.
-    """
-    check_apart(output.files.files, read=read)
-    if out is not None:
-        from rocksteady.show.assessment.folder import check_assessment_folder
-
-        check_assessment_folder(out, force=output.force, read=read)
 
 
 def _write_folder(

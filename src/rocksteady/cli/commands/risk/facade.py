@@ -1,6 +1,5 @@
 """`rocksteady facade`: checks of a facade against overturning, static and dynamic."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
@@ -22,7 +21,7 @@ from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags, remark_on_scale
 from rocksteady.model.blocks.housner_forms import form_of_text
-from rocksteady.show.export.files import check_apart
+from rocksteady.show.export.folders import FACADE
 
 if TYPE_CHECKING:
     from rocksteady.model.motions.base_motion import BaseMotion
@@ -128,15 +127,11 @@ def facade(
     from rocksteady.risk.facades.read_facade import EXAMPLE, read_facade
 
     tongue = _chosen("--language", language, LANGUAGES)
-    state, signs = (
-        _chosen("--limit-state", limit_state, STATES),
-        _chosen("--directions", directions, SIGNS),
-    )
+    state = _chosen("--limit-state", limit_state, STATES)
+    signs = _chosen("--directions", directions, SIGNS)
     equations = None if model is None else named_model(model)
-    factor, level = (
-        None if text is None else number(flag, text)
-        for flag, text in (("--scale", scale), ("--pga-g", pga_g))
-    )
+    factor = None if scale is None else number("--scale", scale)
+    level = None if pga_g is None else number("--pga-g", pga_g)
     flags = {
         "--scale": scale,
         "--pga-g": pga_g,
@@ -154,7 +149,7 @@ def facade(
             "add --out DIR, or leave it out",
         )
     output.check([] if file is None else [file], out=out)
-    _check_folder(out, output)
+    output.check_folder(FACADE, out)
     described = read_facade(EXAMPLE if file is None else file)
     wall = _with_restitution(described.facade, restitution)
     demand, runs, files = described.demand, None, [] if file is None else [*described.files]
@@ -162,7 +157,7 @@ def facade(
     if recorded.records or example:
         suite = Suite.synthetic(EXAMPLE_MOTIONS) if example else recorded.suite(reading)
         files += suite.files
-    _check_folder(out, output, [*files, *suite.read])
+    output.check_folder(FACADE, out, [*files, *suite.read])
     if suite.motions:
         announce_compilation("records.record_fates")
         runs = run_facade(
@@ -189,21 +184,6 @@ def facade(
     output.leave("facade", text, values=values, after=after, follow_up=report_command(context, out))
     if check and any(each.satisfied is False for each in facade_check.checks):
         raise typer.Exit(NEGATIVE)
-
-
-def _check_folder(out: Path | None, output: OutputFlags, read: Sequence[Path] = ()) -> None:
-    """Refuse, before anything is computed, outputs that would replace a file that is read.
-
-    Raises
-    ------
-    OutputError
-        As for `check_facade_folder`, and where --plot or --csv is one of the files.
-    """
-    check_apart(output.files, read=read)
-    if out is not None:
-        from rocksteady.show.facade.facade_folder import check_facade_folder
-
-        check_facade_folder(out, force=output.force, read=read)
 
 
 def _chosen(flag: str, text: str, names: dict[str, T]) -> T:

@@ -82,7 +82,7 @@ def fragility(
     width, height = EXAMPLE_SIZE
     default = Block.rectangle(width=width, height=height) if example else None
     body, band = ensemble.block_and_band(block, default)
-    stripes = ensemble.stripes()
+    levels = ensemble.levels_asked()
     fitting = _fitting(states, family, confidence, replicates, ensemble.seed)
     run = sweep.run(force=output.force)
     suite = _suite(recorded, reading, example=example)
@@ -95,12 +95,12 @@ def fragility(
         isinstance(motion, BaseMotion) and motion.vertical is not None for motion in suite.motions
     )
     ways = (len(suite.motions) + lifts) * (1 if body.symmetric or ensemble.no_reverse else 2)
-    cells = ways * len(stripes.levels_for([body])) * band.draws
+    cells = ways * len(levels.levels_for([body])) * band.draws
     with sweep.running(context, run, "running blocks", cells) as (shown, _):
         fragility_found = compute_fragility(
             body,
             suite.motions,
-            stripes=stripes,
+            levels=levels,
             restitution=band,
             reverse=False if ensemble.no_reverse else "both",
             fitting=fitting,

@@ -226,10 +226,6 @@ class BasinShares(Result):
         """
         return shares_dataset(self)
 
-    def __repr__(self) -> str:
-        """Return one line."""
-        return f"<BasinShares: {self.describe().headline}>"
-
 
 @checked
 def compute_basin_shares(

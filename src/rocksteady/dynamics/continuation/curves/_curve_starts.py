@@ -94,11 +94,7 @@ def _regular(
 ) -> list[Departure]:
     """Return both ways of a curve through a point, or the way that stays above the floor."""
     family, curve = curve_through(kind, chain, active, ranges, step)
-    place = family.place_of(family.chain)
-    solution = family.evaluate(place)
-    if solution is None or not np.isfinite(solution.slopes).all():
-        return []
-    begin = curve.start(place, np.linalg.svd(solution.slopes)[2][-1])
+    begin = _start(family, curve, family.chain)
     if begin is None:
         return []
     height = free(kind, family.chain)
@@ -116,6 +112,15 @@ def _regular(
     return ways
 
 
+def _start(family: Family, curve: ChainCurve, chain: Chain) -> ChainSpot | None:
+    """Return the start of a curve through a chain, if it has one there."""
+    place = family.place_of(chain)
+    solution = family.evaluate(place)
+    if solution is None or not np.isfinite(solution.slopes).all():
+        return None
+    return curve.start(place, np.linalg.svd(solution.slopes)[2][-1])
+
+
 def _other_graze(
     chain: Chain, row: int, active: tuple[int, ...], ranges: Floats, step: float
 ) -> list[Departure]:
@@ -123,11 +128,7 @@ def _other_graze(
     conditions = (lambda spot: float(spot.shape[row, 1]),)
     family = Family(chain=chain, active=active, ranges=ranges, conditions=conditions)
     curve = Curve(evaluate=family.evaluate, largest_step=step)
-    place = family.place_of(chain)
-    solution = family.evaluate(place)
-    if solution is None or not np.isfinite(solution.slopes).all():
-        return []
-    begin = curve.start(place, np.linalg.svd(solution.slopes)[2][-1])
+    begin = _start(family, curve, chain)
     if begin is None:
         return []
     for sign in (1.0, -1.0):
@@ -162,12 +163,8 @@ def _branched_graze(
     lies beside it by as much as keeps one of its two halves at the floor.  The other half is above.
     """
     flips, lines = curve_through(flip_type(half), half, active, ranges, step)
-    place = flips.place_of(half)
-    solution = flips.evaluate(place)
     row, merged = grazed(half)
-    if solution is None or merged or not np.isfinite(solution.slopes).all():
-        return []
-    begin = lines.start(place, np.linalg.svd(solution.slopes)[2][-1])
+    begin = None if merged else _start(flips, lines, half)
     if begin is None:
         return []
     count = half.impacts

@@ -35,7 +35,7 @@ def fold_coefficient(chain: Chain, along: Floats) -> float:
         Direction of the phases on whose side xi points, shape (m,).
     """
     right, left = _null(chain.matrix(1.0))
-    bent = _bent(chain, right, 1.0)
+    bent = _bent(chain, right)
     value = 0.5 * float(left @ (bent @ right))
     return value if float(right @ along) >= 0.0 else -value
 
@@ -52,7 +52,7 @@ def flip_coefficient(chain: Chain) -> float:
     twice = chain.doubled()
     half = chain.impacts
     out = np.concatenate([right, -right])
-    bent = _bent(twice, out, 1.0)[:half] @ out
+    bent = _bent(twice, out)[:half] @ out
     second = np.linalg.solve(chain.matrix(1.0), -0.5 * bent)
     aside = np.concatenate([second, second])
     weight = np.concatenate([left, -left])
@@ -81,12 +81,12 @@ def _null(matrix: Floats) -> tuple[Floats, Floats]:
     return right[-1], left[:, -1] * (1.0 if sign > 0.0 else -1.0)
 
 
-def _bent(chain: Chain, along: Floats, closing: float) -> Floats:
+def _bent(chain: Chain, along: Floats) -> Floats:
     """Return the derivative of the matrix in a direction of the phases."""
     total = np.zeros((chain.impacts, chain.impacts))
     for k, weight in enumerate(FIRST, start=1):
         for sign in (1.0, -1.0):
             phases = chain.phases + sign * k * STEP * along
             moved = chain.moved(phases, chain.parameters)
-            total += sign * weight / STEP * moved.matrix(closing)
+            total += sign * weight / STEP * moved.matrix(1.0)
     return total

@@ -11,11 +11,15 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.branch_answers import curves_answer
 from rocksteady.dynamics.continuation.branch_facts import (
+    SHORT,
     block_fact,
+    fixed_values,
     kept_text,
     model_facts,
     model_facts_over,
     model_text,
+    multiplier_columns,
+    orbit_values,
 )
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.continuation.points import BranchPoint
@@ -39,8 +43,6 @@ if TYPE_CHECKING:
 MOST = 1000
 """Limits of periods, impacts, curves and points, as for branches."""
 UP_TO_MOST = Whole(1, MOST, "give a whole number")
-SHORT = {**SYMBOLS, "restitution": "delta"}
-"""As headings have them."""
 
 
 def _orders(name: str, value: Iterable[object]) -> tuple[int, ...]:
@@ -311,7 +313,7 @@ class BifurcationCurves(Result):
 
     def describe(self) -> Description:
         """Return the points of codimension two, the curves, and the regions that are known."""
-        fixed = self._fixed()
+        fixed = fixed_values(self.block, self.motion, self.parameters)
         ranges = [
             f"{SYMBOLS[name]} from {number(low, 6)} to {number(high, 6)}"
             for name, (low, high) in zip(self.parameters, self.within, strict=True)
@@ -323,7 +325,7 @@ class BifurcationCurves(Result):
             for name, value in fixed.items()
             if value is not None
         ]
-        points = [{**point_values(each.point), "curves": list(each.curves)} for each in self.points]
+        points = [{**orbit_values(each.point), "curves": list(each.curves)} for each in self.points]
         curves = [
             {"curve": place, "type": curve.type.value, **curve_values(curve)}
             for place, curve in enumerate(self.curves, start=1)
@@ -374,27 +376,6 @@ class BifurcationCurves(Result):
             curves_answer(self),
         )
 
-    def _fixed(self) -> dict[str, float | None]:
-        values: dict[str, float | None] = {
-            "amplitude": self.motion.amplitude,
-            "frequency_ratio": self.motion.frequency_ratio,
-            "restitution": self.block.dimensionless().restitution,
-        }
-        return {name: None if name in self.parameters else v for name, v in values.items()}
-
-
-def point_values(point: BranchPoint) -> dict[str, Any]:
-    """Return a point of a curve in plain values."""
-    return {
-        "type": point.type.value,
-        "amplitude": point.amplitude,
-        "frequency_ratio": point.frequency_ratio,
-        "restitution": point.restitution,
-        "period": point.period,
-        "impacts": point.impacts,
-        "symmetric": point.symmetric,
-    }
-
 
 def curve_values(curve: BifurcationCurve) -> dict[str, Any]:
     """Return what motions a curve is of, where it begins and ends, and why."""
@@ -417,15 +398,11 @@ def curve_values(curve: BifurcationCurve) -> dict[str, Any]:
 
 def _row(number_: int, kind: PointType, point: BranchPoint) -> dict[str, Any]:
     """Return the row of a point of a curve in a file."""
-    first, second = (complex(each) for each in point.multipliers)
     return {
         "curve": number_,
         "bifurcation": kind.value,
-        **point_values(point),
-        "multiplier_1_re": first.real,
-        "multiplier_1_im": first.imag,
-        "multiplier_2_re": second.real,
-        "multiplier_2_im": second.imag,
+        **orbit_values(point),
+        **multiplier_columns(point.multipliers),
         "highest": float(np.nanmax(point.peaks)),
         "lowest": float(np.nanmin(point.peaks)),
         "arclength": point.arclength,

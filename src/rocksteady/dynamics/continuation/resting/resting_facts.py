@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from rocksteady.dynamics.continuation.branch_facts import SHORT, multiplier_columns, place_values
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import AnyBlock, block_text, block_values, case_text
@@ -16,8 +17,6 @@ from rocksteady.results.numbers import number, plural
 
 # The classes that use this module are named Any: to import them would close a circle.
 
-SHORT = {**SYMBOLS, "restitution": "delta"}
-"""Parameters as headings have them."""
 ENDS = {
     "end-of-rest": "rest end",
     "end-of-range": "range end",
@@ -53,11 +52,7 @@ def excursion_values(each: Any) -> dict[str, Any]:
 def point_values(point: Any) -> dict[str, Any]:
     """Return a point of a branch in plain values, in SI too where the block has a size."""
     values: dict[str, Any] = {
-        "type": point.type.value,
-        "amplitude": point.amplitude,
-        "frequency_ratio": point.frequency_ratio,
-        "restitution": point.restitution,
-        "period": point.period,
+        **place_values(point),
         "rest_phases": point.rest_phases,
         "symmetric": point.symmetric,
         "peaks": [point.highest, point.lowest],
@@ -98,17 +93,12 @@ def diagram_row(branch: int, point: Any) -> dict[str, Any]:
     """Return the row of a point in the file of a diagram, with the columns of other branches."""
     row: dict[str, Any] = {
         "branch": branch,
-        "type": point.type.value,
-        "amplitude": point.amplitude,
-        "frequency_ratio": point.frequency_ratio,
-        "restitution": point.restitution,
-        "period": point.period,
+        **place_values(point),
         "impacts": INFINITELY_MANY,
         "symmetric": point.symmetric,
         "stable": True,
         "admissible": True,
-        **dict.fromkeys(("multiplier_1_re", "multiplier_1_im"), 0.0),
-        **dict.fromkeys(("multiplier_2_re", "multiplier_2_im"), 0.0),
+        **multiplier_columns((0.0, 0.0)),
         "highest": point.highest,
         "lowest": point.lowest,
         "arclength": math.nan,

@@ -139,7 +139,6 @@ def validate_trial(
     *,
     folds: str,
     seed: int,
-    learning: bool = True,
 ) -> Validation:
     """Return held-out scores of a trial; `names` are those of the groups, by their numbers."""
     known = np.isfinite(trial.fell)
@@ -177,7 +176,7 @@ def validate_trial(
         predictions=predictions_of(tests, held, groups, held_out=[True] * len(tests)),
         reliability=tuple(_reliability(held.p[known], fell)),
         residuals=_residuals(held.p, trial.fell, tests),
-        learning=tuple(learning_curve(trial, seed=seed)) if learning else (),
+        learning=tuple(learning_curve(trial, seed=seed)),
         warnings=tuple(warnings),
     )
 

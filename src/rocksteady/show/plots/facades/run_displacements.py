@@ -12,7 +12,7 @@ from rocksteady.show.plots.facades._lettering import decimal_marks, symbol
 from rocksteady.show.plots.facades.languages import language_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
-from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.layout import axes_or_new, name_rows
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
 from rocksteady.show.style.limits import draw_limit
 from rocksteady.show.style.tokens import HATCHES, inks_of
@@ -100,9 +100,7 @@ def plot_facade_runs(
     if math.isfinite(mean):
         label = words("mean_largest", share=words.number(mean))
         handles.append(axes.axvline(mean, color=inks.motion, lw=1.8, zorder=3.2, label=label))
-    axes.set_yticks(range(len(names)), [literal(palette.shortened(name, 24)) for name in names])
-    axes.tick_params(axis="y", length=0.0)
-    axes.grid(visible=False, axis="y")
+    name_rows(axes, [literal(palette.shortened(name, 24)) for name in names])
     axes.set(xlabel=words["axis_share"], xlim=(0.0, EDGE + 0.02), ylim=(len(names) - 0.45, -0.55))
     decimal_marks(axes, words, vertical=False)
     draw_legend(axes, place, handles=handles)

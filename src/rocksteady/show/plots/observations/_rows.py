@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from rocksteady.show.style import palette
+from rocksteady.show.style import layout, palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.legends import SMALL, figure_of, text_size
 
@@ -34,9 +34,6 @@ def name_rows(axes: "Axes", names: Sequence[str], endings: Sequence[str] = ()) -
     shown = [literal(palette.shortened(each, longest)) for each in names]
     if endings:
         shown = [each + ending for each, ending in zip(shown, endings, strict=True)]
-    axes.set_yticks(range(len(shown)), shown, fontsize=size)
-    axes.set_ylim(len(shown) - 0.4, -0.6)
-    axes.tick_params(axis="y", length=0.0)
-    axes.grid(visible=False, axis="y")
+    layout.name_rows(axes, shown, fontsize=size)
     if figure.get_layout_engine() is not None:
         figure.draw_without_rendering()  # a legend below needs the place of the axes

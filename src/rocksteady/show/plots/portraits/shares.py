@@ -14,7 +14,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.outcomes import AttractorKind
 from rocksteady.show.plots.portraits.basins import areas_of
-from rocksteady.show.style.areas import pattern_ink, word_ink
+from rocksteady.show.style.areas import pattern_ink, write_upon
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
 from rocksteady.show.style.scales import draw_far_axes, scale_of
@@ -179,8 +179,6 @@ def _place(family: BasinFamily) -> tuple[int, int]:
 
 def _named(axes: "Axes", name: str, fill: str, band: tuple[Floats, Floats, Floats]) -> bool:
     """Write a name into its band where that is widest; return whether there is room for it."""
-    from matplotlib.patheffects import Normal, Stroke
-
     along, low, high = band
     wide, tall = size_of(axes)
     size = text_size(axes, 8.0)
@@ -203,17 +201,5 @@ def _named(axes: "Axes", name: str, fill: str, band: tuple[Floats, Floats, Float
     # Where there is room enough, near the middle.
     enough = [room for room in rooms if room[0] >= min(best, 2.5 * line)]
     where = min(enough, key=lambda room: abs(room[1] - 0.5))
-    axes.text(
-        where[1],
-        where[2] / top,
-        name,
-        transform=axes.transAxes,
-        ha="center",
-        va="center",
-        fontsize=size,
-        fontweight="bold",
-        color=word_ink(fill, inks_of(axes)),
-        path_effects=[Stroke(linewidth=2.5, foreground=fill), Normal()],
-        zorder=3.0,
-    )
+    write_upon(axes, name, (where[1], where[2] / top), fill, size, zorder=3.0)
     return True

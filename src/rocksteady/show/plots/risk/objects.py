@@ -8,9 +8,10 @@ from rocksteady.results.numbers import chance
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
-from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.layout import axes_or_new, name_rows
 from rocksteady.show.style.legends import figure_of, text_size
 from rocksteady.show.style.limits import draw_limit
+from rocksteady.show.style.line_ends import write_beside
 from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
@@ -82,25 +83,18 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
             axes.plot(band, [place] * 2, color=inks.ink, lw=1.2, path_effects=outline)
         if share is not None and row["basis"] != "statics":
             words = f"{chance(share, row['tried'] * (row['basis'] == 'count'))}, {words}"
-        axes.annotate(
-            words, (1.0, place), (4.0, 0.0), xycoords=("axes fraction", "data"),
-            textcoords="offset points", va="center", fontsize=small, color=inks.ink,
-            annotation_clip=False,
-        )  # fmt: skip
+        write_beside(axes, words, place, inks.ink, small, of_row=True)
     target = table.target_probability
     left = len(table.rows) - len(worst)
     name = f"target {chance(target)}" + (f"; {left:,} more objects below" if left else "")
     draw_limit(axes, target, name, zorder=0.9)
     wide = figure_of(axes).get_figwidth() > NARROW
-    names = [literal(palette.shortened(row["name"], 24 if wide else 14)) for row in worst]
-    axes.set_yticks(range(len(worst)), names)
-    axes.tick_params(axis="y", length=0.0)
-    axes.grid(visible=False, axis="y")
+    letters = 24 if wide else 14
+    name_rows(axes, [literal(palette.shortened(row["name"], letters)) for row in worst])
     axes.xaxis.set_major_formatter(PercentFormatter(1.0))
     axes.set(
         xlabel="probability of falling",
         xlim=(0.0, 1.03),
         xticks=[0.0, 0.2, 0.4, 0.6, 0.8, 1.0] if wide else [0.0, 0.5, 1.0],
-        ylim=(len(worst) - 0.4, -0.6),
     )
     return axes

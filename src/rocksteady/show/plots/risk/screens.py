@@ -6,9 +6,10 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.screens.screens import Screens
-from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.layout import axes_or_new, name_rows
 from rocksteady.show.style.legends import text_size
 from rocksteady.show.style.limits import draw_limit
+from rocksteady.show.style.line_ends import write_beside
 from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
@@ -65,24 +66,13 @@ def plot_screens(screens: Screens, ax: "Axes | None" = None) -> "Axes":
     rows.sort(key=lambda each: -each[0])
     axes = axes_or_new(ax)
     inks, small = inks_of(axes), text_size(axes, 8.0)
-    places = range(len(rows))
-    axes.barh(
-        places, [ratio for ratio, _ in rows], height=0.6, color=inks.rocks_ramp[1],
-        ec=inks.edge, lw=0.6,
-    )  # fmt: skip
+    lengths = [ratio for ratio, _ in rows]
+    fill = inks.rocks_ramp[1]
+    axes.barh(range(len(rows)), lengths, height=0.6, color=fill, ec=inks.edge, lw=0.6)
     for place, (ratio, row) in enumerate(rows):
-        axes.annotate(
-            f"{number(ratio)}, {WORDS[row.passes]}", (1.0, place), (4.0, 0.0),
-            xycoords=("axes fraction", "data"), textcoords="offset points", va="center",
-            fontsize=small, color=inks.ink, annotation_clip=False,
-        )  # fmt: skip
+        words = f"{number(ratio)}, {WORDS[row.passes]}"
+        write_beside(axes, words, place, inks.ink, small, of_row=True)
     draw_limit(axes, 1.0, "threshold")
-    axes.set_yticks(places, [row.name for _, row in rows])
-    axes.tick_params(axis="y", length=0.0)
-    axes.grid(visible=False, axis="y")
-    axes.set(
-        xlabel="demand over threshold",
-        xlim=(0.0, 1.05 * max(1.0, rows[0][0])),
-        ylim=(len(rows) - 0.4, -0.6),
-    )
+    name_rows(axes, [row.name for _, row in rows])
+    axes.set(xlabel="demand over threshold", xlim=(0.0, 1.05 * max(1.0, rows[0][0])))
     return axes

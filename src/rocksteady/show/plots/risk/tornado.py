@@ -14,7 +14,7 @@ from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.export.components import text_value
 from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style import palette
-from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.layout import axes_or_new, name_rows
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
 from rocksteady.show.style.tokens import inks_of
 
@@ -85,13 +85,10 @@ def plot_measure_efficiency(fragility: Fragility | Efficiency, ax: "Axes | None"
             textcoords="offset points", va="center", fontsize=small, color=inks.ink,
         )  # fmt: skip
     names = [" and ".join(part.label for part in each.measure) for each in rows]
-    axes.set_yticks(place.tolist(), [greek(name) for name in names])
-    axes.tick_params(axis="y", length=0.0)
-    axes.grid(visible=False, axis="y")
+    name_rows(axes, [greek(name) for name in names])
     axes.set(
         xlabel=r"standard deviation of ln(intensity)  $\beta$, of one curve",
         xlim=(0.0, (1.0 + _share_of_text(axes, 15.0, sides=1)) * max(betas)),
-        ylim=(len(rows) - 0.4, -0.6),
     )
     return axes
 
@@ -197,14 +194,8 @@ def plot_tornado(
     if label.startswith("probability") and limits[1] > LEAST_SCALE * whole:
         # The whole scale: a small change is to look small.
         limits = (min(limits[0], -0.04 * whole), max(limits[1], 1.04 * whole))
-    axes.set_yticks(rows_at.tolist(), names)
-    axes.tick_params(axis="y", length=0.0)
-    axes.grid(visible=False, axis="y")
-    axes.set(
-        xlabel=greek(text_value("label", label)),
-        xlim=limits,
-        ylim=(len(bars) - 0.4, -0.6),
-    )
+    name_rows(axes, names)
+    axes.set(xlabel=greek(text_value("label", label)), xlim=limits)
     draw_legend(axes, place, handles=handles)
     return axes
 

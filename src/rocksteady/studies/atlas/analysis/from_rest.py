@@ -128,8 +128,12 @@ def from_rest(
     phases: Floats = np.arange(PHASES, dtype=np.float64) * (math.pi / PHASES)
     marked = [w for w in MARKED if plane.window[0] <= w <= plane.window[1]]
     tried = np.linspace(1.0, plane.top, STEPS + 1) if plane.top > 1.0 else np.zeros(0)
+
+    def say(part: int) -> None:
+        done(f"from rest, {part + 1} of {PARTS}")
+
     cells = len(phases) * (len(plane.amplitudes) * len(plane.ratios) + len(tried) * len(marked))
-    how = replace(Execution() if run is None else run, progress=_in_parts(cells, done))
+    how = replace(Execution() if run is None else run, progress=in_steps(PARTS, cells, say))
 
     def settled(name: str, amplitude: Floats, ratio: ArrayLike) -> "xarray.Dataset":
         return map_attractors(
@@ -155,17 +159,20 @@ def from_rest(
     )
 
 
-def _in_parts(cells: int, done: Done) -> Callable[[int], None]:
-    """Return a progress callback that counts cells and reports each completed part."""
+def in_steps(steps: int, cells: int, done: Callable[[int], None]) -> Callable[[int], None]:
+    """Return a progress callback that counts cells and reports the number of each completed step.
+
+    There are `steps` steps in every `cells` cells.
+    """
     passed = 0
 
-    def told(count: int) -> None:
+    def swept(count: int) -> None:
         nonlocal passed
         before, passed = passed, passed + count
-        for part in range(before * PARTS // cells, passed * PARTS // cells):
-            done(f"from rest, {part + 1} of {PARTS}")
+        for step in range(before * steps // cells, passed * steps // cells):
+            done(step)
 
-    return told
+    return swept
 
 
 def _where(dataset: "xarray.Dataset", which: AttractorKind) -> NDArray[np.bool_]:

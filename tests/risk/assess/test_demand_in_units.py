@@ -8,10 +8,10 @@ import pytest
 
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.assess.assessment import Assessment, assess_object
+from rocksteady.risk.assess.demand_in_units import demand_in_measure, unit_of
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.seismic.measures.intensity import compute_measures
 from rocksteady.seismic.measures.scalar import Measure
-from rocksteady.show.assessment._demand_in_units import demand_in_measure, unit_of
 
 WIDTH, HEIGHT, G = 0.34, 1.8, 9.80665
 TANGENT = WIDTH / HEIGHT

@@ -76,24 +76,29 @@ def section_row(state: ImpactState) -> dict[str, Any]:
     return {"side": state.side, "phase_rad": state.phase, "speed_per_pivot_time": state.speed}
 
 
-def orbit_values(orbit: Any) -> dict[str, Any]:
-    """Return an orbit in plain values, in SI too where the block has a size."""
+def plain_orbit(orbit: Any, block: AnyBlock, motion: PeriodicMotion) -> dict[str, Any]:
+    """Return an orbit of a block in plain values, in SI too where the block has a size."""
+    peaks = [orbit.highest, orbit.lowest] if orbit.admissible else None
     values: dict[str, Any] = {
         "kind": orbit.kind,
         "period": orbit.period,
         "impacts_per_period": orbit.impacts,
         "rest_phases": orbit.rest_phases,
-        "peaks": [orbit.highest, orbit.lowest] if orbit.admissible else None,
+        "peaks": peaks,
         "multipliers": multipliers_value(orbit.multipliers),
         "lyapunov": orbit.lyapunov,
         "residual": orbit.residual,
         "states": state_rows(orbit.states),
     }
-    if isinstance(orbit.block, Block):
-        peaks = values["peaks"]
-        alpha = orbit.block.alpha
-        values["peaks_rad"] = None if peaks is None else [peak * alpha for peak in peaks]
-        values["period_s"] = orbit.period / orbit.motion.frequency_hz(orbit.block)
+    if isinstance(block, Block):
+        values["peaks_rad"] = None if peaks is None else [peak * block.alpha for peak in peaks]
+        values["period_s"] = orbit.period / motion.frequency_hz(block)
+    return values
+
+
+def orbit_values(orbit: Any) -> dict[str, Any]:
+    """Return an orbit in plain values, with its branch and its stability."""
+    values = plain_orbit(orbit, orbit.block, orbit.motion)
     # What passes through the floor has multipliers, and no stability.
     judged = orbit.admissible and values["multipliers"] is not None
     return {

@@ -1,0 +1,12 @@
+"""The public names and their signatures: those of a text file, tests/frozen/signatures.txt."""
+
+from tools.freeze.records import FOLDER, dumped, loaded, moved, short
+from tools.freeze.results import freeze_signatures
+
+
+def test_the_public_names_and_signatures_are_the_recorded_ones() -> None:
+    """A new one is recorded by `make freeze`; one that goes or changes is a line of CHANGELOG."""
+    recorded = loaded((FOLDER / "signatures.txt").read_text(encoding="utf-8"))
+    assert len(recorded) > 300
+    differences = moved(recorded, loaded(dumped(short(dict(freeze_signatures(""))))))
+    assert not differences, "\n".join(differences.values())

@@ -1,0 +1,185 @@
+"""What a release has beside its wheels: made from the project's files, complete, the same twice."""
+
+import hashlib
+import json
+import re
+import tarfile
+import tomllib
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+from packaging.requirements import Requirement
+
+from rocksteady import __version__
+from tests.every import every
+from tools.release import __main__ as program
+from tools.release import project, site
+from tools.release.materials import TOOLS, bill
+from tools.release.recipe import recipe
+
+ROOT = Path(__file__).parents[2]
+WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
+TARGETS = set(
+    re.findall(r"^\.PHONY: ([\w.-]+)$", (ROOT / "Makefile").read_text("utf-8"), re.MULTILINE)
+)
+
+
+def yaml(file: Path) -> dict[str, Any]:
+    found: dict[str, Any] = msgspec.yaml.decode(file.read_bytes())  # "on" is a truth value
+    return found
+
+
+# ------------------------------------------------------------------------------ what is made
+
+
+def test_codemeta_is_up_to_date() -> None:
+    assert project.CODEMETA.read_text("utf-8") == project.codemeta(), "run make metadata"
+
+
+def test_classifiers_name_each_python_that_the_workflows_test_from_the_oldest_one() -> None:
+    described = project.project()
+    tested = yaml(ROOT / ".github" / "workflows" / "checks.yml")["jobs"]["installed"]
+    pythons = tested["strategy"]["matrix"]["python"]
+    named = [each.rpartition(" ")[2] for each in described["classifiers"] if "3." in each]
+    assert named == pythons
+    assert described["requires-python"] == f">={pythons[0]}"
+
+
+def test_the_bill_has_every_package_that_is_installed_with_a_licence_and_what_it_needs() -> None:
+    found = json.loads(bill())
+    refs = {each["bom-ref"]: each for each in found["components"]}
+    names = {each["name"].lower().replace("_", "-") for each in refs.values()}
+    needed = {Requirement(each).name for each in project.project()["dependencies"]}
+    assert needed <= names
+    assert not {"numba", "pytest", "sphinx"} & names
+    assert all(each.get("licenses") for each in refs.values())
+    own = found["metadata"]["component"]["bom-ref"]
+    graph = {each["ref"]: each["dependsOn"] for each in found["dependencies"]}
+    assert graph.keys() == {own, *refs}
+    assert {below for each in graph.values() for below in each} == set(refs)
+    tools = {each["name"]: each["version"] for each in found["metadata"]["tools"]["components"]}
+    assert tools == {name: version(name) for name in TOOLS}
+    assert bill() == bill()
+
+
+@pytest.mark.slow
+def test_two_source_distributions_have_the_same_bytes_and_what_a_build_needs(
+    tmp_path: Path,
+) -> None:
+    for folder in ("one", "two"):
+        assert program.main(["sdist", "--out", str(tmp_path / folder)]) == 0
+    one, two = sorted(tmp_path.glob("*/*.tar.gz"))
+    assert one.read_bytes() == two.read_bytes()
+    with tarfile.open(one) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    assert {"PKG-INFO", "LICENSE", "Makefile", "constraints.txt", "pyproject.toml"} <= names
+    assert {name.partition("/")[0] for name in names} >= {
+        "docs",
+        "examples",
+        "src",
+        "tests",
+        "tools",
+    }
+    assert not [name for name in names if name.startswith(("build/", "dist/", "out/", ".venv"))]
+
+
+def test_the_recipe_has_the_bounds_of_the_project_and_the_hash_of_the_sources(
+    tmp_path: Path,
+) -> None:
+    sdist = tmp_path / "a.tar.gz"
+    sdist.write_bytes(b"sources")
+    text = recipe(sdist, "https://a/b.tar.gz", "https://a", ["one", "two"], "hatchling >= 1.27")
+    found = msgspec.yaml.decode(text.encode(), type=dict[str, Any])
+    assert found["source"]["sha256"] == hashlib.sha256(b"sources").hexdigest()
+    assert found["context"] == {"version": __version__, "python_min": "3.11"}
+    described = project.project()
+    asked = [*described["dependencies"], *described["optional-dependencies"]["jit"]]
+    bounds = {str(Requirement(each).specifier) for each in asked}
+    run = found["requirements"]["run"][1:]
+    assert len(run) == len(asked)
+    assert {each.partition(" ")[2] for each in run} == bounds
+    assert "matplotlib-base >=3.10" in run
+    assert found["extra"]["recipe-maintainers"] == ["one", "two"]
+    assert found["about"]["license_file"] == "LICENSE"
+
+
+def test_what_is_missing_for_a_release_is_named_with_what_to_do() -> None:
+    found = project.faults("v9.9")
+    assert found[0] == f"v9.9 is not v{__version__}: rename the tag, or set __version__"
+    assert all(": " in fault for fault in found)
+    assert not any("codemeta" in fault for fault in found)
+
+
+# ------------------------------------------------------------------------------ the site
+
+
+@every(
+    ("page", "fault"),
+    [
+        ('<a href="b/c.html#x">', None),
+        ('<a href="missing.html">', "index.html links to missing.html, which is missing"),
+        ('<a href="https://example.org/x">', None),
+        ('<script src="https://example.org/x.js">', "index.html loads <script src="),
+    ],
+)
+def test_a_site_has_what_it_links_to_and_loads_nothing_from_a_host(
+    page: str, fault: str | None, tmp_path: Path
+) -> None:
+    manual, out = tmp_path / "manual", tmp_path / "site"
+    for name, text in {"index.html": page, "b/c.html": "", site.PAGE: "", ".buildinfo": ""}.items():
+        (manual / name).parent.mkdir(parents=True, exist_ok=True)
+        (manual / name).write_text(text, "utf-8")
+    wrong = site.site(manual, out)
+    assert [each[: len(fault or "")] for each in wrong] == ([fault] if fault else [])
+    assert (out / ".nojekyll").exists()
+    assert not (out / ".buildinfo").exists()
+
+
+# ------------------------------------------------------------------------------ workflows
+
+
+@every("file", WORKFLOWS)
+def test_a_workflow_calls_targets_that_there_are_and_gets_no_more_rights_than_it_names(
+    file: Path,
+) -> None:
+    text = file.read_text("utf-8")
+    called = set(re.findall(r"run: make ([a-z-]+)", text))
+    lists = re.findall(r"^ +target: \[(.*)\]$", text, re.MULTILINE)
+    called |= {name for each in lists for name in each.split(", ")}
+    assert called <= TARGETS
+    assert called
+    found = yaml(file)
+    assert found["permissions"] == {"contents": "read"}
+    for job in found["jobs"].values():
+        assert "uses" in job or job["timeout-minutes"] <= 60
+    assert text.count("persist-credentials: false") + text.count("ignore[artipacked]") == (
+        text.count("actions/checkout@")
+    )
+
+
+def test_no_file_of_the_project_names_the_host_of_an_index() -> None:
+    folders = [ROOT / ".github", ROOT / "tools" / "release", ROOT / "docs"]
+    files = [file for folder in folders for file in folder.rglob("*") if file.is_file()]
+    texts = {
+        file: file.read_text("utf-8")
+        for file in [*files, *ROOT.glob("*.md"), ROOT / "pyproject.toml", ROOT / "Makefile"]
+        if file.suffix in {".md", ".yml", ".py", ".toml", ".json", ""}
+    }
+    hosts = re.compile(r"\b(?:[a-z]+\.)*(?:pypi|pythonhosted|anaconda|conda-forge)\.(?:org|io|com)")
+    assert [str(file) for file, text in texts.items() if hosts.search(text)] == []
+
+
+def test_the_forms_of_issues_want_the_report_of_the_doctor() -> None:
+    forms = sorted((ROOT / ".github" / "ISSUE_TEMPLATE").glob("[!c]*.yml"))
+    assert len(forms) >= 3
+    for form in forms:
+        found = yaml(form)
+        assert {"name", "description", "body"} <= found.keys()
+        ids = [each["id"] for each in found["body"] if each["type"] != "markdown"]
+        assert len(ids) == len(set(ids))
+    fault = forms[0].read_text("utf-8")
+    assert "rocksteady doctor --report" in fault
+    assert tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["scripts"]
