@@ -25,6 +25,7 @@ def proof_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         },
         rs.proofs.certify_chaos: {"amplitude": 0.6, "frequency_ratio": 2.0, "restitution": 0.8},
         rs.proofs.check_certificate: {"file": t["certificate file"]},
+        rs.plots.proved_region: {"region": region},
         chaos.describe: {},
         chaos.to_json: {},
         found.describe: {},

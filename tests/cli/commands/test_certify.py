@@ -45,7 +45,7 @@ def test_a_fate_region_and_chaos_are_written_and_hold(tmp_path: Path) -> None:
     for number, command in enumerate(
         (
             "fate --pulse one-sine -A 2 -W 2 -r 0.9",
-            "region -A 1.9:2.1 -W 1.9:2.1 -r 0.8",
+            f"region -A 1.9:2.1 -W 1.9:2.1 -r 0.8 --plot {tmp_path / 'region.png'}",
             "chaos -A 0.6 -W 2 -r 0.8",
         )
     ):
@@ -54,6 +54,7 @@ def test_a_fate_region_and_chaos_are_written_and_hold(tmp_path: Path) -> None:
         ran = rocksteady("certify --check", file)
         assert (ran.code, ran.err) == (0, "")
         assert ran.out.startswith("The certificate holds: ")
+    assert (tmp_path / "region.png").stat().st_size > 5000
 
 
 def test_what_is_undecided_has_exit_code_3_and_no_file(tmp_path: Path) -> None:
@@ -93,6 +94,7 @@ def test_the_printed_program_runs_alone(kind: str, tmp_path: Path) -> None:
         ("certify orbit --check none.json", "reads a certificate alone"),
         ("certify --check none.json", "cannot be read as the JSON of a certificate"),
         ("certify chaos -A 2 -W 2 -r 0.8 --leaves 5", "--check"),
+        ("certify chaos -A 2 -W 2 -r 0.8 --plot chaos.png", "a picture is one of a region"),
     ],
 )
 def test_bad_input_is_refused_in_one_line(command: str, words: str) -> None:

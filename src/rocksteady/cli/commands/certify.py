@@ -45,7 +45,7 @@ EXAMPLES = (
     "rocksteady certify orbit -A 2 -W 2 -r 0.8 --number 1 --out orbit.json\n\n"
     "rocksteady certify point -A 1:2.7 -W 2 -r 0.8\n\n"
     "rocksteady certify fate --pulse one-sine -A 2 -W 2 -r 0.9\n\n"
-    "rocksteady certify region -A 0.3:6 -W 1:8 -r 0.8\n\n"
+    "rocksteady certify region -A 0.3:6 -W 1:8 -r 0.8 --plot region.png\n\n"
     "rocksteady certify chaos -A 2.698 -W 2 -r 0.8 --kind homoclinic\n\n"
     "rocksteady certify --check orbit.json"
 )
@@ -74,6 +74,9 @@ def certify(
         default="hilltop",
     ),
     out: Path | None = proof_flag("--out FILE", "Write the certificate: .json."),
+    plot: Path | None = options.output_flag(
+        "--plot FILE", "Save the picture of a region: .png, .svg or .pdf."
+    ),
     force: bool = options.force(),
     check: Path | None = proof_flag("--check FILE", "Check the certificate in this file."),
     samples: Path | None = proof_flag(
@@ -103,7 +106,10 @@ def certify(
         name = "fate_checker.py" if what == "fate" else "checker.py"
         print(files("rocksteady.certify").joinpath(name).read_text(encoding="utf-8"), end="")
         return 0
-    output = OutputFlags(as_json=as_json, more=more, quiet=quiet)
+    output = OutputFlags(as_json=as_json, more=more, quiet=quiet, plot=plot, force=force)
+    if what != "region":
+        refuse({"--plot": plot}, "a picture is one of a region")
+    output.check()
     needs("--samples", samples, "--check", "fate.json", beside=check)
     needs("--leaves", leaves, "--check", "region.json", beside=check)
     if check is not None:
@@ -226,6 +232,10 @@ def _region(
     region = certify_region(*ranges, body.restitution, order=order)
     if out is not None:
         _write(out, region.to_json())
+    from rocksteady.show.plots.proofs import plot_proved_region
+
+    title = region.describe().headline.capitalize()
+    output.write_plot(lambda page: page.panel(8.0, 4.6, title, plot_proved_region, region))
     further = "" if out is None else f"rocksteady certify --check {quoted(out)}"
     output.leave("certify", region.describe(), follow_up=further)
     return 0
