@@ -28,6 +28,13 @@ def test_other_places_have_one(case: tuple[float, float, float, int]) -> None:
     assert certificate.content["least_half_periods"] == case[3]
 
 
+def test_chaos_holds_over_a_box_of_parameters() -> None:
+    certificate = certify_chaos((0.59, 0.61), (1.98, 2.02), 0.8)
+    assert certificate.proved
+    assert "A = 0.59 to 0.61, W = 1.98 to 2.02" in certificate.claim
+    assert certificate.content["least_half_periods"] == 5
+
+
 def test_below_the_heteroclinic_amplitude_there_is_no_proof() -> None:
     certificate = certify_chaos(0.45, 2, 0.8)
     assert certificate.verdict == "undecided"

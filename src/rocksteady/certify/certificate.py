@@ -129,7 +129,13 @@ def meaning(model: Mapping[str, Stated]) -> str:
 
 def place(model: Mapping[str, Stated]) -> str:
     """Return the parameters of a claim in words."""
-    return ", ".join(f"{SYMBOLS.get(name, name)} = {texts[0]}" for name, texts in model.items())
+    words = []
+    for name, texts in model.items():
+        low, high = min(texts, key=float), max(texts, key=float)
+        wide = float(high) - float(low) > 1e-9 * float(high)
+        shown = f"{texts[0]} to {texts[len(texts) // 2]}" if wide else texts[0]
+        words.append(f"{SYMBOLS.get(name, name)} = {shown}")
+    return ", ".join(words)
 
 
 def attempts(numbers: Numbers, most_bits: int) -> Iterator[tuple[int, Numbers]]:
@@ -149,7 +155,7 @@ def ladder(most_bits: int) -> list[int]:
 
 
 def harmonic_numbers(amplitude: Any, ratio: Any, restitution: Any) -> Numbers:
-    """Return the decimals of the three parameters of harmonic shaking.
+    """Return the decimals of the three parameters of harmonic shaking; of a range both ends.
 
     Raises
     ------
@@ -157,9 +163,21 @@ def harmonic_numbers(amplitude: Any, ratio: Any, restitution: Any) -> Numbers:
         If one is no number, not above 0 or too large.
     """
     given = zip(NAMES, (amplitude, ratio, restitution), strict=True)
-    numbers = {name: stated(name, value) for name, value in given}
+    numbers = {
+        name: sum((stated(name, end) for end in value), ())
+        if isinstance(value, tuple)
+        else stated(name, value)
+        for name, value in given
+    }
     for name, texts in numbers.items():
-        if not 0.0 < float(texts[0]) <= (1.0 if name == "restitution" else LARGEST):
+        if not texts:
+            raise InputError(name, texts, "it must be a number or a range", "give its ends")
+        if (
+            not 0.0
+            < min(map(float, texts))
+            <= max(map(float, texts))
+            <= (1.0 if name == "restitution" else LARGEST)
+        ):
             raise InputError(
                 name,
                 texts[0],

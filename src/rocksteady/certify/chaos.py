@@ -59,8 +59,8 @@ def proved_chaos(numbers: Numbers, kind: str) -> tuple[dict[str, Any] | None, st
 
 @checked
 def certify_chaos(
-    amplitude: float | str,
-    frequency_ratio: float | str,
+    amplitude: float | str | tuple[float, float],
+    frequency_ratio: float | str | tuple[float, float],
     restitution: float | str,
     *,
     kind: Literal["hilltop", "homoclinic"] = "hilltop",
@@ -75,7 +75,8 @@ def certify_chaos(
     Parameters
     ----------
     amplitude, frequency_ratio, restitution
-        Numbers, or their decimals as text.
+        Numbers, or their decimals as text; of the first two also a range (low, high), for all
+        of whose members the same sequences are then motions.
     kind
         "hilltop" or "homoclinic".
 

@@ -195,6 +195,12 @@ def _proofs(
     if what == "chaos":
         from rocksteady.certify.chaos import certify_chaos
 
+        if ":" in f"{shaking.amplitude}{shaking.frequency_ratio}":
+            ranges = (
+                _ends("--amplitude/-A", shaking.amplitude),
+                _ends("--frequency-ratio/-W", shaking.frequency_ratio),
+            )
+            return [certify_chaos(*ranges, body.restitution, kind=kind)]  # type: ignore[arg-type]
         motion = shaking.at(body)
         numbers = motion.amplitude, motion.frequency_ratio, body.restitution
         return [certify_chaos(*numbers, kind=kind)]  # type: ignore[arg-type]
