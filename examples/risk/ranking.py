@@ -2,10 +2,10 @@
 Which measure tells best what falls?
 ====================================
 
-The spread of the fragility curve over each measure of intensity, the most efficient first: the
-smaller the spread, the fewer records are needed. Pairs of measures, which have no single spread,
-are ranked by AIC. Velocity tells more than acceleration. See :doc:`/guides/fragility` and
-:doc:`/guides/measures`.
+How far each measure of intensity is behind the best one by Akaike's criterion, the most efficient
+first, with the spread of its fragility curve: the smaller the spread, the fewer records are needed.
+Pairs of measures have no single spread. Velocity tells more than acceleration. See
+:doc:`/guides/fragility` and :doc:`/guides/measures`.
 """
 
 import matplotlib.pyplot as plt

@@ -81,6 +81,7 @@ def picture(
     words: str,
     *,
     phone: bool = True,
+    rows: bool = False,
     page: Page = SCREEN,
 ) -> dict[str, str]:
     """Return a picture on light and on dark paper, drawn again for a phone or not, with its words.
@@ -95,12 +96,15 @@ def picture(
         What it shows, for those who do not see it.
     phone
         Whether it is drawn with larger letters for a phone too; default True.
+    rows
+        Whether it has rows of bars, and is as high on a phone; default False.
     page
         Width and legend where there is room; default the width of the page.
     """
 
     def make(page: Page) -> "Figure":
-        with page.figure(WIDTH, height, "") as figure:
+        stacked = height / page.width(WIDTH) if rows else None
+        with page.figure(WIDTH, height, "", stacked=stacked) as figure:
             draw(figure.add_subplot())
         return figure
 

@@ -20,9 +20,14 @@ from rocksteady.outcomes import Status
 from rocksteady.risk.assess._counts import THE_DEMAND
 from rocksteady.risk.assess._probability import onset_of, probability_of
 from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, find_remedies
-from rocksteady.risk.assess._sensitivity import case_of, parameter_words, tornado, vary
+from rocksteady.risk.assess._sensitivity import case_of, tornado, vary
 from rocksteady.risk.assess.assessment import Assessment, _curve_over, assess_object
-from rocksteady.risk.assess.described.objects import EXAMPLE, DescribedObject, read_object
+from rocksteady.risk.assess.described.objects import (
+    EXAMPLE,
+    DescribedObject,
+    parameter_words,
+    read_object,
+)
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.hazard.failure_risk import compute_risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve

@@ -256,7 +256,7 @@ CASES: dict[str, Case] = {
     ),
     "plot_measure_efficiency": lambda t: (
         {"fragility": t["fragility"]},
-        [[each.beta for each in t["fragility"].ranking if math.isfinite(each.beta)]],
+        [[each.aic - t["fragility"].ranking[0].aic for each in t["fragility"].ranking]],
     ),
     "plot_steady_regions": lambda t: (
         {"curves": t["regions"]},

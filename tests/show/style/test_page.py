@@ -4,6 +4,7 @@ import re
 import warnings
 import zlib
 from pathlib import Path
+from typing import Any
 
 import matplotlib as mpl
 
@@ -14,10 +15,12 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
+from matplotlib.lines import Line2D
 
 from rocksteady import plots
 from rocksteady.errors import InputError
 from rocksteady.show.export.files import figure_bytes, save_figure
+from rocksteady.show.style import palette
 from rocksteady.show.style.legends import PLACES
 from rocksteady.show.style.page import Page, _shorten, width_mm_of
 from tests.every import every
@@ -39,7 +42,8 @@ def test_every_kind_of_figure_is_here() -> None:
 def test_nothing_is_cut_off_or_too_small_in_one_column(name: str) -> None:
     width = 84.0
     figure = makers()[name](Page(width_mm=width))
-    figure.draw_without_rendering()
+    with palette.style():  # as it is saved
+        figure.draw_without_rendering()
     assert figure.get_figwidth() == pytest.approx(width / 25.4)
     box = figure.get_tightbbox()
     inches = figure.get_size_inches()
@@ -54,6 +58,39 @@ def test_nothing_is_cut_off_or_too_small_in_one_column(name: str) -> None:
     boxes = [axes.bbox for axes in figure.axes]
     covered = np.any([(across > box.x0) & (across < box.x1) for box in boxes], axis=0)
     assert covered.mean() > 0.55, "axes, not a legend, have the width"
+
+
+def hidden_by(legend: Legend) -> list[str]:
+    """Return the lines and rings that a legend inside of its axes lies on."""
+    axes, frame = legend.axes, legend.get_window_extent()
+    found = []
+    drawn: list[Any] = [*axes.lines, *(ring for ring in axes.patches if not ring.get_fill())]
+    for each in drawn:
+        shown = each.get_transform().transform_path(each.get_path())
+        joined = not isinstance(each, Line2D) or each.get_linestyle() != "None"
+        crossed = joined and shown.intersects_bbox(frame, filled=False)
+        if crossed or (not joined and frame.count_contains(shown.vertices)):
+            found.append(str(each.get_label()))
+    return found
+
+
+@pytest.mark.slow
+@every("name", NAMES)
+def test_legends_and_titles_lie_on_nothing(name: str) -> None:
+    for width in (84.0, None):
+        figure = makers()[name](Page(width_mm=width))
+        with palette.style():
+            figure.draw_without_rendering()
+        keys = legends(figure)
+        title = figure._suptitle  # type: ignore[attr-defined]
+        for key in keys:
+            assert not title.get_window_extent().overlaps(key.get_window_extent()), width
+            if key.axes is not None:
+                assert hidden_by(key) == [], width
+        for axes in figure.axes:  # no line goes through the name of a level
+            for text in axes.texts:
+                if text.get_text() == "lifts\noff":
+                    assert text.get_window_extent().x0 >= axes.bbox.x1, width
 
 
 @pytest.mark.slow

@@ -156,7 +156,7 @@ class OutputFlags(ScreenFlags):
             if file is not None:
                 check_writable(flag, file, force=self.force)
 
-    def check_folder(self, own: OwnFolder, out: Path | None, read: Sequence[Path] = ()) -> None:
+    def check_folder(self, answer: OwnFolder, out: Path | None, read: Sequence[Path] = ()) -> None:
         """Refuse, before anything is computed, outputs that would replace a file that is read.
 
         Raises
@@ -166,7 +166,7 @@ class OutputFlags(ScreenFlags):
         """
         check_apart(self.files, read=read)
         if out is not None:
-            own.check(out, force=self.force, read=read)
+            answer.check(out, force=self.force, read=read)
 
     @property
     def files(self) -> dict[str, Path | None]:

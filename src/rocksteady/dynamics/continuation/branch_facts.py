@@ -169,7 +169,7 @@ def case_facts(
 def fixed_values(
     block: AnyBlock, motion: PeriodicMotion, varied: Iterable[str]
 ) -> dict[str, float | None]:
-    """Return the three parameters; None for those that are varied."""
+    """Return the three parameters; None for a varied parameter."""
     return {
         "amplitude": motion.amplitude,
         "frequency_ratio": motion.frequency_ratio,

@@ -9,7 +9,8 @@ from rocksteady.results.answer import MOST_ROWS, Answer, left_out
 from rocksteady.results.doubts import FEW_RECORDS, misfit_words
 from rocksteady.results.numbers import chance, counted, interval, number, plural, quantity
 from rocksteady.risk.assess._remedies import Remedy, cheapest
-from rocksteady.risk.assess._sensitivity import bar_words, parameter_words, tornado
+from rocksteady.risk.assess._sensitivity import bar_words, tornado
+from rocksteady.risk.assess.described.objects import parameter_words
 
 FEWEST_ROWS = 5
 """Rows of a table on the first screen, unless more objects are above the target."""

@@ -9,7 +9,8 @@ from rocksteady.results.numbers import chance, quantity
 from rocksteady.risk.assess._counts import Basis
 from rocksteady.risk.assess._demand_level import horizontal, measured
 from rocksteady.risk.assess._remedies import Remedy
-from rocksteady.risk.assess._sensitivity import Case, end_words, parameter_words, tornado
+from rocksteady.risk.assess._sensitivity import Case, end_words, tornado
+from rocksteady.risk.assess.described.objects import parameter_words
 from rocksteady.risk.hazard.failure_risk import Risk
 from rocksteady.risk.screens.screens import Screens
 from rocksteady.seismic.measures.scalar import Measure

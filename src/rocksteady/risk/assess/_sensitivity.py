@@ -214,23 +214,6 @@ def changes_of(described: DescribedObject) -> list[tuple[str, str, Block]]:
     return changes
 
 
-def parameter_words(parameter: str) -> str:
-    """Return what was changed in words: of a key of the object's file its name without the unit.
-
-    Examples
-    --------
-    >>> parameter_words("geometry.mass_centre_height_m"), parameter_words("mass centre")
-    ('mass centre height', 'mass centre')
-    """
-    table, dot, key = parameter.rpartition(".")
-    if not dot:
-        return parameter
-    for unit in ("_kg_m2", "_rad_s", "_m_s2", "_m", "_kg", "_rad", "_deg"):
-        key = key.removesuffix(unit)
-    words = key.replace("_", " ")
-    return f"{table} {words}" if table == "content" else words
-
-
 def end_words(probability: float) -> str:
     """Return an end of a bar in words."""
     return chance(probability) if probability else "none"

@@ -8,8 +8,9 @@ from rocksteady.results.numbers import chance, counted, interval, number, plural
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._probability import NO_ANSWER, Onset, Probability
 from rocksteady.risk.assess._remedies import Remedy
-from rocksteady.risk.assess._sensitivity import Case, bar_words, parameter_words, tornado
+from rocksteady.risk.assess._sensitivity import Case, bar_words, tornado
 from rocksteady.risk.assess.described.facts import ObjectFacts
+from rocksteady.risk.assess.described.objects import parameter_words
 from rocksteady.risk.assess.two_numbers import share_words
 from rocksteady.risk.screens.demand import Demand
 

@@ -33,14 +33,13 @@ from rocksteady.risk.assess._remedies import Remedy, Search, cheapest, find_reme
 from rocksteady.risk.assess._sensitivity import (
     Case,
     by_one_method,
-    parameter_words,
     tornado,
     vary,
 )
 from rocksteady.risk.assess._verdicts import MET, Findings, answer_of
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.facts import ObjectFacts, compute_object_facts
-from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
+from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of, parameter_words
 from rocksteady.risk.assess.described.schema import Options, own_states
 from rocksteady.risk.ensemble.gates import uplift_of
 from rocksteady.risk.ensemble.levels import Levels

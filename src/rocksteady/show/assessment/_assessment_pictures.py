@@ -11,7 +11,7 @@ from rocksteady.show.plots.risk.assessment import plot_assessment
 from rocksteady.show.plots.risk.fragility import plot_fragility_states
 from rocksteady.show.plots.risk.tornado import plot_measure_efficiency, plot_tornado
 from rocksteady.show.report import picture, twins
-from rocksteady.show.style.wording import greek, key_words, span
+from rocksteady.show.style.wording import greek, key_words, span, state_words
 
 if TYPE_CHECKING:
     pass
@@ -38,7 +38,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
         lambda axes: plot_assessment(assessment, axes), 4.1, _words_of_curve(assessment)
     )
     if len(fragility.states) > 1:
-        names = ", ".join(greek(each.state.name) for each in fragility.states)
+        names = ", ".join(state_words(each.state.name) for each in fragility.states)
         pictures["states"] = picture(
             lambda axes: plot_fragility_states(fragility, axes, legend="below"),
             4.2,
@@ -50,8 +50,8 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
         pictures["ranking"] = picture(
             lambda axes: plot_measure_efficiency(fragility, axes),
             0.7 + ROW * len(ranked),
-            f"Bars of beta for {len(ranked)} measures of intensity; the best is {best}.",
-            phone=False,
+            f"Bars of AIC for {len(ranked)} measures of intensity; the best is {best}.",
+            rows=True,
         )
     bars = tornado_rows(assessment)
     if bars and abs(bars[0][1] - bars[0][2]) > LEAST_BAR:
@@ -66,7 +66,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
             1.1 + 1.2 * ROW * len(bars),
             f"Tornado plot about {chance(base)}; the widest bar is {bars[0][0]}, "
             f"{span(min(bars[0][1:]), max(bars[0][1:]), 100.0)} %.",
-            phone=False,  # its names leave no room for bars; the table below has its numbers
+            rows=True,
         )
     return pictures
 

@@ -24,7 +24,7 @@ from rocksteady.show.style.markup import (
     quiet,
     under,
 )
-from rocksteady.show.style.wording import NOTHING, greek, key_words, span
+from rocksteady.show.style.wording import NOTHING, greek, key_words, span, state_words
 
 STATUS = {
     "fitted": "fitted",
@@ -202,7 +202,7 @@ def _state_row(each: StateFragility) -> Row:
             f"misfit {number(plain.misfit)}"
         )
     return {
-        "state": greek(each.state.name),
+        "state": state_words(each.state.name),
         "median": _banded(curve.median, curve.median_band),
         "β": _banded(shape.beta, shape.beta_band),
         "curve": status + under(single),

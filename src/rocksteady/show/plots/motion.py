@@ -46,7 +46,7 @@ from rocksteady.show.style.legends import (
     text_size,
 )
 from rocksteady.show.style.line_ends import LineEnd, name_line_ends
-from rocksteady.show.style.scales import LEAST_FAR, Scale, draw_far_axes, fits_far_axes
+from rocksteady.show.style.scales import Scale, draw_far_axes, fits_far_axes
 from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
@@ -150,19 +150,23 @@ def _draw_impacts(
     axes: "Axes", trajectory: Trajectory, span: tuple[float, float], time: TimeScale
 ) -> None:
     """Draw a tick at angle 0 for each impact."""
+    from matplotlib.patheffects import withStroke
+
     impacts = trajectory.impacts.pt
     impacts = impacts[(impacts >= span[0]) & (impacts <= span[1])]
     if len(impacts) == 0:
         return
-    crowded = len(impacts) > CROWD
+    crowded, inks = len(impacts) > CROWD, inks_of(axes)
+    rim = [] if crowded else [withStroke(linewidth=2.5, foreground=inks.paper)]
     axes.plot(
         impacts * time.factor,
         np.zeros(len(impacts)),
         ls="none",
         marker="|",
-        ms=4.0 if crowded else 7.0,
-        mew=0.6 if crowded else 1.3,
-        color=inks_of(axes).impact,
+        ms=4.0 if crowded else 9.0,
+        mew=0.6 if crowded else 1.5,
+        color=inks.impact,
+        path_effects=rim,
         zorder=2.5,
         label="1 impact" if len(impacts) == 1 else f"{len(impacts)} impacts",
     )
@@ -283,7 +287,7 @@ def plot_base(
         return plot_integrated_record(integrate_record(motion), ax, quantity=quantity)
     refuse_unknown(quantity)
     axes = axes_or_new(ax)
-    inks, place = inks_of(axes), place_of(axes, legend, "inside")
+    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=150.0)
     if isinstance(motion, BaseMotion):
         plot_base(motion.horizontal, axes, quantity=quantity)
         if motion.vertical is not None:
@@ -318,10 +322,10 @@ def plot_base(
             upwards = base_motion.lift(table, times) * motion.block.gravity / STANDARD_GRAVITY
             _draw_vertical(axes, path[0], upwards, place)
         axes.set_ylim(axes.get_ylim())
-        if size_of(axes)[0] >= LEAST_FAR[0] and not fits_far_axes(axes):  # and not on the curve
-            name_line_ends(axes, [LineEnd("lifts off", levels[-1], inks.limit)])
-        else:
+        if fits_far_axes(axes) and scale.far:
             name_level(axes, levels[-1], "lifts off", path)
+        else:  # and not on the curve
+            name_line_ends(axes, [LineEnd("lifts\noff", levels[-1], inks.limit)])
     draw_far_axes(axes, time.far, scale)
     return axes
 
@@ -382,7 +386,8 @@ def _draw_vertical(axes: "Axes", times: Floats, upwards: Floats, place: LegendPl
     (drawn,) = axes.plot(times, upwards, color=vertical, lw=0.7, label="vertical")
     low, high = axes.get_ylim()
     if place == "inside":  # above the curves
-        high += 0.25 * (high - low)
+        tall = max(size_of(axes)[1], 2.0 * LINE)
+        high += LINE / (tall - LINE) * (high - low)
     axes.set_ylim(low, high)
     draw_legend(axes, place, handles=[across, drawn], corner="upper right", columns=2)
 

@@ -15,7 +15,13 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import finite
 from rocksteady.show.style import palette
-from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent, put_beside
+from rocksteady.show.style.layout import (
+    axes_or_new,
+    clear_place,
+    emptiest_corner,
+    extent,
+    put_beside,
+)
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
 from rocksteady.show.style.scales import Scale, scale_of
 from rocksteady.show.style.tokens import DASHED, Inks, inks_of
@@ -238,9 +244,7 @@ def plot_multipliers(
             color=inks.quiet,
         )
     handles = _handles([orbit for _, orbit in numbered], "o", inks)
-    place = place_of(axes, legend, "inside", width=160.0 if len(handles) > 2 else 0.0)
-    size = extent(axes, width=62.0, height=12.0 * len(handles) + 12.0)
-    corner = emptiest_corner(axes, (places.real, places.imag), size)
+    place, corner = clear_place(axes, legend, [str(handle.get_label()) for handle in handles])
     draw_legend(axes, place, handles=handles, corner=corner)
     labels: list[tuple[str, float, float]] = []
     for (text, orbit), drawn in zip(numbered, places.tolist(), strict=True):
@@ -365,7 +369,7 @@ def _draw_impacts(
     late = impacts.pt >= since
     phase = (impacts.half_cycles[late] % 2) * math.pi + impacts.phase[late]
     after = factor * impacts.velocity_after[late]
-    size = 3.0 if len(after) < 300 else 1.6
+    size = 5.0 if len(after) < MOST_NUMBERS else 1.6
     styles: dict[int, dict[str, Any]] = {}
     for side, colour in zip((1, -1), inks.series("motion", 2), strict=True):
         styles[side] = {"marker": MARKERS[side], "color": colour, "mew": 0.0}

@@ -297,7 +297,7 @@ def plot_response_spectra(
         handles = []
     if len(spectra) > 1 and handles:
         draw_legend(axes, place, handles=handles, corner="lower left", title=damping)
-    else:
+    else:  # spectra fall to the right
         style: dict[str, Any] = {"fontsize": small, "color": inks.ink}
-        axes.text(0.98, 0.96, damping, transform=axes.transAxes, ha="right", va="top", **style)
+        axes.text(0.02, 0.04, damping, transform=axes.transAxes, **style)
     return axes

@@ -20,6 +20,7 @@ from rocksteady.show.plots.branches.curves import CURVES
 from rocksteady.show.plots.branches.views import AnyBlock, shared_size
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import (
+    LEAST_ROOM,
     axes_or_new,
     region_centres,
     spaced_by_ratio,
@@ -245,12 +246,11 @@ def draw_regions(
     draw_far_axes(axes, across, up)
     words = Words(axes, [np.column_stack([w, each]) for each in bounds.values()])
     words.take(here, 5.0)
-    centres = {
-        number: (across.factor * x, up.factor * y)
-        for number, (x, y) in region_centres(curves, ceiling, floor, point=point).items()
-    }
+    size = text_size(axes, 9.5)
+    room = max(LEAST_ROOM, 0.75 * size / size_of(axes)[1])
+    places = region_centres(curves, ceiling, floor, point=point, least=room)
+    centres = {number: (across.factor * x, up.factor * y) for number, (x, y) in places.items()}
     for region, where in centres.items():
-        size = text_size(axes, 9.5)
         axes.annotate(
             str(region),
             where,

@@ -9,7 +9,14 @@ from numpy.typing import ArrayLike
 
 from rocksteady.dynamics.steady.regions import RegionMap
 from rocksteady.show.style import palette
-from rocksteady.show.style.legends import figure_of, size_of
+from rocksteady.show.style.legends import (
+    LETTER,
+    LegendPlace,
+    figure_of,
+    place_of,
+    size_of,
+    text_size,
+)
 from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
@@ -33,6 +40,12 @@ LABEL_PLACES = [
 """Where a label may stand [points], seen from its point, in the order of preference."""
 
 
+LONGEST_NAME = 0.45
+"""Of a row of bars beside it, in parts of the width of axes without their labels."""
+HEIGHT_OF_ROW = 19.0
+"""Of a bar and the name over it, at least [points]."""
+LEAST_ROOM = 1.0 / 32.0
+"""Room for the number of a region to all sides, in parts of the height, at least."""
 TICK_ROOM = 62.0
 """Length of a decade [points] below which it has one tick."""
 
@@ -77,6 +90,45 @@ def emptiest_corner(axes: "Axes", points: Sequence[ArrayLike], size: tuple[float
         return int((near[0] & near[1]).sum())
 
     return min(CORNERS, key=lambda name: hidden(CORNERS[name]))
+
+
+def clear_place(axes: "Axes", legend: object, labels: Sequence[str]) -> tuple[LegendPlace, Corner]:
+    """Return where a legend hides no line and no mark: in a corner of the axes, or below them.
+
+    Parameters
+    ----------
+    axes
+        With their data, and their final limits and scales.
+    legend
+        A place, or None for the default.
+    labels
+        Its entries, one below the other.
+    """
+    from matplotlib.transforms import Bbox
+
+    axes.apply_aspect()
+    axes.get_xlim(), axes.get_ylim()  # which settles limits that are not yet known
+    size, box = text_size(axes, 8.0), axes.bbox
+    letters = max(map(len, labels), default=0)
+    per_point = figure_of(axes).dpi / 72.0
+    wide = per_point * (LETTER * size * letters + 4.5 * size)
+    high = per_point * (1.6 * size * len(labels) + 8.0)
+    lines = [line for line in axes.lines if line.get_linestyle() != "None"]
+    rings = [patch for patch in axes.patches if not patch.get_fill()]
+    drawn: Any = [*lines, *rings]
+    paths = [each.get_transform().transform_path(each.get_path()) for each in drawn]
+    bars = [each for each in axes.collections if hasattr(each, "get_segments")]
+    paths += [each.get_transform().transform_path(p) for each in bars for p in each.get_paths()]
+    places = [line.get_transform().transform(line.get_xydata()) for line in axes.lines]
+
+    def free(right: int, upper: int) -> bool:
+        x, y = box.x0 + right * (box.width - wide), box.y0 + upper * (box.height - high)
+        corner = Bbox.from_bounds(x, y, wide, high)
+        within = any(corner.count_contains(each) for each in places if len(each))
+        return not within and not any(path.intersects_bbox(corner, filled=False) for path in paths)
+
+    corners = [name for name, place in CORNERS.items() if free(*place)]
+    return place_of(axes, legend, "inside" if corners else "below"), [*corners, "upper right"][0]
 
 
 def put_beside(
@@ -135,12 +187,23 @@ def put_beside(
         )
 
 
-def name_rows(axes: "Axes", names: Sequence[str], **text: Any) -> None:
-    """Name the rows 0, 1, 2, ... of axes, the first on top; `text` sets how they are written."""
-    axes.set_yticks(range(len(names)), names, **text)
-    axes.set_ylim(len(names) - 0.4, -0.6)
+def name_rows(axes: "Axes", names: Sequence[str], *, bars: bool = False, **text: Any) -> None:
+    """Name the rows 0, 1, 2, ... of axes, the first on top; `text` sets how they are written.
+
+    Names of `bars` that are too long to stand beside them stand over them.
+    """
+    inks, size, (wide, high) = inks_of(axes), text_size(axes, 8.0), size_of(axes)
+    long = bars and LETTER * size * max(map(len, names)) > LONGEST_NAME * wide
+    over = long and high > HEIGHT_OF_ROW * len(names)
+    axes.set_yticks(range(len(names)), [""] * len(names) if over else names, **text)
+    axes.set_ylim(len(names) - 0.4, -0.9 if over else -0.6)
     axes.tick_params(axis="y", length=0.0)
     axes.grid(visible=False, axis="y")
+    style: dict[str, Any] = {"fontsize": size, "color": inks.ink, "va": "bottom", "zorder": 3.5}
+    style |= {"xycoords": axes.get_yaxis_transform(), "textcoords": "offset points"}
+    for place, name in enumerate(names if over else ()):
+        box = {"fc": inks.paper, "ec": "none", "pad": 0.0}
+        axes.annotate(name, (0.0, place - 0.3), (2.0, 0.0), bbox=box, **style)
 
 
 def extent(axes: "Axes", *, width: float, height: float) -> tuple[float, float]:
@@ -184,6 +247,7 @@ def region_centres(
     floor: float = 0.0,
     *,
     point: tuple[float, float] | None = None,
+    least: float = LEAST_ROOM,
 ) -> dict[int, tuple[float, float]]:
     """Return where each region has most room for its number; too narrow ones are left out.
 
@@ -195,6 +259,8 @@ def region_centres(
         Ends of the amplitude axis; it is logarithmic where the floor is above 0.
     point
         A marked (frequency_ratio, amplitude), from which the numbers keep away.
+    least
+        Room for a number to all sides, in parts of the height; default 1/32.
     """
     from scipy.ndimage import distance_transform_edt
 
@@ -206,7 +272,8 @@ def region_centres(
     region = np.where(height < curves.existence, 4, region)
     w = curves.frequency_ratio
     spread = np.geomspace if spaced_by_ratio(w) else np.linspace
-    columns = np.searchsorted(w, spread(w[0], w[-1], rows)[:-1])
+    across_at = spread(w[0], w[-1], rows)
+    columns = np.searchsorted(w, across_at[:-1])
     columns = np.append(columns, len(w) - 1)
     clear = np.ones((rows, rows), dtype=bool)
     for curve in (curves.symmetry_breaking, curves.heteroclinic):
@@ -222,11 +289,11 @@ def region_centres(
         for allowed in (clear, True):
             inside = np.pad((region[:, columns] == number) & allowed, 1)
             room = distance_transform_edt(inside)[1:-1, 1:-1]
-            if room.max() > 5.0:
+            if room.max() > least * rows:
                 break
-        if room.max() > 5.0:
+        if room.max() > least * rows:
             # Of the roomiest places that furthest right: the curves crowd together on the left.
             row, column = max(np.argwhere(room > 0.95 * room.max()), key=lambda place: place[1])
-            place = float(w[columns[min(column, rows - 12)]])
+            place = float(across_at[min(column, rows - 12)])
             centres[number] = (place, float(height[row, 0]))
     return centres

@@ -159,15 +159,29 @@ def _write_title(figure: "Figure", title: str, size: float) -> None:
     """Write a title above the panels, in as many lines as it needs."""
     letters = max(20, len(title))
     text = figure.suptitle(literal(title), x=0.01, ha="left", fontsize=size)
-    while letters > 20 and text.get_window_extent().x1 > 0.99 * figure.bbox.x1:
+    room = 0.99 * figure.bbox.x1
+    for box in (legend.get_window_extent() for legend in figure.legends):
+        if box.x0 > 0.5 * room and box.y1 > 0.9 * figure.bbox.y1:  # at the right of the title
+            room = box.x0 - 6.0
+    while letters > 20 and text.get_window_extent().x1 > room:
         letters = max(20, min(letters - 1, int(letters * 0.97)))
         text.set_text(literal(title, line=letters))
 
 
 def _fit(figure: "Figure") -> None:
     """Make room for legends, and break labels that are longer than their axes."""
+    import matplotlib as mpl
+
     figure.set_figheight(figure.get_figheight() + _legends_height(figure.axes))
+    for axes in figure.axes:  # the same when it is saved under other settings
+        axes.tick_params(labelsize=mpl.rcParams["xtick.labelsize"])
     figure.draw_without_rendering()
+    boxes = [each.get_tightbbox() for each in figure.axes]
+    over = max((box.x1 / figure.bbox.x1 - 1.0 for box in boxes if box), default=0.0)
+    engine: Any = figure.get_layout_engine()
+    if over > 0.0 and engine is not None:  # the layout lets the last label of an axis stick out
+        engine.set(rect=(0.0, 0.0, 1.0 - over - 0.01, 1.0))
+        figure.draw_without_rendering()
     for axes in figure.axes:
         for label, side in ((axes.xaxis.label, "width"), (axes.yaxis.label, "height")):
             _shorten(label, getattr(axes.bbox, side), side)

@@ -9,6 +9,7 @@ from markupsafe import Markup
 
 from rocksteady.results.numbers import number
 from rocksteady.results.rendering import printable
+from rocksteady.risk.fragility.damage_states import OVERTURNED
 
 BADGES: Final = {
     "green": ("low", "green"),
@@ -45,6 +46,17 @@ def greek(text: str) -> str:
     for name, letter in (("alpha", "α"), ("theta", "θ"), ("beta", "β"), ("pi", "π")):
         text = re.sub(rf"\b{name}(?=\d|\b)", letter, text)
     return re.sub(r"\bsqrt e\b", "√e", text).replace("beta_U", "β_U")
+
+
+def state_words(name: str) -> str:
+    """Return the name of a damage state as pictures and tables show it.
+
+    Examples
+    --------
+    >>> state_words("overturned"), state_words("theta/alpha > 0.5")
+    ('falls', 'θ/α > 0.5')
+    """
+    return "falls" if name == OVERTURNED else greek(name)
 
 
 def sentence(text: str) -> str:

@@ -118,7 +118,7 @@ def test_curve_and_median_are_named_beside_them_where_there_is_room() -> None:
     assert "in two stages" not in entries(drawn)
     (half,) = [line for line in drawn.lines if len(np.asarray(line.get_xdata())) == 3]
     assert half.get_xydata()[1] == pytest.approx((curve.median, 0.5))  # type: ignore[index]
-    assert half.get_color() == inks_of(drawn).limit
+    assert half.get_color() == inks_of(drawn).quiet
     with Page(width_mm=84).figure(6.6, 4.4, "") as figure:
         narrow = plots.fragility(curve, figure.add_subplot())
     assert f"half fall at {curve.median:.3g} g" in named(narrow)
@@ -172,7 +172,10 @@ def test_a_step_of_uplift_is_a_gate_and_any_other_a_curve() -> None:
 def test_an_exact_gate_is_drawn_at_its_intensity() -> None:
     fell, labels = [0, 3, 33, 39], ("PGA", "g")
     curve = fit_two_stages([0.2, 0.4, 0.8, 1.6], 0.277, fell, [40] * 4, measure=labels)
-    assert "uplift at 0.277 g" in named(plots.fragility(curve, axes()))
+    for size in ((9.0, 4.8), (3.3, 2.5)):  # beside it, or in the legend
+        drawn = plots.fragility(curve, Figure(figsize=size).add_subplot())
+        assert ("uplift at 0.277 g" in named(drawn)) == (size[0] > 6.0)
+        assert ("uplift at 0.277 g" in entries(drawn)) == (size[0] < 6.0)
 
 
 def test_a_band_is_shaded_over_what_was_run() -> None:
@@ -245,7 +248,7 @@ def test_all_states_are_in_the_legend_in_order_with_their_points() -> None:
     assert len({line.get_marker() for line in dots}) == 3
     assert {str(line.get_markerfacecolor()) for line in dots} == {inks_of(drawn).observed}
     curves = [line for line in drawn.lines if line.get_linestyle() == "-"]
-    assert [line.get_color() for line in curves] == inks_of(drawn).series("risk", 3)[::-1]
+    assert [line.get_color() for line in curves] == inks_of(drawn).series("motion", 3)[::-1]
 
 
 def test_a_fragility_and_its_curves_plot_themselves() -> None:

@@ -46,11 +46,11 @@ def test_bars_reach_from_the_base_to_both_ends_and_the_longest_is_on_top() -> No
             assert sorted((box.x0, box.x1)) == pytest.approx(sorted((0.4, end)))
 
 
-def test_the_shorter_of_two_ends_on_one_side_is_seen() -> None:
+def test_two_ends_on_one_side_stand_beside_each_other_with_their_numbers() -> None:
     drawn = plots.tornado([("model", 0.44, 0.42)], 0.4, axes())
-    long, short = (container[0] for container in bars(drawn))
-    assert short.get_height() < long.get_height()
-    assert short.get_zorder() > long.get_zorder()
+    first, second = (container[0].get_bbox() for container in bars(drawn))
+    assert first.y1 <= second.y0
+    assert [text.get_text() for text in drawn.texts] == ["as described, 0.4", "0.44", "0.42"]
 
 
 @pytest.mark.parametrize("width", [84.0, None])
@@ -58,8 +58,10 @@ def test_numbers_stand_inside_the_axes(width: float | None) -> None:
     with Page(width_mm=width).figure(6.6, 3.6, "") as figure:
         drawn = plots.tornado(ROWS, 0.4, figure.add_subplot())
     figure.draw_without_rendering()
-    shown = sorted(float(text.get_text()) for text in drawn.texts)
-    assert shown == [0.28, 0.31, 0.395, 0.41, 0.44, 0.46, 0.47, 0.55]
+    line, *numbers = drawn.texts
+    assert line.get_text() == "as described, 0.4"
+    shown = sorted(float(text.get_text()) for text in numbers)
+    assert shown == [0.28, 0.31, 0.395, 0.41, 0.42, 0.44, 0.46, 0.47, 0.55]
     for text in drawn.texts:
         box = text.get_window_extent()
         assert drawn.bbox.x0 - 1.0 <= box.x0
@@ -74,7 +76,7 @@ def test_long_numbers_have_their_room_too(width: float | None) -> None:
         drawn = plots.tornado(rows, 0.00126, figure.add_subplot())
     figure.draw_without_rendering()
     assert {text.get_text() for text in drawn.texts} == {
-        "0.000631", "0.00252", "0.00168", "0.000972",
+        "0.000631", "0.00252", "0.00168", "0.000972", "as described, 0.00126",
     }  # fmt: skip
     for text in drawn.texts:
         box = text.get_window_extent()
@@ -118,7 +120,7 @@ def ranked(*rows: tuple[tuple[str, ...], float, float]) -> Fragility:
     )
 
 
-def test_measures_are_ranked_by_their_beta_beside_akaikes_criterion() -> None:
+def test_measures_are_ranked_by_akaikes_criterion_beside_their_beta() -> None:
     found = ranked(
         (("p_pgv_per_uplift",), 0.46, 1000.0),
         (("pgv_m_s", "pga_g"), np.nan, 1020.0),
@@ -131,10 +133,10 @@ def test_measures_are_ranked_by_their_beta_beside_akaikes_criterion() -> None:
         "p PGV/(g tan α)", "PGV and PGA", "PGV", "PGA",
     ]  # fmt: skip
     assert [bar.get_bbox().width for bar in drawn.patches if isinstance(bar, Rectangle)] == [
-        0.46, 0.0, 0.52, 1.12,
+        0.0, 20.0, 133.0, 1500.0,
     ]  # fmt: skip
     assert [text.get_text() for text in drawn.texts] == [
-        "0.46, best", "AIC +20", "0.52, AIC +133", "1.12, AIC +1500",
+        "best, β 0.46", "+20", "+133, β 0.52", "+1500, β 1.12",
     ]  # fmt: skip
     with pytest.raises(InputError, match="no ranking"):
         plots.measure_efficiency(ranked(), axes())

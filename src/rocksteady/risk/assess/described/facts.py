@@ -8,7 +8,11 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
+from rocksteady.risk.assess.described.objects import (
+    DescribedObject,
+    bounds_of,
+    parameter_words,
+)
 from rocksteady.risk.assess.described.schema import Range
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import least_gravity_g, uplift_acceleration_g
@@ -191,7 +195,7 @@ def _warnings(described: DescribedObject, block: Block, slope: float) -> list[st
     if moved and shape.gyration_m is None and shape.inertia_kg_m2 is None:
         sentences.append(
             "The moment of inertia about the mass centre is that of the homogeneous rectangle of "
-            "this outline: give gyration_m or inertia_kg_m2 where it is known."
+            "this outline: give its radius of gyration or moment of inertia where it is known."
         )
     if given.content is not None:
         sentences.append(
@@ -203,11 +207,11 @@ def _warnings(described: DescribedObject, block: Block, slope: float) -> list[st
             f"A restitution of {number(given.restitution)} leaves almost all velocity after an "
             "impact: few tests of stone or timber found so much."
         )
-    keys = list(dict.fromkeys(variant.key for variant in described.variants()))
+    keys = dict.fromkeys(parameter_words(each.key) for each in described.variants())
     if keys:
         sentences.append(
-            f"Of the range of {' and '.join(keys)} the middle is taken; the worse end decides on "
-            "uplift and sliding."
+            f"Of the range of the {' and the '.join(keys)} the middle is taken; the worse end "
+            "decides on uplift and sliding."
         )
     if isinstance(given.restitution, Range):
         sentences.append("The lowest restitution of its range is the block's own.")

@@ -32,6 +32,23 @@ EXAMPLE = Path(__file__).with_name("example.toml")
 """The object of ``rocksteady assess --example``, of our own making."""
 
 
+def parameter_words(parameter: str) -> str:
+    """Return what was changed in words: of a key of the object's file its name without the unit.
+
+    Examples
+    --------
+    >>> parameter_words("geometry.mass_centre_height_m"), parameter_words("mass centre")
+    ('mass centre height', 'mass centre')
+    """
+    table, dot, key = parameter.rpartition(".")
+    if not dot:
+        return parameter
+    for unit in ("_kg_m2", "_rad_s", "_m_s2", "_m", "_kg", "_rad", "_deg"):
+        key = key.removesuffix(unit)
+    words = key.replace("_", " ")
+    return f"{table} {words}" if table == "content" else words
+
+
 @dataclass(frozen=True, kw_only=True)
 class Variant:
     """An object with one thing changed.

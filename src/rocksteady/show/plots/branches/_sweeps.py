@@ -10,7 +10,7 @@ from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.outcomes import AttractorKind
 from rocksteady.show.plots.branches.views import View
 from rocksteady.show.style.axes import lane_of, name_lane, runs
-from rocksteady.show.style.legends import line_scale
+from rocksteady.show.style.legends import figure_of, line_scale
 from rocksteady.show.style.tokens import HATCHES, Inks, inks_of
 
 if TYPE_CHECKING:
@@ -25,6 +25,8 @@ SIZE, CLOUD = 3.6, 1.5
 APERIODIC = "aperiodic"
 FATES = {"falls": AttractorKind.OVERTURNED, "rests": AttractorKind.REST}
 """The kind of attractor that each bar along the upper edge shows; one row per sweep."""
+ASIDE = 2.0
+"""Distance of the dots of a sweep from what they mean, up or down [points]."""
 NAMES_WIDTH = 24.0
 """Of the names of the rows, to the right of the axes [points]."""
 
@@ -63,26 +65,30 @@ def draw_sweeps(axes: "Axes", sweeps: Sequence[AttractorSweep], view: View) -> "
 def draw_dots(axes: "Axes", sweeps: Sequence[AttractorSweep], view: View) -> "dict[str, Artist]":
     """Draw what sweeps meet and return the entries of the legend by their labels."""
     from matplotlib.lines import Line2D
+    from matplotlib.transforms import ScaledTranslation
 
-    inks, scale = inks_of(axes), line_scale(axes)
+    inks, scale, figure = inks_of(axes), line_scale(axes), figure_of(axes)
     handles: dict[str, Artist] = {}
     for sweep in sweeps:
         way = _way(sweep)
         word, marker, role, _ = SWEEPS[way]
-        looks = {
-            word: {"marker": marker, "ms": SIZE, "color": getattr(inks, role)},
-            APERIODIC: {"marker": "o", "ms": CLOUD, "color": inks.aperiodic_line},
-        }
+        # Sweeps that meet the same motions stand apart, on both sides of its line.
+        aside = ScaledTranslation(0.0, way * ASIDE / 72.0, figure.dpi_scale_trans)
+        looks: dict[str, dict[str, Any]] = {
+            word: {"marker": marker, "ms": SIZE, "color": getattr(inks, role), "mfc": inks.paper,
+                   "mew": 0.7, "transform": axes.transData + aside},
+            APERIODIC: {"marker": "o", "ms": CLOUD, "color": inks.aperiodic_line, "mew": 0.0},
+        }  # fmt: skip
         for label, look in looks.items():
             chosen = [
                 (kind == AttractorKind.APERIODIC) == (label == APERIODIC) for kind in sweep.kinds
             ]
             places = dots_of(sweep, view, chosen)
             if len(places):
-                drawn = {**look, "mew": 0.0, "ls": "none"}
-                handles[label] = Line2D([], [], label=label, **{**drawn, "ms": SIZE})
-                drawn["ms"] = scale * look["ms"]
+                drawn = {**look, "ls": "none", "ms": scale * look["ms"]}
                 axes.plot(*places.T, zorder=2.0 - 0.1 * way, **drawn)
+                key = {**look, "ls": "none", "ms": SIZE, "transform": None}
+                handles[label] = Line2D([], [], label=label, **key)
     return handles
 
 

@@ -1,5 +1,6 @@
 """Plot of a cascade of period doublings: how the distances between them shrink."""
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +13,14 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.show.plots.branches import curve_labels
 from rocksteady.show.plots.branches._branch_lines import MARKS
 from rocksteady.show.style.layout import axes_or_new
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
+from rocksteady.show.style.legends import (
+    LETTER,
+    LegendPlace,
+    draw_legend,
+    place_of,
+    size_of,
+    text_size,
+)
 from rocksteady.show.style.scales import Scale, draw_far_axes, scale_of
 from rocksteady.show.style.tokens import DASHED, inks_of
 
@@ -21,6 +29,8 @@ if TYPE_CHECKING:
 
 FEIGENBAUM = 4.669201609102990
 """Limit of the ratios of distances between period doublings."""
+RATIO = 7
+"""Letters for which a ratio has room."""
 
 
 @checked
@@ -99,10 +109,16 @@ def plot_cascade(
         zorder=3.0,
     )
     axes.set_yscale("log")
+    margin = max(1.2, (float(sizes.max()) / float(sizes.min())) ** 0.05)
     axes.set_xlim(-0.3, len(sizes) - 0.5)
+    axes.set_ylim(float(sizes.min()) / margin, float(sizes.max()) * margin)
     size = text_size(axes, 8.0)
+    periods = [point.period for point in cascade.points]
+    names = [f"{period} → {2 * period}" for period in periods[:-1]]
+    each = size_of(axes)[0] / len(sizes)  # room for a name
     ratios = []
-    for place, ratio in enumerate(np.atleast_1d(cascade.ratios)[: len(sizes) - 1]):
+    for place in range(0, len(sizes) - 1, math.ceil(RATIO * LETTER * size / each)):
+        ratio = np.atleast_1d(cascade.ratios)[place]
         ratios.append((place + 0.5, float(np.sqrt(sizes[place] * sizes[place + 1]))))
         axes.annotate(
             f"{ratio:.3f}",
@@ -112,8 +128,8 @@ def plot_cascade(
             fontsize=size,
             color=inks.quiet,
         )
-    periods = [point.period for point in cascade.points]
-    axes.set_xticks(places, [f"{period} → {2 * period}" for period in periods[:-1]])
+    step = math.ceil(LETTER * size * (max(map(len, names)) + 1) / each)
+    axes.set_xticks(places[::step], names[::step])
     words = "distance to the next doubling"
     far = f"{words}, |Δ{symbol}|"
     unit = scale.label.partition("[")[2]

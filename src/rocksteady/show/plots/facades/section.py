@@ -175,7 +175,10 @@ def _labels_of(
     centre = (0.5 * thick, high / 3.0 if facade.kind == "gable" else 0.5 * high)
     axes.plot(*[[value] for value in centre], "o", ms=6.0, mfc=inks.paper, mec=inks.ink, zorder=4.5)
     weight = words.quantity(facade.weight_kn, "kN")
-    left.append((f"{words[facade.kind]}\n{weight}", centre[1], centre))
+    # The arrow of a mass leaves to the left, and its name stands there.
+    (right if facade.masses else left).append(
+        (f"{words[facade.kind]}\n{weight}", centre[1], centre)
+    )
     for load in facade.loads:
         tail = (load.x_m, load.z_m + reach)
         arrow(tail, (load.x_m, load.z_m))

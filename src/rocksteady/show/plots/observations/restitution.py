@@ -8,8 +8,8 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.free_rocking.restitution_fit import RestitutionFit
 from rocksteady.show.style.escaping import literal
-from rocksteady.show.style.layout import axes_or_new, plain_ticks
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.layout import axes_or_new, clear_place, plain_ticks
+from rocksteady.show.style.legends import LegendPlace, draw_legend
 from rocksteady.show.style.line_ends import LineEnd, name_line_ends
 from rocksteady.show.style.tokens import DASHED, DOUBT, MARKS, Inks, inks_of
 
@@ -42,7 +42,8 @@ def plot_restitution(
         each impact over the peak before it, with bars of one standard deviation of the measuring
         error, the fit, and a band of one standard deviation of the scatter.
     legend
-        "inside" the axes, to their "right", "below" them or "none"; inside by default.
+        "inside" the axes, to their "right", "below" them or "none"; by default in a free corner, or
+        below.
 
     Returns
     -------
@@ -68,12 +69,13 @@ def plot_restitution(
     if panel not in ("peaks", "impacts"):
         raise InputError("panel", panel, "there are two panels", 'give "peaks" or "impacts"')
     axes = axes_or_new(ax)
-    inks, place = inks_of(axes), place_of(axes, legend, "inside")
+    inks = inks_of(axes)
     if panel == "peaks":
         _draw_peaks(fit, axes, inks)
     else:
         _draw_impacts(fit, axes, inks)
-    draw_legend(axes, place, corner="lower left" if panel == "peaks" else "lower right")
+    place, corner = clear_place(axes, legend, axes.get_legend_handles_labels()[1])
+    draw_legend(axes, place, corner=corner)
     return axes
 
 
@@ -91,6 +93,7 @@ def _draw_peaks(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
             mec=inks.paper,
             mew=0.6,
             ls="none",
+            clip_on=False,
             zorder=3.0,
             label=literal(release.name) if series < MOST_NAMED else None,
         )

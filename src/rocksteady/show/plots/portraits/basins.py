@@ -181,6 +181,7 @@ def plot_erosion(
             color=colours[name],
             marker="os"[series] if len(a) <= 60 else "none",
             ms=3.0,
+            clip_on=False,
             label=label,
         )
     where = erosion.heteroclinic

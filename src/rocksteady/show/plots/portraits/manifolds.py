@@ -111,7 +111,8 @@ def plot_manifolds(
         points = _saddle_points(manifold) * factors
         if len(points):
             for colour, width in ((inks.paper, 3.2), (inks.ink, 1.4)):
-                axes.plot(*points.T, "x", ms=6.0, mew=width, color=colour, ls="none", zorder=4.2)
+                saddle: dict[str, Any] = {"ms": 6.0, "mew": width, "ls": "none", "zorder": 4.2}
+                axes.plot(*points.T, "x", color=colour, clip_on=given, **saddle)
     if given:
         axes.set(xlim=limits[0], ylim=limits[1])
     else:

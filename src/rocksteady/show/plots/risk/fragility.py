@@ -37,7 +37,8 @@ from rocksteady.show.style.legends import (
     size_of,
     text_size,
 )
-from rocksteady.show.style.tokens import DASHED, DOTTED, DOUBT, MARKS, Inks, inks_of
+from rocksteady.show.style.tokens import DOTTED, DOUBT, MARKS, Inks, inks_of
+from rocksteady.show.style.wording import state_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -50,6 +51,8 @@ NOT_RUN = 0.14
 """Opacity of the shade over intensities that were not run."""
 BEYOND = 1.35
 """Factor by which a picture goes beyond the intensities that were run."""
+FALLS = ("", OVERTURNED)
+"""Names of the state in which it falls."""
 EVENTS = {"uplift": ("lifting", "lift"), "overturned": ("falling", "fall")}
 """Words for damage states after "probability of" and after "half"."""
 HEIGHTS = (0.78, 0.7, 0.62, 0.54, 0.46, 0.38, 0.3, 0.22, 0.14)
@@ -61,6 +64,8 @@ NO_CURVE = {
 }
 """Legend entries of data without a curve."""
 NO_BREAK = "\N{NO-BREAK SPACE}"
+LEAST_LETTERS = 10
+"""Letters of a line of text beside the uplift limit, at least."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -152,7 +157,7 @@ def plot_fragility(
     if shown.plain is not shown.best:
         thin = {"color": inks.series("risk", 3)[2], "lw": 1.0 * size, "zorder": 2.6}
         handles += _draw_curve(axes, shown.plain, limits, _words(shown.plain, "one curve"), thin)
-    _draw_gate(axes, shown.best, limits, inks)
+    handles += _draw_gate(axes, shown.best, limits, inks)
     handles += _draw_beyond(axes, shown.best, limits, inks)
     draw_legend(axes, place, handles=handles, corner=_corner(shown, limits))
     event = EVENTS.get(shown.name, (shown.name, ""))[0]
@@ -204,10 +209,11 @@ def plot_fragility_states(
     limits = _prepare(axes, drawn)
     size = line_scale(axes)
     handles: list[Any] = []
-    # The worst state is the darkest.
-    for place_, (each, colour) in enumerate(
-        zip(drawn, reversed(inks.series("risk", len(drawn))), strict=True)
-    ):
+    # The worst state is the darkest, and a fall alone has the colour of risk.
+    colours = inks.series("motion", len(drawn))[::-1]
+    grid, earlier = _between(*limits), dict[str, Floats]()
+    for place_, each in enumerate(drawn):
+        colour = inks.risk if each.name in FALLS else colours[place_]
         mark = MARKS[place_ % len(MARKS)]
         # Worse states are thinner: the curve of one that never differs from the next is seen.
         width = max(1.0, 2.2 - 0.3 * place_) * size
@@ -215,8 +221,11 @@ def plot_fragility_states(
         at, shares, _ = _shares(each)
         dot: dict[str, Any] = {"mfc": inks.observed, "mec": inks.paper, "mew": 0.4}
         axes.plot(at, shares, mark, ls="none", ms=4.2 * size, zorder=2.9, **dot)
-        falls = "falls" if each.name == OVERTURNED else each.name
-        name = greek(marked(falls or "fragility", each.best.misfit))
+        name = greek(marked(state_words(each.name) or "fragility", each.best.misfit))
+        values = each.best.probability(grid)
+        same = [word for word, curve in earlier.items() if np.allclose(values, curve, atol=0.01)]
+        earlier[name] = values
+        name = ", as ".join([name, *same[:1]])
         lines = _draw_curve(axes, each.best, limits, name, style)
         lines[0].set(marker=mark, markevery=[], markersize=4.2 * size, **dot)
         handles += lines
@@ -364,7 +373,7 @@ def _draw_half(axes: "Axes", shown: Drawn, limits: tuple[float, float], inks: In
         return False
     axes.plot(
         [limits[0], median, median], [0.5, 0.5, -0.03],
-        color=inks.limit, lw=1.0, ls=DASHED, zorder=2.5,
+        color=inks.quiet, lw=0.8, zorder=2.5,
     )  # fmt: skip
     verb = EVENTS.get(shown.name, ("", "reach it" if shown.name else "fall"))[1]
     text = f"half {verb} at {number(median)}{_unit(curve)}"
@@ -455,28 +464,32 @@ def _name_beside(
     return True
 
 
-def _draw_gate(axes: "Axes", curve: Curve, limits: tuple[float, float], inks: Inks) -> None:
-    """Draw the uplift limit, or where uplift is no step its curve, with its name."""
+def _draw_gate(axes: "Axes", curve: Curve, limits: tuple[float, float], inks: Inks) -> list[Any]:
+    """Draw the uplift limit, or where uplift is no step its curve; return its entry if unnamed."""
     if not isinstance(curve, TwoStageCurve) or curve.uplift.status not in ("fitted", "separated"):
-        return
+        return []
     uplift = curve.uplift
     style: dict[str, Any] = {"color": inks.limit, "lw": 1.0, "ls": DOTTED, "zorder": 2.4}
     if uplift.step is not None:
-        axes.axvline(uplift.median, **style)
+        line = axes.axvline(uplift.median, **style)
         words, at = f"uplift {_between_words(uplift.step)}{_unit(curve)}", uplift.median
     else:
         across = _between(*limits)
         values = uplift.probability(across)
-        axes.plot(across, values, **style)
+        (line,) = axes.plot(across, values, **style)
         words, at = "uplift", float(across[np.argmax(values > 0.9)])
     # Nothing falls left of it.
     size = text_size(axes, 8.0)
-    letters = (_across(axes, at) * size_of(axes)[0] - 6.0) / (LETTER * size)
+    letters = int((_across(axes, at) * size_of(axes)[0] - 6.0) / (LETTER * size))
+    if letters < min(LEAST_LETTERS, len(words)):
+        line.set_label(words)
+        return [line]
     axes.annotate(
-        textwrap.fill(words.replace(NO_BREAK, " "), max(7, int(letters))), (at, 0.97), (-4.0, 0.0),
+        textwrap.fill(words.replace(NO_BREAK, " "), letters), (at, 0.97), (-4.0, 0.0),
         textcoords="offset points", ha="right", va="top", fontsize=size, color=inks.limit,
         zorder=3.6,
     )  # fmt: skip
+    return []
 
 
 def _bars(shown: Drawn) -> list[tuple[float, float, float]]:

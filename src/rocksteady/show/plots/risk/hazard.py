@@ -62,7 +62,13 @@ def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | Non
     at = np.clip(np.geomspace(low, high, BARS * POINTS), low, high)
     axes.set(xscale="log", yscale="log")
     (curve,) = axes.plot(
-        hazard.levels, hazard.rates, color=inks.base, marker=".", ms=5.0, label="hazard"
+        hazard.levels,
+        hazard.rates,
+        color=inks.base,
+        marker=".",
+        ms=5.0,
+        label="hazard",
+        clip_on=False,
     )
     beside = axes.twinx()
     (fragility,) = beside.plot(

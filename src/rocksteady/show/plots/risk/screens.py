@@ -67,8 +67,7 @@ def plot_screens(screens: Screens, ax: "Axes | None" = None) -> "Axes":
     axes = axes_or_new(ax)
     inks, small = inks_of(axes), text_size(axes, 8.0)
     lengths = [ratio for ratio, _ in rows]
-    fill = inks.rocks_ramp[1]
-    axes.barh(range(len(rows)), lengths, height=0.6, color=fill, ec=inks.edge, lw=0.6)
+    axes.barh(range(len(rows)), lengths, height=0.6, color=inks.edge, lw=0.0)
     for place, (ratio, row) in enumerate(rows):
         words = f"{number(ratio)}, {WORDS[row.passes]}"
         write_beside(axes, words, place, inks.ink, small, of_row=True)

@@ -9,6 +9,7 @@ import numpy as np
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
+from rocksteady.results.numbers import number
 from rocksteady.risk.fragility.efficiency import Efficiency
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.export.components import text_value
@@ -16,6 +17,7 @@ from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, name_rows
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
+from rocksteady.show.style.limits import name_above
 from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
@@ -27,9 +29,9 @@ LEAST_SCALE = 0.1
 
 @checked
 def plot_measure_efficiency(fragility: Fragility | Efficiency, ax: "Axes | None" = None) -> "Axes":
-    """Draw the beta of each measure of intensity, the most efficient on top.
+    """Draw how far each measure of intensity is behind the most efficient, which is on top.
 
-    A pair of measures has no beta, and no bar.
+    The shorter the bar, the better; a pair of measures has no beta.
 
     Parameters
     ----------
@@ -41,7 +43,7 @@ def plot_measure_efficiency(fragility: Fragility | Efficiency, ax: "Axes | None"
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: beta, with the difference of Akaike's criterion to the best measure beside it.
+        The axes: the difference of Akaike's criterion (AIC) to the best, with beta beside it.
 
     Raises
     ------
@@ -64,8 +66,7 @@ def plot_measure_efficiency(fragility: Fragility | Efficiency, ax: "Axes | None"
     """
     ranking = [fragility] if isinstance(fragility, Efficiency) else fragility.ranking
     rows = [each for each in ranking if math.isfinite(each.aic)]
-    betas = [each.beta if math.isfinite(each.beta) else 0.0 for each in rows]
-    if not rows or not max(betas) > 0.0:
+    if not any(each.beta > 0.0 for each in rows):
         raise InputError(
             "fragility",
             Words("has no ranking of measures"),
@@ -75,20 +76,21 @@ def plot_measure_efficiency(fragility: Fragility | Efficiency, ax: "Axes | None"
     axes = axes_or_new(ax)
     inks, small = inks_of(axes), text_size(axes, 8.0)
     best = min(each.aic for each in rows)
+    behind = [each.aic - best for each in rows]
     place = np.arange(len(rows))
-    axes.barh(place, betas, height=0.55, color=inks.edge, lw=0.0)
-    for at, (each, beta) in enumerate(zip(rows, betas, strict=True)):
-        behind = each.aic - best
-        words = "best" if behind == 0.0 else f"AIC +{behind:.0f}"
+    axes.barh(place, behind, height=0.55, color=inks.edge, lw=0.0)
+    for at, (each, more) in enumerate(zip(rows, behind, strict=True)):
+        words = f"+{more:.0f}" if more else "best"
+        words += f", β {each.beta:.2f}" if math.isfinite(each.beta) else ""
         axes.annotate(
-            f"{beta:.2f}, {words}" if beta else words, (beta, at), (4.0, 0.0),
+            words, (more, at), (4.0, 0.0),
             textcoords="offset points", va="center", fontsize=small, color=inks.ink,
         )  # fmt: skip
     names = [" and ".join(part.label for part in each.measure) for each in rows]
-    name_rows(axes, [greek(name) for name in names])
+    name_rows(axes, [greek(name) for name in names], bars=True)
     axes.set(
-        xlabel=r"standard deviation of ln(intensity)  $\beta$, of one curve",
-        xlim=(0.0, (1.0 + _share_of_text(axes, 15.0, sides=1)) * max(betas)),
+        xlabel="AIC above that of the best",
+        xlim=(0.0, (1.0 + _share_of_text(axes, 14.0, sides=1)) * (max(behind) or 1.0)),
     )
     return axes
 
@@ -109,7 +111,7 @@ def plot_tornado(
     rows
         Assumption, answer at its low end, and answer at its high end.
     base
-        Answer as assumed.
+        Answer as described, of which the line has the number.
     ax
         Axes to draw on; default: axes of a new figure.
     label
@@ -152,49 +154,45 @@ def plot_tornado(
     inks, place = inks_of(axes), place_of(axes, legend or "below", "below")
     ends = np.array([bar[1:] for bar in bars], dtype=np.float64) - middle
     rows_at = np.arange(len(bars))
-    # Where both ends lie on one side, the shorter bar stands before the longer one.
-    before = (np.sign(ends).prod(axis=1) > 0.0)[:, np.newaxis] & (
-        np.abs(ends) < np.abs(ends).max(axis=1, keepdims=True)
-    )
+    # Where both ends lie on one side, each has half of the height.
+    shared = np.sign(ends).prod(axis=1) > 0.0
+    lanes = rows_at[:, np.newaxis] + np.outer(shared, (-0.15, 0.15))
     handles = [
         axes.barh(
-            rows_at,
+            lanes[:, column],
             ends[:, column],
             left=middle,
-            height=np.where(before[:, column], 0.28, 0.56),
-            color=(inks.risk_ramp[1], inks.risk_ramp[3])[column],
+            height=np.where(shared, 0.28, 0.56),
+            color=(inks.paper, inks.edge)[column],
             edgecolor=inks.edge,
-            lw=0.5,
+            lw=0.8,
             label=f"assumption at its {word} end",
             zorder=2.5,
         )
         for column, word in enumerate(("low", "high"))
     ]
-    for place_ in np.flatnonzero(before.any(axis=1)).tolist():
-        column = int(before[place_].argmax())
-        handles[column].patches[place_].set_zorder(2.6)
     axes.axvline(middle, color=inks.ink, lw=1.0, zorder=3.0)
+    unit, digits = (" %", 2) if "%" in label else ("", 3)
+    name_above(axes, middle, f"as described, {number(middle, digits)}{unit}")
     small, longest = text_size(axes, 8.0), 0
-    for at, (low, high) in enumerate(ends.tolist()):
-        for side in (-1.0, 1.0):
-            end = max(side * low, side * high)
-            if end > 0.0:
-                text = f"{middle + side * end:.3g}"
-                longest = max(longest, len(text))
-                axes.annotate(
-                    text, (middle + side * end, at), (3.0 * side, 0.0),
-                    textcoords="offset points", ha="left" if side > 0.0 else "right",
-                    va="center", fontsize=small, color=inks.ink,
-                )  # fmt: skip
+    for row, column in np.argwhere(ends).tolist():
+        end = float(ends[row, column])
+        text = number(middle + end, digits)
+        longest = max(longest, len(text))
+        axes.annotate(
+            text, (middle + end, float(lanes[row, column])), (math.copysign(3.0, end), 0.0),
+            textcoords="offset points", ha="left" if end > 0.0 else "right",
+            va="center", fontsize=small, color=inks.ink,
+        )  # fmt: skip
     span = float(np.ptp([*ends.ravel(), 0.0])) or 0.1 * abs(middle) or 1.0
     names = [greek(palette.shortened(bar[0], 40)) for bar in bars]
     room = span * _share_of_text(axes, float(longest), sides=2)
     limits = (middle + min(0.0, ends.min()) - room, middle + max(0.0, ends.max()) + room)
-    whole = 100.0 if "%" in label else 1.0
+    whole = 100.0 if unit else 1.0
     if label.startswith("probability") and limits[1] > LEAST_SCALE * whole:
         # The whole scale: a small change is to look small.
         limits = (min(limits[0], -0.04 * whole), max(limits[1], 1.04 * whole))
-    name_rows(axes, names)
+    name_rows(axes, names, bars=True)
     axes.set(xlabel=greek(text_value("label", label)), xlim=limits)
     draw_legend(axes, place, handles=handles)
     return axes
