@@ -42,7 +42,7 @@ MAIN = "what amplitude frequency_ratio restitution order kind pulse record out c
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady certify orbit -A 2 -W 2 -r 0.8\n\n"
-    "rocksteady certify orbit -A 2 -W 2 -r 0.8 --number 1 --out orbit.json\n\n"
+    "rocksteady certify orbit -A 2 -W 2 -r 0.8 --number 1 --out one.json\n\n"
     "rocksteady certify point -A 1:2.7 -W 2 -r 0.8\n\n"
     "rocksteady certify fate --pulse one-sine -A 2 -W 2 -r 0.9\n\n"
     "rocksteady certify region -A 0.3:6 -W 1:8 -r 0.8 --plot region.png\n\n"
