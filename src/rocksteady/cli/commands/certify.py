@@ -229,7 +229,7 @@ def _region(
     out: Path | None,
 ) -> int:
     """Prove a region, write it and print it."""
-    from rocksteady.certify.region import certify_region
+    from rocksteady.certify.region import BITS, certify_region
 
     ranges = (
         _ends("--amplitude/-A", shaking.amplitude),
@@ -243,7 +243,10 @@ def _region(
     title = region.describe().headline.capitalize()
     output.write_plot(lambda page: page.panel(8.0, 4.6, title, plot_proved_region, region))
     further = "" if out is None else f"rocksteady certify --check {quoted(out)}"
-    output.leave("certify", region.describe(), follow_up=further)
+    description = region.describe()
+    after = {"proved": region.decided > 0.0, "claim": description.headline, "bits": BITS}
+    after["file"] = None if out is None else str(out)
+    output.leave("certify", description, after=after, follow_up=further)
     return 0
 
 
