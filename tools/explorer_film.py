@@ -188,7 +188,7 @@ def main(target: Path) -> None:
     if program is None:
         raise SystemExit("no Chromium is installed")
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        address = write_explorer(Path(folder) / "explorer.html").as_uri()
+        address = write_explorer(Path(folder) / "explorer.html").as_uri() + "#v=1&at=lab"
         browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
         page = browser.new_page(viewport={"width": SIZE[0], "height": SIZE[1]})
         page.add_init_script(CLOCK)

@@ -6,25 +6,46 @@ changed.
 """
 
 import contextlib
+import functools
 import html
+import inspect
 import io
+import runpy
 import sys
 from base64 import b64encode
 from collections.abc import Callable, Iterator
-from functools import partial
+from dataclasses import dataclass
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import matplotlib as mpl
 
+import rocksteady as rs
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.style import palette
 from rocksteady.show.style.page import Page
 from rocksteady.show.style.tokens import DARK, LIGHT, Inks, meanings
 from tests.public.calls import calls, close_pictures
-from tools.freeze.results import figures, room
+from tests.show.drawn_figures import makers
+from tools.freeze.results import FIGURES, room
 
 OUT = Path("out/gallery").absolute()
+EXAMPLES = Path(__file__).parents[1] / "examples"
+WHOLE = {
+    "calibration": "plot_test_ladders",
+    "back analysis": "plot_back_analysis",
+    "predictions": "plot_predictions",
+    "restitution_fit": "plot_restitution",
+    "facade check": "plot_facade_capacity",
+    "edge": "plot_edge_state",
+    "fates": "plot_fate_basins",
+    "curves": "plot_bifurcation_curves",
+    "scales": "plot_overturning_scales",
+    "kicks": "plot_fatal_kicks",
+}
+"""The plot that has the thing of a whole figure first among its arguments."""
 COLUMN = 84.0
 """Width of a column of a journal [mm]."""
 HEAD = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Every picture</title><style>
@@ -57,25 +78,70 @@ WIDE, PHONE = 1280, 390
 """Widths of a window and of a phone [px]."""
 
 
+@dataclass(frozen=True)
+class Asked:
+    """A plot that an example draws, to be drawn again on other paper."""
+
+    name: str
+    """Of the plot, and of the example."""
+    function: Callable[..., Any]
+    given: dict[str, Any]
+    """Its arguments, without the axes."""
+
+    def __call__(self, page: Page) -> Any:
+        """Return a figure of the plot for a page."""
+        with page.figure(6.4, 4.2, "") as figure:
+            self.function(**self.given, ax=figure.add_subplot())
+        return figure
+
+
+@cache
+def asked(folder: str = "") -> list[Asked]:
+    """Run the examples, or those of one folder, and return the plots that they draw."""
+    found: list[Asked] = []
+    script = EXAMPLES
+
+    def noted(function: Callable[..., Any]) -> Callable[..., Any]:
+        @functools.wraps(function)
+        def note(*arguments: Any, **options: Any) -> Any:
+            given = inspect.signature(function).bind(*arguments, **options).arguments
+            given.pop("ax", None)
+            count = sum(each.function is function for each in found) + 1
+            found.append(Asked(f"{function.__name__} {count}: {script.stem}", function, given))
+            return function(*arguments, **options)
+
+        return note
+
+    names = [name for name in rs.plots.__all__ if name != "animate"]
+    notes: dict[str, Any] = {name: noted(getattr(rs.plots, name)) for name in names}
+    with patch.multiple(rs.plots, **notes):
+        for script in sorted((EXAMPLES / folder).rglob("*.py")):
+            runpy.run_path(str(script))
+            close_pictures()
+    return found
+
+
 def pictures() -> Iterator[tuple[str, Callable[[Page], Any]]]:
-    """Yield the name of each picture, and what draws its figure for a page."""
-    for name, draw in figures().items():
-        yield name, partial(on_named, draw)
+    """Yield the name of each picture, and what draws its figure for a page.
+
+    Their data are those of the examples: of the plots, and of whole figures of the same things.
+    What no example draws has small data of its own.
+    """
+    for name, draw in makers().items():
+        yield name, draw
+    for name, draw in FIGURES.items():
+        yield name, partial(on_named, draw, next(e for e in asked() if WHOLE[name] in e.name))
+    yield from ((each.name, each) for each in asked())
+    drawn = {each.function for each in asked()}
     for label, call in calls().items():
-        if call.function.__module__.startswith("rocksteady.show.plots"):
-            yield label, partial(on_page, call)
+        plots = call.function.__module__.startswith("rocksteady.show.plots")
+        if plots and call.function not in drawn:
+            yield label, Asked(label, call.function, call.arguments)
 
 
-def on_named(draw: Callable[..., Any], page: Page) -> Any:
-    """Return a whole figure for a page."""
-    return draw(page=page)
-
-
-def on_page(call: Any, page: Page) -> Any:
-    """Return the figure of a plot on new axes for a page."""
-    with page.figure(6.4, 4.2, "") as figure:
-        call(ax=figure.add_subplot())
-    return figure
+def on_named(draw: Callable[..., Any], of: Asked, page: Page) -> Any:
+    """Return a whole figure of the thing that an example plots."""
+    return draw(next(iter(of.given.values())), page=page)
 
 
 def shown(draw: Callable[[Page], Any]) -> Iterator[str]:

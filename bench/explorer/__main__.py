@@ -7,6 +7,7 @@ it.
 import gzip
 import json
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -14,10 +15,21 @@ from pytest_benchmark.plugin import pytest_benchmark_generate_machine_info
 from rich.console import Console
 from rich.table import Table
 
-from bench.explorer.session import DRAG, MAP_OF, REFINED, chromium, opened
+from bench.explorer.session import (
+    DRAG,
+    LANDING,
+    MAP,
+    MAP_OF,
+    REFINED,
+    STAGE,
+    chromium,
+    opened,
+)
 from bench.report import EXPLORER, ROOT, machine_line, write_section
 from rocksteady import write_explorer
 from rocksteady.explorer.module import page_module
+from rocksteady.explorer.view import PLACES
+from rocksteady.export import ExplorerView
 
 OPENINGS = 11
 EVENTS = 200
@@ -25,7 +37,9 @@ DRAGS = 3
 INTRODUCTION = """\
 Written by `make bench-explorer`; do not edit. The page of `rocksteady explore` without ground
 motions, in Chromium {version} without a graphics card, 1440 x 900 pixels. *First picture*: from the
-request of the file until all panels of the first view have been drawn, each time in a new profile.
+request of the file until the block is drawn, or all panels of the laboratory, each time in a new
+profile. *From hand to block*: what an event of the hand and the frame after it take together on
+the main thread, the march of the kernels included; 200 events, 3 times.
 *Drag*: {events} events over the map, one a frame, {drags} times: *work* is what handler and frame
 take together on the main thread, computing and drawing of all panels; *next frame* ends with the
 frame after the event. *Coarse map*: from a zoom until there is a cell for each 8 x 8 pixels; *whole
@@ -56,6 +70,14 @@ def measured(file: Path) -> dict[str, Any]:
         "module": len(module),
         "module_packed": len(gzip.compress(module, 9)),
     }
+    with TemporaryDirectory() as folder:
+        sizes = [
+            write_explorer(Path(folder, "scene.html"), ExplorerView(scene=scene), embed=True)
+            .stat()
+            .st_size
+            for scene in PLACES[:-1]
+        ]
+    data |= {"scene": max(sizes), "scene_median": sorted(sizes)[len(sizes) // 2]}
     with chromium() as browser:
         data["version"] = browser.version
         firsts, opening, later, work, following, refined = [], [], [], [], [], []
@@ -69,17 +91,29 @@ def measured(file: Path) -> dict[str, Any]:
             view, _ = opened(browser, file, reduced_motion="reduce")
             view.wait_for_timeout(5000.0)
             view.evaluate("window.long_.length = 0")
-            drag = view.evaluate(DRAG, EVENTS)
+            drag = view.evaluate(DRAG, [MAP, EVENTS])
             work += drag["work"]
             following += drag["next"]
             refined.append(view.evaluate(REFINED))
             later.append(longest(view.evaluate("window.long_")))
+            view.context.close()
+        blocks, landing, hand = [], [], []
+        for _ in range(OPENINGS):
+            view, first = opened(browser, file, LANDING, reduced_motion="reduce")
+            view.wait_for_timeout(1500.0)
+            blocks.append(first)
+            if len(blocks) <= DRAGS:
+                hand += view.evaluate(DRAG, [STAGE, EVENTS])["work"]
+            landing.append(longest(view.evaluate("window.long_")))
             view.context.close()
         view, _ = opened(browser, file, reduced_motion="reduce")
         view.wait_for_timeout(5000.0)
         data["map_128"] = view.evaluate(MAP_OF, [128, 16])
     return data | {
         "first": firsts,
+        "first_block": blocks,
+        "hand": hand,
+        "long_landing": landing,
         "work": work,
         "next": following,
         "coarse": [each["coarse"] for each in refined],
@@ -108,11 +142,16 @@ def lines(data: dict[str, Any]) -> list[tuple[str, str, str, str]]:
         return what, f"{data[name] / 1000.0:.0f} kB", "", aim
 
     return [
-        sized("the page", "bytes", "450 kB"),
-        sized("the page, packed", "packed", "200 kB"),
+        sized("the page", "bytes", "500 kB"),
+        sized("the page, packed", "packed", "230 kB"),
+        sized("a scene alone, its largest", "scene", "220 kB"),
+        sized("a scene alone, the median", "scene_median", "150 kB"),
         sized("its kernels", "module", ""),
         sized("its kernels, packed", "module_packed", ""),
-        timed("first picture", "first", "600 ms"),
+        timed("first picture, the block", "first_block", "500 ms"),
+        timed("from hand to block, work", "hand", "95 %: 16 ms"),
+        timed("longest task, the block", "long_landing", "50 ms"),
+        timed("first picture, laboratory", "first", "600 ms"),
         timed("drag, work", "work", "95 %: 8 ms"),
         timed("drag, next frame", "next", "95 %: 33 ms"),
         timed("coarse map", "coarse", "100 ms"),

@@ -16,6 +16,11 @@ CLOCKS = """
   window.frames_ = [];
   window.long_ = [];
   document.addEventListener('settled', () => { window.settled_ ??= performance.now(); });
+  const fill = CanvasRenderingContext2D.prototype.fillText;
+  CanvasRenderingContext2D.prototype.fillText = function (...given) {
+    if (this.canvas.id === 'stage') window.block_ ??= performance.now();
+    fill.apply(this, given);
+  };
   const plain = window.requestAnimationFrame.bind(window);
   window.plainFrame = plain;
   window.requestAnimationFrame = callback => plain(moment => {
@@ -27,9 +32,17 @@ CLOCKS = """
     ({ startTime, duration }) => ({ startTime, duration })))).observe(
       { type: 'longtask', buffered: true });
 """
-FIRST_PICTURE = "() => window.settled_ ?? null"
-DRAG = """async events => {
-  const canvas = document.querySelector("[data-panel='map'] canvas");
+LABORATORY, LANDING = "#v=1&at=lab", ""
+"""Ends of the page's address."""
+FIRST_PICTURE = {
+    LABORATORY: "() => window.settled_ ?? null",
+    LANDING: "() => document.documentElement.dataset.ready && (window.block_ ?? null)",
+}
+"""When the first picture is there, by what is opened."""
+MAP, STAGE = "[data-panel='map'] canvas", "#stage"
+"""What is dragged."""
+DRAG = """async ([name, events]) => {
+  const canvas = document.querySelector(name);
   const { left, top, width, height } = canvas.getBoundingClientRect();
   const send = (type, x, y) => canvas.dispatchEvent(new PointerEvent(type, {
     pointerId: 1, pointerType: 'mouse', bubbles: true, cancelable: true, isPrimary: true,
@@ -137,11 +150,11 @@ def chromium() -> Iterator[Browser]:
         browser.close()
 
 
-def opened(browser: Browser, file: Path, **how: Any) -> tuple[Page, float]:
+def opened(browser: Browser, file: Path, where: str = LABORATORY, **how: Any) -> tuple[Page, float]:
     """Return the page in a new context, and after how many milliseconds it has its picture."""
     page = browser.new_context(viewport=SIZE, **how).new_page()
     page.add_init_script(CLOCKS)
-    page.goto(file.as_uri())
-    while (first := page.evaluate(FIRST_PICTURE)) is None:
+    page.goto(file.as_uri() + where)
+    while (first := page.evaluate(FIRST_PICTURE[where])) is None:
         page.wait_for_timeout(10.0)
     return page, first

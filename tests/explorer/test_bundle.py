@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady.explorer._bundle import ENTRY, PARTS, PartError, joined, script
+from rocksteady.explorer._program import NAMES, entry_of
 from tests.every import every
 from tools.aot.replay.wasm import node
 
@@ -26,7 +27,8 @@ def test_a_module_stands_after_those_that_it_imports() -> None:
 
 
 def test_every_module_but_those_of_types_is_joined() -> None:
-    assert set(joined(ENTRY)) == set(PARTS.rglob("*.mjs"))
+    modules = {path for scene in NAMES for path in joined(entry_of(scene))}
+    assert modules == set(PARTS.rglob("*.mjs"))
 
 
 def test_the_script_has_no_imports_no_exports_and_begins_by_itself() -> None:

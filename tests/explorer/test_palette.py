@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady.dynamics.maps.cell_classes import CellClass
 from rocksteady.explorer._bundle import PARTS
+from rocksteady.explorer._page import SHEETS
 from rocksteady.explorer._palette import page_theme, style_variables
 from rocksteady.outcomes import Status
 from rocksteady.show.style.tokens import DARK, LIGHT, Inks, contrast
@@ -14,6 +15,10 @@ from rocksteady.show.style.tokens import DARK, LIGHT, Inks, contrast
 BOTH = pytest.mark.parametrize(("look", "inks"), [("light", LIGHT), ("dark", DARK)])
 OF_THE_PEN = {"draw/svg.mjs"}
 """Modules whose colours are what a canvas begins with."""
+
+
+def sheets() -> str:
+    return "".join((PARTS / name).read_text("utf-8") for name in SHEETS)
 
 
 @BOTH
@@ -35,7 +40,7 @@ def test_variables_of_the_style_are_roles(look: str, inks: Inks) -> None:
         for each in fields(Inks)
         if isinstance(getattr(inks, each.name), str)
     }
-    used = set(re.findall(r"var\(--([\w-]+)\)", (PARTS / "style.css").read_text("utf-8")))
+    used = set(re.findall(r"var\(--([\w-]+)\)", sheets()))
     assert used
     assert used <= set(declared)
     assert f"color-scheme: {look};" in rule
@@ -52,7 +57,7 @@ def test_texts_and_edges_stand_out_from_what_lies_beneath(look: str, inks: Inks)
 
 
 def test_what_may_be_touched_has_no_hue() -> None:
-    rules = re.findall(r"([^{}]+)\{([^{}]+)\}", (PARTS / "style.css").read_text("utf-8"))
+    rules = re.findall(r"([^{}]+)\{([^{}]+)\}", sheets())
     hues = {"rocks", "motion", "base", "impact", "risk", "symmetric"}
     for selector, declarations in rules:
         if re.search(r"button|tab|:focus|input|select|summary", selector):

@@ -191,3 +191,15 @@ def test_what_the_page_cannot_show_is_refused(given: dict[str, Any], name: str) 
         ExplorerView(**given)
     assert error.value.name == name
     assert re.fullmatch(r"[^\n]+", str(error.value))
+
+
+def test_a_view_of_nothing_opens_with_the_block_to_push_and_any_other_in_the_laboratory() -> None:
+    def place(view: ExplorerView, *, on_records: bool = False) -> str:
+        return state_of(view, on_records=on_records)["at"]
+
+    assert place(ExplorerView()) == place(ExplorerView(start=Rest())) == "push"
+    assert place(ExplorerView(scene="order")) == "order"
+    assert place(ExplorerView(tab="explore")) == place(ExplorerView(scale=2.0)) == "lab"
+    assert place(ExplorerView(), on_records=True) == "lab"
+    with pytest.raises(InputError, match="scene"):
+        ExplorerView(scene="fell")

@@ -12,6 +12,7 @@ from rocksteady import Harmonic, Record, write_explorer
 from rocksteady.errors import InputError, MissingKernelsError, OutputError
 from rocksteady.explorer import _motions, write
 from rocksteady.explorer._motions import motions_of
+from rocksteady.explorer._program import SCENES
 from rocksteady.explorer.module import page_module
 from rocksteady.export import ExplorerView
 from rocksteady.records import Recording
@@ -152,3 +153,37 @@ def test_a_recording_is_not_replaced_by_its_page(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match="this file is read"):
         write.write_explorer(tmp_path / ".." / tmp_path.name / "quake.html", records=[recording])
     assert file.read_text(encoding="utf-8") == "a record"
+
+
+@every("scene", SCENES)
+def test_a_scene_alone_is_small_and_holds_its_words_and_kernels(
+    scene: str, module: Path, tmp_path: Path
+) -> None:
+    file = write_explorer(tmp_path / "scene.html", ExplorerView(scene=scene), embed=True)
+    page = Reader(file.read_text(encoding="utf-8"))
+    kernels = gzip.decompress(b64decode(page.texts["kernels"]))
+    assert kernels.startswith(b"\0asm")
+    assert len(kernels) < 0.95 * len(module.read_bytes())
+    assert json.loads(page.texts["first-view"]) == {"at": scene}
+    (policy,) = (each["content"] for _, each in page.found if "http-equiv" in each)
+    assert policy is not None
+    assert policy.startswith("default-src 'none'; script-src 'sha256-")
+    rest = file.stat().st_size - len(page.texts["program"])
+    assert rest + 40_000 <= (220_000 if scene in ("fates", "order") else 150_000)
+
+
+def test_what_is_embedded_is_one_scene_and_says_nothing_else(tmp_path: Path) -> None:
+    for view, records in (
+        (ExplorerView(), None),
+        (ExplorerView(scene="lab"), None),
+        (ExplorerView(scene="fall", tab="pulse"), None),
+        (ExplorerView(scene="fall"), [record()]),
+    ):
+        with pytest.raises(InputError, match="embed"):
+            write_explorer(tmp_path / "scene.html", view, records=records, embed=True)
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_scenes_of_python_are_those_of_the_page(in_node: InNode) -> None:
+    lines = "answer((await import(parts('shell/state.mjs'))).STORY);"
+    assert in_node(lines) == list(SCENES)

@@ -56,7 +56,7 @@ from rocksteady.show.style.page import Page
 BARE = DimensionlessBlock(restitution=0.8)
 BLOCK = Block.rectangle(width=0.4, height=1.6)
 SHAKING = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-TITLE = "a title of some length, with A = 2, Ω = 4, restitution 0.8 and what else it names"
+TITLE = "block 0.4 m by 1.6 m, A = 2, Ω = 4, restitution 0.8, linear model, 12 cycles from rest"
 
 
 def shock(name: str = "", scale: float = 1.0) -> Record:
@@ -129,7 +129,8 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
     ]
     around = compute_region_map(np.linspace(0.1, 14.0, 300), 0.8)
     steady = [
-        (f"branch {n}: some words on it", compute_steady_orbit(2, 4, 0.8, branch=n)) for n in (1, 2)
+        (f"branch {n}: {kind}", compute_steady_orbit(2, 4, 0.8, branch=n))
+        for n, kind in ((1, "out-of-phase, stable"), (2, "not admissible"))
     ]
     cells = compute_basins(
         BARE, SHAKING, angles=np.linspace(-1, 1, 40), velocities=np.linspace(-1, 1, 40)

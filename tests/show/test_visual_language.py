@@ -35,7 +35,7 @@ MEANS = {
     ("area", "risk_ramp"): "|predicted",
     ("line", "base"): "hazard|horizontal|vertical|.* spectrum",
     ("line", "risk"): "probability of falling|falls|one curve median|",
-    ("band", "risk"): "middle of the risk|rate of falling by intensity",
+    ("band", "risk"): "middle of the risk|rate of falling by intensity not to scale",
     ("dot", "impact"): "impacts?|after an impact",
     ("dot", "observed"): "fell|share .*|release|rests|saddle.*|chosen|stable|falls to .*",
     ("line", "motion"): "capacity a d|mean|not identified|score band|stable manifold|integrity .*"
@@ -109,7 +109,10 @@ def test_a_word_has_one_look() -> None:
     for each in seen():
         if re.search("[a-z]{3}", each.word) and each.mark != "text":
             role = "" if each.word in SHAPES else "/".join(sorted(names().get(each.colour, ())))
-            looks[each.word, each.mark].add(f"{role} {each.hatch if role else ''}")
+            look = each.hatch if role else ""
+            if each.word.endswith((" stable", " unstable")):  # triangles for sides, else dots
+                look = "hollow" if "hollow" in look else "filled"
+            looks[each.word, each.mark].add(f"{role} {look}")
     many = {word: found for word, found in looks.items() if len(found) > 1}
     assert many == {}
 

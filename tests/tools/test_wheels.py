@@ -30,7 +30,7 @@ from tools.wheels.first_start import sizes, wheel_of_this_machine
 from tools.wheels.needs import faults
 from tools.wheels.platforms import PLATFORMS, PURE, Platform
 
-BESIDE = (NAME, program.NAME)
+BESIDE = (NAME, *program.NAMES.values())
 """What every wheel has of the explorer, beside the libraries."""
 SQUARE = "double g(double x) { return x * x; }"
 KERNELS = SQUARE + "".join(f"int rs_{name}(void) {{ return 0; }}" for name in ENTRIES)
@@ -60,7 +60,9 @@ def libraries(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Every library of every wheel, small ones, and what is made for the explorer."""
     folder = tmp_path_factory.mktemp("libraries")
     (folder / NAME).write_bytes(BEGINS + sources_hash().encode())
-    (folder / program.NAME).write_text(f"{program.heading(script())}start();", "utf-8")
+    for scene, name in program.NAMES.items():
+        heading = program.heading(script(program.entry_of(scene)))
+        (folder / name).write_text(f"{heading}start();", "utf-8")
     for file in programs(folder):
         file.write_text(f"// rocksteady kernels {sources_hash()}\n.version 7.0\n", "ascii")
     for platform in PLATFORMS:

@@ -89,13 +89,17 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
         other sources, if systems to which the tag belongs could not load a library, or if the wheel
         is too large.
     """
-    page, short = libraries / module.NAME, libraries / program.NAME
+    page = libraries / module.NAME
+    scripts = {scene: libraries / name for scene, name in program.NAMES.items()}
     compiled = platform.libraries(libraries)
     wrong = list(filter(None, [module.fault(page)]))
-    if not short.is_file():
-        wrong.append(f"{short} is missing")
-    elif not short.read_text("utf-8").startswith(program.heading(script())):
-        wrong.append(f"{short} was made from other parts")
+    for scene, short in scripts.items():
+        if not short.is_file():
+            wrong.append(f"{short} is missing")
+        elif not short.read_text("utf-8").startswith(
+            program.heading(script(program.entry_of(scene)))
+        ):
+            wrong.append(f"{short} was made from other parts")
     for file in compiled:
         found = faults(file, platform.tag, list(ENTRIES)) if file.is_file() else ["it is missing"]
         wrong += [f"{file} does not fit {platform.tag}: {fault}" for fault in found]
@@ -104,7 +108,7 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     asked = f"{PROGRAMS} == {__version__}; sys_platform != 'darwin'"
     config["project"]["optional-dependencies"]["gpu"].append(asked)
     config["tool"]["hatch"]["build"]["targets"]["wheel"]["exclude"] = PARTS
-    return _Builder(config, platform, [*compiled, page, short], INSIDE).made(out, wrong)
+    return _Builder(config, platform, [*compiled, page, *scripts.values()], INSIDE).made(out, wrong)
 
 
 def programs(folder: Path) -> list[Path]:

@@ -14,7 +14,9 @@ from rocksteady.explorer._bundle import PARTS
 from rocksteady.explorer._palette import page_theme, style_variables
 from rocksteady.explorer._program import program
 from rocksteady.explorer._still import still_picture
+from rocksteady.explorer._trim import trimmed
 
+SHEETS = ("base.css", "style.css", "story.css")
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
 
 
@@ -44,25 +46,78 @@ def document(
         If a part of the page breaks a rule that joining depends on.
     """
     code = program()
-    style = style_variables() + (PARTS / "style.css").read_text(encoding="utf-8")
-    policy = (
-        f"default-src 'none'; script-src {_hash(code)} 'wasm-unsafe-eval'; "
-        f"style-src {_hash(style)}; worker-src blob:; img-src data: blob:; "
-        "base-uri 'none'; form-action 'none'"
-    )
+    style = _style(*SHEETS)
     slots = {
-        "csp": html.escape(policy),
+        "csp": html.escape(_policy(code, style)),
         "style": style,
         "still": still_picture(),
         "version": html.escape(__version__),
         "palette": _block(page_theme()),
         "view": _block(dict(state)),
         "motions": _block([dict(motion) for motion in motions]),
-        "kernels": base64.b64encode(gzip.compress(module, 9, mtime=0)).decode("ascii"),
+        "kernels": _packed(module),
         "program": code,
     }
     template = (PARTS / "index.html").read_text(encoding="utf-8")
     return _SLOT.sub(lambda slot: slots[slot[1]], template)
+
+
+def scene_document(scene: str, *, module: bytes) -> str:
+    """Return a scene of the page alone, with the kernels that it needs and no others.
+
+    Parameters
+    ----------
+    scene
+        One of `SCENES`.
+    module
+        The kernels as WebAssembly.
+
+    Returns
+    -------
+    str
+        HTML under the policy of the page.
+    """
+    code = program(scene)
+    words = (PARTS / "index.html").read_text(encoding="utf-8")
+    section = re.search(rf'<section[^>]* data-at="{scene}".*?</section>', words, re.DOTALL)
+    assert section is not None
+    (heading,) = re.findall(r"<h[12][^>]*>(.*?)</h[12]>", section[0])
+    style = _style("base.css", "story.css")
+    names = frozenset(re.findall(r"\.(\w+)\(", code)) | {
+        f"fill_{name}" for name in re.findall(r"[\"'](\w+)[\"']", code)
+    }
+    slots = {
+        "csp": html.escape(_policy(code, style)),
+        "style": style,
+        "title": heading,
+        "scene": section[0],
+        "palette": _block(page_theme()),
+        "view": _block({"at": scene}),
+        "kernels": _packed(trimmed(module, names)),
+        "program": code,
+    }
+    template = (PARTS / "embed.html").read_text(encoding="utf-8")
+    return _SLOT.sub(lambda slot: slots[slot[1]], template)
+
+
+def _style(*names: str) -> str:
+    """Return the colours of both themes and some sheets."""
+    sheets = [(PARTS / name).read_text(encoding="utf-8") for name in names]
+    return style_variables() + "".join(sheets)
+
+
+def _policy(code: str, style: str) -> str:
+    """Return the policy of a page that runs its own script and style, and asks no server."""
+    return (
+        f"default-src 'none'; script-src {_hash(code)} 'wasm-unsafe-eval'; "
+        f"style-src {_hash(style)}; worker-src blob:; img-src data: blob:; "
+        "base-uri 'none'; form-action 'none'"
+    )
+
+
+def _packed(module: bytes) -> str:
+    """Return a module as base64 of gzip."""
+    return base64.b64encode(gzip.compress(module, 9, mtime=0)).decode("ascii")
 
 
 def _hash(text: str) -> str:

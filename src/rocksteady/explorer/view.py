@@ -6,6 +6,7 @@ from typing import Final
 
 from rocksteady.dynamics.history.start import HasStart, ImpactState, Rest, Start, Steady, start_of
 from rocksteady.errors import InputError, ModelError
+from rocksteady.explorer._program import SCENES
 from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -15,6 +16,7 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import TOLERANCE, Model, Nonlinear, slender_block
 from rocksteady.model.motions.segments import Harmonic
 
+PLACES: Final = (*SCENES, "lab")
 TABS: Final = ("explore", "basins", "pulse", "quake", "design")
 LIMITS: Final = {
     "amplitude": (0.0, 1000.0),
@@ -57,11 +59,15 @@ class ExplorerView:
         motions are put in, else "explore".
     scale
         Factor of the ground motion that is shown first, from 0.01 to 100; default 1.
+    scene
+        Where the page opens: "push" (a block on the ground), "swing", "size", "fall", "fates",
+        "order" or "quake" (the six scenes), or "lab", the laboratory with the tabs; None (default)
+        for "lab" where anything else is given, else "push".
 
     Raises
     ------
     InputError
-        If a number is outside what the page takes, or there is no such tab.
+        If a number is outside what the page takes, or there is no such tab or scene.
     ModelError
         If the page has no such block, start, phase or tolerance.
 
@@ -78,12 +84,17 @@ class ExplorerView:
     model: Model | None = None
     tab: str | None = None
     scale: float = 1.0
+    scene: str | None = None
 
     def __post_init__(self) -> None:
         """Validate."""
         _within("scale", self.scale, "give a factor, as 1.5")
         if self.tab is not None and self.tab not in TABS:
             raise InputError("tab", self.tab, f"it must be one of {', '.join(TABS)}", "choose one")
+        if self.scene is not None and self.scene not in PLACES:
+            raise InputError(
+                "scene", self.scene, f"it must be one of {', '.join(PLACES)}", "choose one"
+            )
         if self.motion is not None:
             _check_motion(self.motion)
         if self.block is not None:
@@ -106,6 +117,7 @@ def state_of(view: ExplorerView, *, on_records: bool) -> dict[str, str]:
     sized = not isinstance(view.block, DimensionlessBlock)
     nonlinear = on_records and sized if view.model is None else view.model.name == "nonlinear"
     state = {
+        "at": view.scene or ("push" if is_plain(view) and not on_records else "lab"),
         "tab": view.tab or ("quake" if on_records else "explore"),
         "model": "nonlinear" if nonlinear else "linear",
         "start": _start_text(view.start),
@@ -119,6 +131,12 @@ def state_of(view: ExplorerView, *, on_records: bool) -> dict[str, str]:
     if view.scale != 1.0:
         state["scale"] = _text(view.scale)
     return state
+
+
+def is_plain(view: ExplorerView) -> bool:
+    """Return whether a view gives nothing that the laboratory alone shows."""
+    nothing = (view.block, view.motion, view.model, view.tab) == (None, None, None, None)
+    return nothing and view.scale == 1.0 and _start_text(view.start) == "rest"
 
 
 def _motion_state(motion: Harmonic) -> dict[str, str]:

@@ -3,11 +3,12 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from rocksteady.errors import OutputError
+from rocksteady.errors import InputError, OutputError, Words
 from rocksteady.explorer._motions import motions_of
-from rocksteady.explorer._page import document
+from rocksteady.explorer._page import document, scene_document
+from rocksteady.explorer._program import SCENES
 from rocksteady.explorer.module import page_module
-from rocksteady.explorer.view import ExplorerView, state_of
+from rocksteady.explorer.view import ExplorerView, is_plain, state_of
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.record import Record
 from rocksteady.records.core.recording import Recording
@@ -23,6 +24,7 @@ def write_explorer(
     view: ExplorerView | None = None,
     *,
     records: Sequence[Record | Recording] | None = None,
+    embed: bool = False,
 ) -> Path:
     """Write the explorer, a page that computes while it is touched, into one HTML file.
 
@@ -37,6 +39,9 @@ def write_explorer(
         What it shows first; default a block that rocks under harmonic shaking.
     records
         Ground motions for its earthquake tab, 30 MB at most; none by default.
+    embed
+        Whether the file holds one scene alone, that of the view, small enough to stand in a frame
+        of another page; default False.
 
     Returns
     -------
@@ -48,7 +53,7 @@ def write_explorer(
     MissingKernelsError
         If this installation has no WebAssembly module of its kernels.
     InputError
-        If the records are too large.
+        If the records are too large, or what is embedded is no scene alone.
     OutputError
         If the file has another ending, is one of the records, or cannot be written.
 
@@ -67,11 +72,37 @@ def write_explorer(
     file = Path(path)
     check_ending("path", file)
     refuse_read("path", file, [each.path for each in records or () if isinstance(each, Recording)])
-    motions = motions_of(records or ())
-    state = state_of(view or ExplorerView(), on_records=bool(motions))
-    text = document(state=state, motions=motions, module=page_module().read_bytes())
+    shown = view or ExplorerView()
+    if embed:
+        text = scene_document(scene_alone(shown, records), module=page_module().read_bytes())
+    else:
+        motions = motions_of(records or ())
+        state = state_of(shown, on_records=bool(motions))
+        text = document(state=state, motions=motions, module=page_module().read_bytes())
     save_text("path", file, text)
     return file.absolute()
+
+
+def scene_alone(view: ExplorerView, records: Sequence[Record | Recording] | None) -> str:
+    """Return the scene of a view that holds nothing else.
+
+    Raises
+    ------
+    InputError
+        If there is none, or a scene takes none of what else is given.
+    """
+    if view.scene not in SCENES:
+        raise InputError(
+            "embed",
+            Words("True without a scene") if view.scene is None else view.scene,
+            f"one scene stands alone: {', '.join(SCENES)}",
+            "give the view a scene, or leave embed out",
+        )
+    if records or not is_plain(view):
+        raise InputError(
+            "embed", True, "a scene has its own blocks and motions", "leave the others out"
+        )
+    return view.scene
 
 
 def check_ending(name: str, file: Path) -> None:

@@ -118,9 +118,9 @@ class Explorer:
 
 
 def fragment(state: Mapping[str, object] | str) -> str:
-    """Return the fragment of a state."""
+    """Return the fragment of a state; the laboratory's where nothing is given."""
     if isinstance(state, str):
-        return state
+        return state or "#v=1&at=lab"
     return "#v=1" + "".join(f"&{name}={quote(str(value))}" for name, value in state.items())
 
 

@@ -8,8 +8,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rocksteady import Block, DimensionlessBlock, Pulse, simulate
+from rocksteady.show.style.layout import plain_ticks
 from rocksteady.show.style.palette import LABELS
 from rocksteady.show.style.scales import draw_far_axes, scale_of
+from tests.every import every
 
 BLOCK = Block.rectangle(width=0.4, height=2.0)
 
@@ -74,3 +76,27 @@ def test_blocks_that_share_axes_have_the_scales_alone_that_they_share() -> None:
     assert shown == {LABELS["pt"]: False, LABELS["angle"]: True}
     for (low, high), (least, most) in zip((axes.get_xlim(), axes.get_ylim()), limits, strict=True):
         assert low <= least < most <= high
+
+
+@every(
+    ("low", "high", "width"),
+    [
+        (1.0, 1.2, 3.3),
+        (0.45, 1.7, 3.3),
+        (1.0, 3.0, 8.0),
+        (0.02, 2.0, 3.3),
+        (1e-5, 0.2, 8.0),
+        (3.0, 4e5, 3.3),
+    ],
+)
+def test_a_logarithmic_axis_has_two_labels_or_more_and_none_in_letters(
+    low: float, high: float, width: float
+) -> None:
+    axes = Figure(figsize=(width, 3.0)).add_subplot(xscale="log", xlim=(low, high))
+    plain_ticks(axes)
+    places = zip(axes.get_xticks(), axes.get_xticklabels(), strict=True)
+    labels = [text.get_text() for at, text in places if low <= at <= high and text.get_text()]
+    assert len(labels) >= 2
+    assert not any(part in label for label in labels for part in ("e-", "e+"))
+    plain = [label for label in labels if "$" not in label]
+    assert plain in ([], labels), "all of one kind"

@@ -212,7 +212,11 @@ def _fit_of(annotation: Any, names: Mapping[str, Any], numbers: bool) -> Fit | N
     """Return the check of an annotation; None where everything passes."""
     if isinstance(annotation, str):
         return _fit_of_text(annotation, names, numbers)
+    annotation = getattr(annotation, "__value__", annotation)  # ArrayLike from Python 3.12 on
     origin, inner = get_origin(annotation), get_args(annotation)
+    if origin in (Union, types.UnionType):
+        values = [get_args(getattr(part, "__value__", None)) or (part,) for part in inner]
+        inner = tuple(part for value in values for part in value)
     if any("_SupportsArray" in str(get_origin(part)) for part in inner):  # ArrayLike
         array = _array_or_names if Sequence[str] in inner else numeric_array
         return _either([array, _nothing]) if types.NoneType in inner else array

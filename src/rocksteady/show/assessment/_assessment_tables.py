@@ -229,7 +229,7 @@ def ranking_rows(fragility: Fragility) -> list[Row]:
             ),
             "β": figure(number(each.beta)),
             "ln L a run": figure(f"{each.log_likelihood / trials:.4f}".replace("-", "−")),
-            "AIC": figure(f"{each.aic:.0f}"),
+            "AIC": figure(f"{each.aic:,.0f}"),
             "curve": STATUS.get(each.status, each.status),
         }
         for each in fragility.ranking

@@ -205,7 +205,8 @@ def steady_figure(
         top = max(2.2 * float(np.median(curves.sign)), 1.4 * point[1])
         if top > LOGARITHMIC_SPAN:
             top *= 20.0
-        draw_regions(plane, curves, page.legend or "inside", point=point, top=top, block=block)
+        place = page.legend or ("below" if page.stacks(9.6) else "inside")
+        draw_regions(plane, curves, place, point=point, top=top, block=block)
     return figure
 
 

@@ -75,9 +75,9 @@ def suite_figure(summary: "xarray.Dataset", title: str = "", page: Page = SCREEN
             row, column = divmod(number, across)
             above = figure.add_subplot(grid[2 * row, column])
             below = figure.add_subplot(grid[2 * row + 1, column], sharex=above)
-            last = number + 1 == len(parts)
-            has_legend = number == 0 if page.legend in ("inside", "below") else last
-            plot_suite_spectrum(part, above, legend=page.legend if has_legend else "none")
+            named = number == (len(parts) - 1 if page.legend == "right" else 0)
+            place = page.legend or ("inside" if len(parts) > 1 else None)
+            plot_suite_spectrum(part, above, legend=place if named else "none")
             plot_share_that_falls(part, below)
             above.set(xlabel="", title=slenderness_text(float(part["alpha"])))
             above.tick_params(labelbottom=False)

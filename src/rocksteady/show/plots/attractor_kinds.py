@@ -67,5 +67,6 @@ def plot_attractor_kinds(attractors: Attractors, ax: "Axes | None" = None) -> "A
         words = f"{count:,} of {total:,}"
         write_beside(axes, words, place, inks.ink, small, of_row=True)
     name_rows(axes, [AREAS.get(kind, ("", kind))[1] for kind, _ in counts])
+    axes.locator_params(axis="x", integer=True, min_n_ticks=1)
     axes.set(xlabel="motions", xlim=(0.0, 1.03 * counts[0][1]))
     return axes

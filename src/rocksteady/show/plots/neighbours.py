@@ -26,8 +26,6 @@ AREAS = {
 """Role of the area, role of the number on it, and pattern, by how a run ends."""
 GAP = 0.35
 """Between blocks of one slenderness and those of the next, in squares."""
-USUAL = 8.0
-"""Size of text, where a picture is wide enough."""
 ORDER = (1, 0, 2)
 """Places of what is as given, of less of it, and of more, in the order of the neighbours."""
 
@@ -82,7 +80,7 @@ def plot_neighbours(
     from matplotlib.patches import Patch, Rectangle
 
     axes = axes_or_new(ax)
-    inks, small, usual = inks_of(axes), text_size(axes, 7.0), text_size(axes, USUAL)
+    inks, small, usual = inks_of(axes), text_size(axes, 7.0), text_size(axes, 8.0)
     given, reversed_ = _own(neighbours), neighbours.cases[len(PLACES) - 1 :]
     cases = [neighbours.cases[0], given, *neighbours.cases[1 : len(PLACES) - 1]]
     squares = [(*place, each) for place, each in zip(PLACES, cases, strict=True)]
@@ -118,11 +116,10 @@ def plot_neighbours(
             fontsize=usual, color=inks.ink, annotation_clip=False,
         )  # fmt: skip
     bottoms = [(left, each) for left, bottom, each in squares if bottom == 0]
-    if usual < USUAL:  # of a narrow picture only what is as given has a number
-        bottoms = [bottoms[at] for at in range(0, len(bottoms), 3)]
     axes.set_xticks(
         [left + 0.5 for left, _ in bottoms],
-        [f"{each.restitution:.3g}".lstrip("0") for _, each in bottoms],
+        [f"{each.restitution:.2f}" for _, each in bottoms],
+        fontsize=small,
     )
     axes.set_yticks([0.5, 1.5, 2.5], [f"{scale:g} x" for scale in SCALES])
     axes.grid(visible=False)
@@ -132,7 +129,6 @@ def plot_neighbours(
     axes.set(
         xlim=(-0.1, width + 0.1),
         ylim=(-0.1, 3.1),
-        aspect="equal",
         xlabel="restitution",
         ylabel="scale of the motion",
     )

@@ -297,29 +297,18 @@ def _style(orbit: Orbit, colour: str, inks: Inks) -> dict[str, Any]:
 
 
 def _handles(orbits: Sequence[Orbit], marker: str, inks: Inks) -> list["Line2D"]:
-    """Return the entries of a legend: what there is of kinds and of stability."""
+    """Return the entries of a legend: the marks that are drawn, by kind and stability."""
     from matplotlib.lines import Line2D
 
-    handles = []
-    for (words, _, _), colour in _colours(orbits, inks).items():
-        handles.append(Line2D([], [], ls="none", marker="s", ms=5.0, color=colour, label=words))
-    worths = (("stable", "full"), ("neutral", "left"), ("unstable", "none"), ("grazes", "top"))
-    seen = {_style(orbit, inks.ink, inks)["fillstyle"] for orbit in orbits}
-    for label, fill in worths:
-        if fill in seen:
-            handles.append(
-                Line2D(
-                    [],
-                    [],
-                    ls="none",
-                    marker=marker,
-                    ms=5.0,
-                    color=inks.ink,
-                    fillstyle=fill,  # type: ignore[arg-type]
-                    label=label,
-                )
-            )
-    return handles
+    worths = {"full": "stable", "left": "neutral", "none": "unstable", "top": "grazes"}
+    looks = {}
+    for kind, colour in _colours(orbits, inks).items():
+        for orbit in orbits:
+            if _kind(orbit) == kind:
+                style = _style(orbit, colour, inks)
+                looks[f"{kind[0]}, {worths[style['fillstyle']]}"] = style
+    mark: dict[str, Any] = {"ls": "none", "marker": marker, "ms": 5.0}
+    return [Line2D([], [], label=label, **mark, **style) for label, style in looks.items()]
 
 
 def _side_handles(styles: dict[int, dict[str, Any]]) -> list["Line2D"]:

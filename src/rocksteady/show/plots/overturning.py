@@ -28,12 +28,12 @@ if TYPE_CHECKING:
 
 
 MODES = (
-    ("falls without an impact", "//", 0, "falls at once"),
-    ("falls after one impact", "////", 1, "after 1 impact"),
-    ("falls after two or more", "//////", 2, "after 2 or more"),
+    ("falls without an impact", "/", 0),
+    ("falls after one impact", "////", 1),
+    ("falls after two or more", "////////", 2),
 )
-"""Words, pattern, least number of impacts and words upon the area of each way of falling, as the
-legend has them: the more impacts, the denser the pattern."""
+"""Words, pattern and least number of impacts of each way of falling: the more impacts, the denser
+the pattern."""
 STANDS = -1
 """Code of the area where the block stands, beside those numbers."""
 CLOSED_FORM = {
@@ -63,7 +63,8 @@ def plot_overturning(
 ) -> "Axes":
     """Draw the amplitudes at which a block falls under a pulse, over the frequency ratio.
 
-    The more impacts before the fall, the denser the pattern; where the block stands is paper.
+    The more impacts before the fall, the denser the pattern; where the block stands is paper. What
+    is not written upon its area is in the legend.
     Where the pulse has one, the closed form of falling without an impact is drawn over it, dashed,
     which is that of the linear model.
 
@@ -99,7 +100,7 @@ def plot_overturning(
     ... )
     >>> axes = plot_overturning(windows, Figure().add_subplot())
     >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
-    ['falls without an impact', 'falls after one impact']
+    ['closed form, without an impact']
     """
     from matplotlib.collections import LineCollection, PolyCollection
     from matplotlib.lines import Line2D
@@ -123,9 +124,9 @@ def plot_overturning(
     factors = np.array([right.factor, up.factor])
     parts = _parts(windows, by_ratio=by_ratio)
     style = area_style(inks, "falls")
-    handles: list[Patch | Line2D] = []
+    handles: dict[int, Patch] = {}
     lines: list[Line2D] = []
-    for words, hatch, least, _ in MODES:
+    for words, hatch, least in MODES:
         if not parts[least]:
             continue
         outlines = [part * factors for part in parts[least]]
@@ -135,7 +136,7 @@ def plot_overturning(
         borders = [half for part in outlines for half in np.split(part, 2)]
         rims = LineCollection(borders, colors=inks.edge, linewidths=0.8, zorder=1.6)
         axes.add_collection(rims, autolim=False)
-        handles.append(Patch(**(style | {"hatch": hatch, "linewidth": 0.6}), label=words))
+        handles[least] = Patch(**(style | {"hatch": hatch, "linewidth": 0.6}), label=words)
     # A wall holds the block in the first half of a reversed pulse: there is no closed form.
     held = windows.block.one_sided and windows.pulse.reverse
     if closed_form and windows.pulse.shape in THRESHOLDS and not held:
@@ -167,11 +168,12 @@ def plot_overturning(
     axes.grid(visible=False)
     plain_ticks(axes)
     gap = FAR_ROOM + GAP if draw_far_axes(axes, right, up) else GAP
-    _write_words(axes, windows, factors, by_ratio=by_ratio)
+    handles[STANDS] = swatch(inks, "paper", "stands")
+    written = _write_words(axes, windows, factors, by_ratio=by_ratio)
     draw_legend(
         axes,
         place,
-        handles=[*handles, swatch(inks, "paper", "stands"), *lines],
+        handles=[*(handles[code] for code in handles if code not in written), *lines],
         gap=gap,
         handleheight=1.3,
     )
@@ -180,8 +182,8 @@ def plot_overturning(
 
 def _write_words(
     axes: "Axes", windows: OverturningWindows, factors: Floats, *, by_ratio: bool
-) -> None:
-    """Write what the block does upon the large areas, as they are at the frequencies."""
+) -> set[int]:
+    """Write what the block does upon the large areas; return the codes of what is written."""
     inks, w = inks_of(axes), windows.frequency_ratio
     between = [_between(w, k, by_ratio=by_ratio) for k in range(-1, len(w))]
     spread = np.geomspace if axes.get_yscale() == "log" else np.linspace
@@ -193,9 +195,12 @@ def _write_words(
         for window in windows.at(k):
             inside = (middles > window.low) & (middles < window.high)
             codes[inside, k] = min(window.impacts, 2)
-    words = {least: (text, inks.falls) for _, _, least, text in MODES}
+    words = {
+        least: (text.removeprefix("falls ") if least else text, inks.falls)
+        for text, _, least in MODES
+    }
     words[STANDS] = ("stands", inks.paper)
-    write_words(axes, (np.array(between) * factors[0], rows), codes, words)
+    return write_words(axes, (np.array(between) * factors[0], rows), codes, words)
 
 
 @checked
@@ -272,7 +277,7 @@ def _parts(windows: OverturningWindows, *, by_ratio: bool) -> dict[int, list[Flo
     half-way to the next frequency, and narrows to a point if nothing overturns there.
     """
     w = windows.frequency_ratio
-    parts: dict[int, list[Floats]] = {least: [] for _, _, least, _ in MODES}
+    parts: dict[int, list[Floats]] = {least: [] for _, _, least in MODES}
     columns = [_merged(windows.at(k)) for k in range(len(w))]
     growing: dict[int, list[tuple[float, float, float]]] = {}  # by their place in this column
     for k, column in enumerate(columns):
@@ -350,7 +355,7 @@ def _partners(here: Sequence[_Drawn], next_windows: Sequence[_Drawn]) -> dict[in
     fixed = [(-1, -1), *sorted(partners.items()), (len(here), len(next_windows))]
     for (i, k), (next_i, next_k) in pairwise(fixed):
         between = [range(i + 1, next_i), range(k + 1, next_k)]
-        for _, _, way, _ in MODES:
+        for _, _, way in MODES:
             old, new = (
                 [place for place in places if column[place].way == way]
                 for places, column in zip(between, (here, next_windows), strict=True)

@@ -88,9 +88,11 @@ def plot_noise_fates(
     if len(scale_axis) > 1 and place is not None:
         draw_legend(axes, place, title=title, columns=3 if place == "below" else 1)
     elif len(scale_axis) > 1:
-        ends = [
-            LineEnd(f"{scale_axis[index]:.4g}", 100.0 * share[index, order], colour)
-            for index, colour in zip(shown.tolist(), colours, strict=True)
-        ]
-        name_line_ends(axes, ends, title=title.replace(" [", "\n["))
+        ends: dict[bytes, LineEnd] = {}  # of lines that coincide the last is seen
+        for index, colour in zip(shown.tolist(), colours, strict=True):
+            name, values = f"{scale_axis[index]:.4g}", 100.0 * share[index, order]
+            key = values.tobytes()
+            name = f"{ends[key].name}, {name}" if key in ends else name
+            ends[key] = LineEnd(name, values, colour)
+        name_line_ends(axes, [*ends.values()], title=title.replace(" [", "\n["))
     return axes

@@ -142,12 +142,15 @@ def plot_fatal_kicks(
     sized = isinstance(kicks.block, Block)
     unit, rate = (kicks.unit_m_s, kicks.block.p) if isinstance(kicks.block, Block) else (1.0, 1.0)
     order = np.argsort(kicks.time_pt, kind="stable")
-    for place_of_sign, sign in enumerate(SIGNS):
+    coincide = np.allclose(np.abs(kicks.signed).T[0], np.abs(kicks.signed).T[1], equal_nan=True)
+    for place_of_sign, sign in enumerate(SIGNS[:1] if coincide else SIGNS):
         axes.plot(
             kicks.time_pt[order] / rate,
             np.abs(kicks.signed[order, place_of_sign]) * unit,
             color=colours[place_of_sign],
-            label="positive kick" if sign > 0 else "negative kick",
+            label="kick of either sign"
+            if coincide
+            else f"{'positive' if sign > 0 else 'negative'} kick",
         )
     axes.set(
         xlabel=palette.LABELS["seconds" if sized else "pivot_time"],

@@ -129,7 +129,7 @@ def plot_rocking_spectrum(
             style = area_style(inks, "falls") | {"linewidth": 0.4}
             axes.broken_barh(bars, (lane, 0.8 * height), transform=edges, zorder=4.5, **style)
             words = "falls" if len(slenderness) == 1 else f"falls, {_degrees(alpha)}"
-            name_lane(axes, words, lane + 0.4 * height, colour)
+            name_lane(axes, words, bars, lane + 0.4 * height, colour)
     highest = float(np.nanmax(peaks, initial=0.0)) or 1.0
     axes.set_ylim(0.0, highest / (top - 0.03))
     if quantity == "peak_angle" and highest > 0.9:  # where a block balances
@@ -138,7 +138,11 @@ def plot_rocking_spectrum(
     axes.set_ylabel(LABELS[quantity])
     if place is None:
         names = zip(slenderness, peaks, colours, strict=True)
-        ends = [LineEnd(f"α = {_degrees(alpha)}", row, colour) for alpha, row, colour in names]
+        ends = [
+            LineEnd(f"α = {_degrees(alpha)}", row, colour)
+            for alpha, row, colour in names
+            if np.isfinite(row).any()
+        ]
         name_line_ends(axes, ends, most=min(1.0, top) - 0.5 * height)
         return axes
     if lanes:

@@ -1,7 +1,7 @@
 """Plots of steady states: orbits, regions and response curves."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -20,8 +20,10 @@ from rocksteady.show.plots.branches.curves import CURVES
 from rocksteady.show.plots.branches.views import AnyBlock, shared_size
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import (
+    CORNERS,
     LEAST_ROOM,
     axes_or_new,
+    extent,
     region_centres,
     spaced_by_ratio,
 )
@@ -37,6 +39,7 @@ from rocksteady.show.style.scales import Scale, draw_far_axes, fits_far_axes, sc
 from rocksteady.show.style.tokens import DASHED, DOTTED, MARKS, inks_of
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.lines import Line2D
 
@@ -49,13 +52,21 @@ LONGEST_NAME = 0.3
 SHADES = 3
 """Lightness steps of orbits, in turn."""
 BOUNDARIES: dict[str, tuple[str, Any]] = {
-    "existence": ("existence (23)", CURVES[PointType.FOLD]),
-    "kind": ("kind (25)", (0, (5, 2.5))),
-    "sign": ("sign (24)", CURVES[PointType.GRAZING]),
+    "existence": ("existence", CURVES[PointType.FOLD]),
+    "kind": ("kind", (0, (5, 2.5))),
+    "sign": ("sign", CURVES[PointType.GRAZING]),
     "symmetry_breaking": ("symmetry breaking", CURVES[PointType.SYMMETRY_BREAKING]),
     "heteroclinic": ("heteroclinic", (0, (7, 2, 1.2, 2, 1.2, 2))),
 }
 """Name and dashes of each boundary in the plane of frequency and amplitude."""
+KEY = (170.0, 60.0)
+"""Width and height of the legend of the regions [points]."""
+SOLUTIONS = (
+    ("two symmetric motions", (1, 3)),
+    ("one symmetric motion", (2, 5)),
+    ("no symmetric motion", (4,)),
+)
+"""What there is in the regions, by their numbers."""
 
 
 @checked
@@ -203,7 +214,6 @@ def draw_regions(
 ) -> None:
     """Draw the regions over acceleration and frequency, in the units of a block."""
     from matplotlib.lines import Line2D
-    from matplotlib.patheffects import withStroke
 
     inks = inks_of(axes)
     across, up = scale_of("frequency_ratio", block), scale_of("amplitude", block)
@@ -234,7 +244,7 @@ def draw_regions(
         (high, np.maximum(sky, high), None, pale),
     ):
         axes.fill_between(w, under, over, where=where, color=fill, lw=0)
-    handles = {}
+    handles: dict[str, Artist] = {}
     for bound, (name, dash) in BOUNDARIES.items():
         look: dict[str, Any] = {"color": inks.limit, "ls": dash, "lw": 1.1}
         axes.plot(w, bounds[bound], label=name, **look)
@@ -246,28 +256,57 @@ def draw_regions(
     draw_far_axes(axes, across, up)
     words = Words(axes, [np.column_stack([w, each]) for each in bounds.values()])
     words.take(here, 5.0)
-    size = text_size(axes, 9.5)
-    room = max(LEAST_ROOM, 0.75 * size / size_of(axes)[1])
-    places = region_centres(curves, ceiling, floor, point=point, least=room)
-    centres = {number: (across.factor * x, up.factor * y) for number, (x, y) in places.items()}
+    corner, taken = words.emptiest_corner(*KEY), (0.0, 0.0, 0.0, 0.0)
+    if place == "inside":
+        wide, tall = extent(axes, width=KEY[0], height=KEY[1])
+        x, y = CORNERS[corner][0] * (1.0 - wide), CORNERS[corner][1] * (1.0 - tall)
+        taken = x, y, x + wide, y + tall
+        words.take_box(*taken)
+    least = max(LEAST_ROOM, 0.75 * text_size(axes, 9.5) / size_of(axes)[1])
+    centres = {
+        number: (across.factor * x, up.factor * y)
+        for number, (x, y) in region_centres(
+            curves, ceiling, floor, taken=taken, point=point, least=least
+        ).items()
+    }
+    _number_regions(axes, centres)
+    words.take([*centres.values()], 6.0)
+    if point is not None:
+        words.beside(here[0], _shaking_text(point, across, up))
+    named = words.along([*handles], [inks.ink] * len(handles), aside=True)
+    left = [handle for name, handle in handles.items() if name not in named]
+    left += _region_entries([*centres], (deep, pale, inks.paper), inks.edge)
+    draw_legend(axes, place, handles=left, corner=corner)
+
+
+def _number_regions(axes: "Axes", centres: Mapping[int, tuple[float, float]]) -> None:
+    """Write the numbers of regions."""
+    from matplotlib.patheffects import withStroke
+
+    inks = inks_of(axes)
     for region, where in centres.items():
         axes.annotate(
             str(region),
             where,
             ha="center",
             va="center",
-            fontsize=size,
+            fontsize=text_size(axes, 9.5),
             color=inks.ink,
             path_effects=[withStroke(linewidth=2.5, foreground=inks.paper)],
             zorder=4.0,
         )
-    words.take([*centres.values()], 6.0)
-    if point is not None:
-        words.beside(here[0], _shaking_text(point, across, up))
-    named = words.along([*handles], [inks.ink] * len(handles), aside=True)
-    left = [handle for name, handle in handles.items() if name not in named]
-    corner = words.emptiest_corner(130.0, 13.0 * len(left) + 8.0)
-    draw_legend(axes, place, handles=left, corner=corner)
+
+
+def _region_entries(shown: Sequence[int], fills: Sequence[str], edge: str) -> "list[Artist]":
+    """Return the entries of a legend that tell what there is in the regions that have a number."""
+    from matplotlib.patches import Patch
+
+    entries: list[Artist] = []
+    for fill, (solutions, numbers) in zip(fills, SOLUTIONS, strict=True):
+        seen = " and ".join(str(number) for number in numbers if number in shown)
+        if seen:
+            entries.append(Patch(fc=fill, ec=edge, lw=0.6, label=f"{seen}: {solutions}"))
+    return entries
 
 
 def _shaking_text(point: tuple[float, float], across: Scale, up: Scale) -> str:
@@ -371,7 +410,8 @@ def plot_response(
         if few:  # whose names end at the far axis
             _widen(axes, longest)
         draw_far_axes(axes, across, up)
-    note = "solid: stable, dashed: unstable"
+    unstable = any((~curve.stable & np.isfinite(curve.peak)).any() for curve in curves)
+    note = "solid: stable, dashed: unstable" if unstable else ""
     explain(axes, place, [], note)
     words = Words(axes, [*lines, *tipping.values()])
     inks = [*(str(handle.get_color()) for handle in handles), inks_of(axes).ink]

@@ -173,8 +173,10 @@ def write_words(
     codes: NDArray[Any],
     words: Mapping[int, tuple[str, str]],
     marks: ArrayLike = (),
-) -> None:
+) -> set[int]:
     """Write words upon the areas of classes, each where it has most room, or not at all.
+
+    The classes that have their word are returned: they need no entry of a legend.
 
     Parameters
     ----------
@@ -201,6 +203,7 @@ def write_words(
     shown = codes[np.ix_(rows.clip(0, codes.shape[0] - 1), columns.clip(0, codes.shape[1] - 1))]
     point = np.array(size_of(axes))[::-1] / SAMPLES  # of a sample: height and width
     to_axes = axes.transData + axes.transAxes.inverted()
+    written = set()
     for across, high in to_axes.transform(np.reshape(marks, (-1, 2))).tolist():
         above, beside = ((fractions - at) * SAMPLES for at in (high, across))
         inside &= np.hypot(point[0] * above[:, np.newaxis], point[1] * beside) > MARK
@@ -211,9 +214,11 @@ def write_words(
         )
         if middle is None:
             continue
+        written.add(code)
         row, column = middle
         place = (fractions[column], fractions[row])
         write_upon(axes, word, place, fill, size, zorder=5.5)
+    return written
 
 
 def write_upon(

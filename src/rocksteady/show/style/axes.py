@@ -1,5 +1,6 @@
 """Cells along an axis: their edges, the axis drawn for them, and bars where some are chosen."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -10,7 +11,6 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import spaced_by_ratio
 from rocksteady.show.style.legends import size_of, text_size
-from rocksteady.show.style.line_ends import write_beside
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -107,9 +107,21 @@ def lane_of(axes: "Axes") -> float:
     return min(0.12, LANE / size_of(axes)[1])
 
 
-def name_lane(axes: "Axes", name: str, height: float, colour: str) -> None:
-    """Write the name of a row of bars to the right of the axes, at a height in parts of them."""
-    write_beside(axes, name, height, colour, text_size(axes, 7.0), aside=3.0)
+def name_lane(
+    axes: "Axes", name: str, bars: Sequence[tuple[float, float]], height: float, colour: str
+) -> None:
+    """Write the name of a row of bars beside the last of them, at a height in parts of the axes."""
+    axes.annotate(
+        name,
+        (min(max(left + width for left, width in bars), max(axes.get_xlim())), height),
+        (3.0, 0.0),
+        xycoords=axes.get_xaxis_transform(),
+        textcoords="offset points",
+        va="center",
+        fontsize=text_size(axes, 7.0),
+        color=colour,
+        annotation_clip=False,
+    )
 
 
 def prepare_axis(

@@ -40,6 +40,10 @@ LABEL_PLACES = [
 """Where a label may stand [points], seen from its point, in the order of preference."""
 
 
+FEWEST_TICKS = 3
+"""Ticks of a logarithmic axis below which those of a linear one are taken."""
+PLAIN = 8e-5
+"""End of an axis below which its ticks are powers of ten."""
 LONGEST_NAME = 0.45
 """Of a row of bars beside it, in parts of the width of axes without their labels."""
 HEIGHT_OF_ROW = 19.0
@@ -221,15 +225,29 @@ def spaced_by_ratio(values: ArrayLike) -> bool:
 
 def plain_ticks(axes: "Axes") -> None:
     """Write the ticks of logarithmic axes as numbers."""
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+    from matplotlib.ticker import (
+        FixedLocator,
+        FuncFormatter,
+        Locator,
+        LogFormatterMathtext,
+        LogLocator,
+        MaxNLocator,
+        NullFormatter,
+    )
 
     for axis, scale in ((axes.xaxis, axes.get_xscale()), (axes.yaxis, axes.get_yscale())):
         if scale == "log":
             low, high = axis.get_view_interval()
             room = size_of(axes)[0 if axis is axes.xaxis else 1]
             sparse = room < TICK_ROOM * math.log10(high / low)
-            axis.set_major_locator(LogLocator(subs=(1.0,) if sparse else (1.0, 2.0, 5.0)))
-            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            locator: Locator = LogLocator(subs=(1.0,) if sparse else (1.0, 2.0, 5.0))
+            within = [at for at in locator.tick_values(low, high) if low <= at <= high]
+            if len(within) < FEWEST_TICKS and high < 10.0 * low:
+                even = MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
+                locator = FixedLocator([at for at in even if low <= at <= high])
+            axis.set_major_locator(locator)
+            plain = FuncFormatter(lambda value, _: f"{value:.12f}".rstrip("0").rstrip("."))
+            axis.set_major_formatter(plain if low > PLAIN else LogFormatterMathtext())
             axis.set_minor_formatter(NullFormatter())
 
 
@@ -247,6 +265,7 @@ def region_centres(
     floor: float = 0.0,
     *,
     point: tuple[float, float] | None = None,
+    taken: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0),
     least: float = LEAST_ROOM,
 ) -> dict[int, tuple[float, float]]:
     """Return where each region has most room for its number; too narrow ones are left out.
@@ -259,6 +278,8 @@ def region_centres(
         Ends of the amplitude axis; it is logarithmic where the floor is above 0.
     point
         A marked (frequency_ratio, amplitude), from which the numbers keep away.
+    taken
+        Ends of a legend's box in parts of the axes: x, y, x, y.
     least
         Room for a number to all sides, in parts of the height; default 1/32.
     """
@@ -275,7 +296,10 @@ def region_centres(
     across_at = spread(w[0], w[-1], rows)
     columns = np.searchsorted(w, across_at[:-1])
     columns = np.append(columns, len(w) - 1)
-    clear = np.ones((rows, rows), dtype=bool)
+    left, low, right, high = (round(rows * each) for each in taken)
+    free = np.ones((rows, rows), dtype=bool)
+    free[low:high, left:right] = False
+    clear = free.copy()
     for curve in (curves.symmetry_breaking, curves.heteroclinic):
         above = np.pad(height > curve[columns], ((1, 0), (1, 0)), mode="edge")
         clear &= (above[1:, 1:] == above[:-1, 1:]) & (above[1:, 1:] == above[1:, :-1])
@@ -286,7 +310,7 @@ def region_centres(
     for number in range(1, 6):
         room = np.zeros((rows, rows))
         # Clear of the other curves and the point where that is possible.
-        for allowed in (clear, True):
+        for allowed in (clear, free):
             inside = np.pad((region[:, columns] == number) & allowed, 1)
             room = distance_transform_edt(inside)[1:-1, 1:-1]
             if room.max() > least * rows:

@@ -75,3 +75,15 @@ def name_level_end(
         color=inks_of(axes).limit,
         annotation_clip=True,
     )
+
+
+def name_point(axes: "Axes", x: float, y: float, name: str) -> None:
+    """Write the name of a line to the right of the last of its points that is in the axes."""
+    axes.annotate(
+        name,
+        (x, y),
+        (5.0, 4.0),
+        textcoords="offset points",
+        fontsize=text_size(axes, LETTERS),
+        color=inks_of(axes).limit,
+    )

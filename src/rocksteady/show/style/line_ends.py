@@ -56,7 +56,7 @@ def name_line_ends(
         for index, height in zip(order.tolist(), heights.tolist(), strict=True)
     ]
     if title:
-        above = max([most, *heights.tolist()]) + step * (1.3 + 0.5 * title.count("\n"))
+        above = max(heights.tolist()) + step * (1.3 + 0.5 * title.count("\n"))
         entries.append((title, above, axes.yaxis.label.get_color()))
     for text, height, colour in entries:
         write_beside(axes, text, height, colour, size)

@@ -16,7 +16,7 @@ DARKEST_PAPER = 0.18
 """Relative luminance of paper on which black and white text are equally legible."""
 DOUBT = 0.2
 """Opacity of a band of doubt, in the colour of the role that it belongs to."""
-STRONGEST, WEAKEST = 12.0, 3.2
+STRONGEST, WEAKEST = 12.0, 4.5
 """Contrasts with the paper of the first and the last of several series."""
 DASHED: Any = (0, (5.0, 2.5))
 """Dashes of limits, and of what is unstable."""
@@ -110,7 +110,7 @@ class Inks:
         Examples
         --------
         >>> LIGHT.series("motion", 3)
-        ['#06366e', '#1861b5', '#6193cc']
+        ['#06366e', '#0954ab', '#3b79c0']
         """
         colour: str = getattr(self, role)
         if count == 1:

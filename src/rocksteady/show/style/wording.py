@@ -40,12 +40,13 @@ def greek(text: str) -> str:
 
     Examples
     --------
-    >>> greek("p PGV/(g tan alpha)"), greek("theta/alpha > 0.5"), greek("Sa(2 pi/p), sqrt e")
-    ('p PGV/(g tan α)', 'θ/α > 0.5', 'Sa(2 π/p), √e')
+    >>> greek("p PGV/(g tan alpha)"), greek("theta/alpha > 0.5"), greek("Sa_avg(2 pi/p), sqrt e")
+    ('p PGV/(g tan α)', 'θ/α > 0.5', 'average Sa(2 π/p), √e')
     """
     for name, letter in (("alpha", "α"), ("theta", "θ"), ("beta", "β"), ("pi", "π")):
         text = re.sub(rf"\b{name}(?=\d|\b)", letter, text)
-    return re.sub(r"\bsqrt e\b", "√e", text).replace("beta_U", "β_U")
+    text = re.sub(r"\bsqrt e\b", "√e", text).replace("beta_U", "β_U")
+    return text.replace("Sa_avg", "average Sa")
 
 
 def state_words(name: str) -> str:

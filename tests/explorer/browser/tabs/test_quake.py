@@ -70,7 +70,7 @@ def test_a_record_that_python_puts_in_is_shown_first(explorer: Explorer, tmp_pat
         acceleration_m_s2=4.0 * np.sin(2.0 * math.pi * time), dt_s=0.005, name="</script><b>pulse"
     )
     explorer.file = write_explorer(tmp_path / "page.html", records=[pulse])
-    page = explorer.open()
+    page = explorer.open("#")
     assert chosen(page) == pulse.name
     block = Block.rectangle(width=0.5, height=2.0, restitution=0.8)
     assert float(values(page, "#panel-quake")["quake-peak"]) == simulate(block, pulse).peak

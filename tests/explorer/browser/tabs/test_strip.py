@@ -134,7 +134,7 @@ def test_arrows_move_the_point_and_the_other_parameter_has_its_strip(explorer: E
     page.keyboard.press("ArrowRight")
     drawn(page)
     assert float(link(page)["W"]) > 3.0
-    page.get_by_text("over A").click()
+    page.get_by_role("button", name="over A").click()
     until(page, "() => /^#.*by=a/.test(location.hash)")
     swept(page)
     page.locator(CANVAS).focus()

@@ -38,7 +38,9 @@ def test_both_densities_have_the_area_of_one_and_the_mean_of_their_draws() -> No
 def test_the_interval_and_the_outline_are_those_of_the_table() -> None:
     few = next(each for each in calibrated().parameters if each["parameter"] == "alpha_rad")
     assert few["low"] is None  # of too few draws
-    assert "not identified" in [str(each.get_label()) for each in drawn().lines]
+    key = drawn().get_legend()
+    assert key is not None
+    assert "not identified" in [text.get_text() for text in key.get_texts()]
     row = few | {"median": 0.24, "low": 0.21, "high": 0.26}
     known = replace(calibrated(), parameters=(row,))
     axes = plots.posterior(known, Figure().add_subplot())
@@ -46,7 +48,7 @@ def test_the_interval_and_the_outline_are_those_of_the_table() -> None:
     interval = next(x for label, x in lines.items() if label.startswith("90"))
     assert interval.tolist() == [row["low"], row["high"]]
     (outline,) = axes.texts
-    assert (outline.get_text(), outline.xy[0]) == ("the outline's", row["outline"])  # type: ignore[attr-defined]
+    assert (outline.get_text(), outline.xy[0]) == ("alpha of the outline", row["outline"])  # type: ignore[attr-defined]
     (limit,) = [line for line in axes.lines if line.get_color() == inks_of(axes).limit]
     assert limit.get_linestyle() == "--"
     assert np.asarray(limit.get_xdata()).tolist() == [row["outline"]] * 2

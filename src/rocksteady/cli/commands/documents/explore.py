@@ -41,16 +41,18 @@ if TYPE_CHECKING:
 HELP = (
     "Write an interactive page, one HTML file.\n\n"
     "The explorer: an interactive page in one HTML file that computes by itself.\n\n"
+    "It opens with a block on the ground to push, six scenes of one idea each, and a laboratory. "
     "Drag the point on the map of motions, and time history, phase portrait, sweeps, basins, "
     "pulses, ground motions and design charts follow at once. The page holds the kernels of "
     "this program and gives the same numbers; it needs no server and no network. Without --out "
     "it is written into a temporary folder."
 )
-MAIN = "width_m height_m restitution amplitude frequency_ratio record tab out no_browser force"
+MAIN = "width_m height_m restitution amplitude frequency_ratio record tab scene out no_browser"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady explore\n\n"
+    "rocksteady explore --scene fall --embed --out fall.html\n\n"
     "rocksteady explore -A 2 -W 6 -r 0.8 --out explorer.html\n\n"
     "rocksteady explore --width-m 0.6 --height-m 2 --accel-g 0.4 --freq-hz 1.5\n\n"
     "rocksteady explore --block server-rack --record RSN77_PUL164.AT2 --scale 0.8"
@@ -76,6 +78,14 @@ def explore(
         "--tab NAME",
         "Open on explore, basins, pulse, quake or design; default quake with --record, else "
         "explore.",
+    ),
+    scene: str | None = options.output_flag(
+        "--scene NAME",
+        "Open at push, swing, size, fall, fates, order, quake or lab; default lab where a block, "
+        "a motion or a tab is given, else push.",
+    ),
+    embed: bool = options.output_flag(
+        "--embed", "Write the scene of --scene alone, for a frame of another page.", default=False
     ),
     out: Path | None = options.output_flag("--out FILE", "Keep the page in this file: .html."),
     no_browser: bool = options.output_flag(
@@ -105,12 +115,13 @@ def explore(
             start=begin,
             model=equations(model, body, motion),
             tab=tab,
+            scene=scene,
             scale=single("--scale", recorded.scales),
         )
     except ModelError as error:
         raise in_flags(error, block, start) from error
     recordings = across(files, reading)
-    file = write(out, view, recordings)
+    file = write(out, view, recordings, embed=embed)
     output.leave("explore", described(file, out or file, view, recordings))
     if not (output.as_json or no_browser):
         show(file)
@@ -220,20 +231,22 @@ def across(files: Sequence[Path], reading: ReadingFlags) -> "list[Recording]":
     return channels_across
 
 
-def write(out: Path | None, view: "ExplorerView", recordings: "Sequence[Recording]") -> Path:
+def write(
+    out: Path | None, view: "ExplorerView", recordings: "Sequence[Recording]", *, embed: bool
+) -> Path:
     """Write the page and return its file, in a new private folder by default."""
     from rocksteady.explorer.write import write_explorer
 
     if out is not None:
         try:
-            file = write_explorer(out, view, records=recordings)
+            file = write_explorer(out, view, records=recordings, embed=embed)
         except OutputError as error:
             raise OutputError("--out", out, error.valid, error.hint) from error
         announce_file(out)
         return file
     folder = Path(tempfile.mkdtemp(prefix="rocksteady-"))  # this user alone can enter it
     try:
-        return write_explorer(folder / FILE, view, records=recordings)
+        return write_explorer(folder / FILE, view, records=recordings, embed=embed)
     except BaseException:
         shutil.rmtree(folder, ignore_errors=True)
         raise
@@ -251,7 +264,8 @@ def described(
     facts = [
         Fact("file", str(file), "file"),
         Fact("bytes", size, "size", f"{size / 1e3:.0f} kB"),
-        Fact("tab", state["tab"], "opens on"),
+        Fact("scene", state["at"], "opens at"),
+        Fact("tab", state["tab"], "tab" if state["at"] == "lab" else ""),
         Fact("model", state["model"], "model"),
         Fact("view", state),
         Fact("records", names, "records" if names else "", ", ".join(names)),
@@ -260,7 +274,7 @@ def described(
         f"Wrote {given} ({size / 1e3:.0f} kB): open it in any browser; it computes by itself, "
         "offline.",
         [
-            ("opens on", opening(view, str(state["tab"]))),
+            ("opens on", opening(view, state)),
             ("records", ", ".join(names)),
         ],
         follow_up=f"python3 -m webbrowser {quoted(given)}",
@@ -268,8 +282,10 @@ def described(
     return Description("the explorer, in one file for any browser", facts, answer=answer)
 
 
-def opening(view: "ExplorerView", tab: str) -> str:
-    """Return the initial view of the page: block, shaking in its units, and tab."""
+def opening(view: "ExplorerView", state: dict[str, str]) -> str:
+    """Return the initial view of the page: block, shaking in its units, and tab; or the scene."""
+    if state["at"] != "lab":
+        return f"scene {state['at']}"
     block = view.block or DimensionlessBlock(restitution=1.0)
     words = [] if view.block is None else [block.describe().headline]
     if view.motion is not None:
@@ -277,4 +293,4 @@ def opening(view: "ExplorerView", tab: str) -> str:
         if isinstance(block, Block):
             ratio = quantity(view.motion.frequency_hz(block), "Hz")
         words.append(f"{peak_unit(block, view.motion.amplitude)} and {ratio}")
-    return ", ".join([*words, f"tab {tab}"])
+    return ", ".join([*words, f"tab {state['tab']}"])

@@ -183,7 +183,7 @@ export function makeFilmPanel(app) {
   /** @type {Panel} */
   const panel = {
     name: 'film',
-    title: 'Block on moving ground',
+    title: 'Block',
     uses: ['model', 'A', 'W', 'r', 'rh', 'b', 'h', 'units', 'start', 'cycles', 'history', 'cursor'],
     placed() {
       controls = makeFilmControls(/** @type {HTMLElement} */ (panel.bar), {

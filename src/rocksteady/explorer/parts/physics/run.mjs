@@ -33,6 +33,7 @@ import { COUNTED } from './case.mjs';
  * @property {[number, number, number]} peaks  largest |theta|/alpha on either side, and |du/d(pt)|
  * @property {Landings} impacts  that leave with COUNTED or more
  * @property {number} impactCount  with those left out at the limit of flights
+ * @property {March} state  in which it ends
  */
 
 /**
@@ -76,7 +77,7 @@ function flightRoom(kernels, flights) {
  * @param {number} rows
  * @returns {Floats}
  */
-function firstRows(array, rows) {
+export function firstRows(array, rows) {
   return Object.create(array, { shape: { value: [rows, ...array.shape.slice(1)] } });
 }
 
@@ -142,7 +143,7 @@ export function runOf(kernels, tables, how = {}) {
     tables, rows, flights, status: RUN_STATUS[code], starts: starts.values.slice(),
     last: facts.last, end: facts.end, overturned: known(facts.overturned),
     rested: known(facts.rested), peaks: facts.peaks, impacts,
-    impactCount: cut ? end.impacts : impacts.time.length,
+    impactCount: cut ? end.impacts : impacts.time.length, state: end,
   };
   nothing.free();
   starts.free();

@@ -165,7 +165,7 @@ export function makeApp(kernels, pool, first) {
   /** @param {boolean} push */
   const write = (push) => {
     const link = linkOf(app.state);
-    if (link === (location.hash || linkOf(defaultState()))) return;
+    if (link === (location.hash || linkOf(begin.state))) return;
     try {
       if (push) history.pushState(null, '', link);
       else history.replaceState(null, '', link);

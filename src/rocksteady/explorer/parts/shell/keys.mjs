@@ -32,7 +32,7 @@ const TAKES_SPACE = 'button, summary, a, [role="button"]';
  */
 export function listenToKeys(app) {
   document.addEventListener('keydown', (event) => {
-    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (app.state.at !== 'lab' || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     if (app.shared.keysOff && event.key !== 'Escape') return;
     const target = event.target instanceof Element ? event.target : document.body;
     if (isTaken(event.key, target)) return;

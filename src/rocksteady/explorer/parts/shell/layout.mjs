@@ -161,6 +161,7 @@ export function printInLight(app) {
 function wear(app, dark) {
   app.theme = theme(dark);
   document.documentElement.dataset.look = dark ? 'dark' : 'light';
+  document.dispatchEvent(new Event('theme'));
 }
 
 /** Return the query for the theme of the system. */

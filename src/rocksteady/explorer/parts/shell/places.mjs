@@ -2,6 +2,7 @@
 
 /** @import { App } from './app.mjs' */
 import { makeBasinsPanel } from '../panels/basins/basins.mjs';
+import { makeBlockPanel } from '../panels/block.mjs';
 import { makeFilmPanel } from '../panels/film.mjs';
 import { makeHistoryPanel } from '../panels/point/history.mjs';
 import { makeMultipliersPanel } from '../panels/point/multipliers.mjs';
@@ -26,10 +27,11 @@ import { place } from './layout.mjs';
  */
 export async function placePanels(app, turn) {
   place(app, makeReadoutPanel(app), ['explore', 'basins']);
+  place(app, makeFilmPanel(app), ['explore', 'basins']);
+  place(app, makeBlockPanel(app), ['pulse', 'quake', 'design']);
   place(app, makeMapPanel(app), ['explore']);
   place(app, makeBasinsPanel(app), ['basins']);
   await turn();
-  place(app, makeFilmPanel(app), ['explore', 'basins']);
   place(app, makeHistoryPanel(app), ['explore', 'basins']);
   place(app, makePhasePanel(app), ['explore', 'basins']);
   place(app, makeSectionPanel(app), ['explore']);

@@ -5,6 +5,8 @@
 import { PULSES } from '../kernels/pulses.mjs';
 import { measuresOf } from '../physics/case.mjs';
 
+/** Places of the story, in their order. */
+export const STORY = ['push', 'swing', 'size', 'fall', 'fates', 'order', 'quake'];
 export const TABS = ['explore', 'basins', 'pulse', 'quake', 'design'];
 
 const DECIMAL = /^\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*$/i; // no 0x10
@@ -61,6 +63,14 @@ function startField() {
 
 /** @type {Readonly<Record<string, Field>>} */
 export const FIELDS = {
+  at: choiceField('lab', ...STORY), // where in the page
+  tilt: numberField(0.8, 0.05, 0.98), // values of the scenes: theta/alpha at the start
+  length: numberField(0.35, 0.12, 2.4), // of a pulse [s]
+  strength: numberField(0.7, 0.1, 1.4), // of a pulse [g]
+  su: numberField(0.3, -1.1, 1.1), // theta/alpha, du/d(pt) at the start
+  sv: numberField(0.35, -1.1, 1.1),
+  shake: numberField(2.699, 2, 2.75), // amplitude over alpha g
+  pga: numberField(0.5, 0.2, 1.1), // [g]
   tab: choiceField(...TABS),
   model: choiceField('linear', 'nonlinear'),
   units: choiceField('none', 'si'),
@@ -114,6 +124,14 @@ export const FIELDS = {
 
 /**
  * @typedef {object} State
+ * @property {string} at  push, a scene or lab
+ * @property {number} tilt
+ * @property {number} length
+ * @property {number} strength
+ * @property {number} su
+ * @property {number} sv
+ * @property {number} shake
+ * @property {number} pga
  * @property {string} tab
  * @property {'linear' | 'nonlinear'} model
  * @property {'none' | 'si'} units

@@ -7,7 +7,11 @@ import { endingsOf } from '../physics/coexisting.mjs';
 import { designCells, designNeighbours, designRun } from '../physics/demand/design.mjs';
 import { pulseFates, pulseHistory } from '../physics/demand/pulse.mjs';
 import { pulseWindows } from '../physics/demand/windows.mjs';
+import { baseReel } from '../physics/push/falling.mjs';
 import { historyOf, longSection } from '../physics/history.mjs';
+import { crowdReels } from '../physics/story/crowd.mjs';
+import { stateFates } from '../physics/story/fates.mjs';
+import { cascadeOf, orderAt } from '../physics/story/order.mjs';
 import { steadyCurves, sweepSteps } from '../physics/sweep.mjs';
 import { mapTile } from '../physics/tiles.mjs';
 import { recordJobs } from './recordjobs.mjs';
@@ -17,6 +21,9 @@ const SETTLED_FLIGHTS = 100_000;
 
 /** @type {Record<string, (kernels: Kernels, args: any) => unknown>} */
 export const jobs = {
+  baseReel,
+  cascadeOf,
+  crowdReels,
   designCells: (kernels, asked) => timed(() => designCells(kernels, asked)),
   designNeighbours,
   designRun,
@@ -28,11 +35,13 @@ export const jobs = {
   labelStates: (kernels, { given, cells }) => labelStates(kernels, given, cells),
   longSection,
   mapTile: (kernels, request) => timed(() => mapTile(kernels, request)),
+  orderAt,
   pulseFates: (kernels, asked) => timed(() => pulseFates(kernels, asked)),
   pulseHistory,
   pulseWindows,
   ...recordJobs,
   settleStates: (kernels, asked) => timed(() => settleStates(kernels, asked)),
+  stateFates,
   steadyCurves,
   sweepSteps,
 };

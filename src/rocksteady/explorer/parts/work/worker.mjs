@@ -1,11 +1,14 @@
 // What a worker does: it takes the module once, then runs one job after the other.
 
+/** @import { Kernels } from '../kernels/loader.mjs' */
 import { kernels } from '../kernels/loader.mjs';
-import { jobs } from './jobs.mjs';
 
-/** Run jobs that the page asks for. */
-export function serve() {
-  /** @type {Promise<import('../kernels/loader.mjs').Kernels> | undefined} */
+/**
+ * Run jobs that the page asks for.
+ * @param {Record<string, (kernels: Kernels, args: any) => unknown>} jobs  by their names
+ */
+export function serve(jobs) {
+  /** @type {Promise<Kernels> | undefined} */
   let ready;
   onmessage = async ({ data }) => {
     if (data.module) {

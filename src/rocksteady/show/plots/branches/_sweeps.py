@@ -49,16 +49,16 @@ def draw_sweeps(axes: "Axes", sweeps: Sequence[AttractorSweep], view: View) -> "
     handles: dict[str, Artist] = draw_dots(axes, sweeps, view)
     for row, sweep in enumerate(sweeps):
         low = 1.0 - (row + 1) * lane
-        met = False
+        drawn: list[tuple[float, float]] = []
         for fate, kind in FATES.items():
             bars = _bars(sweep, kind, view)
             if bars:
-                met = True
+                drawn += bars
                 edges, look = axes.get_xaxis_transform(), _look(fate, inks)
                 axes.broken_barh(bars, (low, 0.75 * lane), transform=edges, zorder=4.5, **look)
                 handles[fate] = Patch(label=fate, **look)
-        if met:
-            name_lane(axes, SWEEPS[_way(sweep)][3], low + 0.375 * lane, inks.quiet)
+        if drawn:
+            name_lane(axes, SWEEPS[_way(sweep)][3], drawn, low + 0.375 * lane, inks.quiet)
     return sorted(handles.values(), key=lambda handle: str(handle.get_label()) in FATES)
 
 

@@ -24,8 +24,8 @@ MM = 1000.0
 MOST = 1.6
 """Largest demand that is drawn in its place, over d0; a farther one stands at the edge."""
 PERIODS = 300
-STATES = ("SLV", "SLC", "SLD")
-"""Limit states in the order of their shades, the darkest first."""
+STATES = ("SLV", "SLD", "SLC")
+"""Limit states in the order of their shades, the darkest first; the two with spectra are apart."""
 
 
 @checked

@@ -205,12 +205,12 @@ def _draw_marks(axes: "Axes", rungs: Sequence[Rung], inks: Inks, size: float) ->
     mark = (5.5 if len(rungs) <= CROWDED else 4.6) * size
     entries = []
     # A dot is seen on any shade: where it is dark its edge is not.
-    for which, face, edge, words in (
-        (down, inks.observed, inks.paper, "fell"),
-        (~down, inks.paper, inks.observed, "stood"),
+    for which, shape, face, edge, words in (
+        (down, "o", inks.observed, inks.paper, "fell"),
+        (~down, "s", inks.paper, inks.observed, "stood"),
     ):
         entries += axes.plot(
-            across[which], up[which], "o", ms=mark, color=face, mec=edge, mew=0.9, label=words,
+            across[which], up[which], shape, ms=mark, color=face, mec=edge, mew=0.9, label=words,
             zorder=3.0,
         )  # fmt: skip
     rings = axes.plot(

@@ -16,6 +16,7 @@ from rocksteady.show.style.limits import draw_limit
 from rocksteady.show.style.tokens import DASHED, DOUBT, inks_of
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
 
@@ -87,6 +88,8 @@ def plot_posterior(
     >>> axes.get_ylabel()
     'density'
     """
+    from matplotlib.patches import Patch
+
     objects = list(calibration.posteriors)
     name = objects[0] if object is None else object
     if name not in objects:
@@ -120,24 +123,26 @@ def plot_posterior(
         zorder=2.6,
     )  # fmt: skip
     top = float(max(after.max(), before.max()))
-    height = -0.06 * top
-    ends = [row["low"], row["high"]] if known else []
-    (interval,) = axes.plot(
-        ends, [height] * len(ends), color=inks.motion, lw=3.2 * size, solid_capstyle="butt",
-        label="90\N{NO-BREAK SPACE}% interval and median" if known else NOT_IDENTIFIED, zorder=3.0,
-    )  # fmt: skip
-    axes.plot(
-        [row["median"]] if known else [], [height] if known else [], "o", ms=5.0 * size,
-        color=inks.paper, mec=inks.motion, mew=1.4 * size, zorder=3.2,
-    )  # fmt: skip
-    handles = [bars, line, interval]
+    handles: list[Artist] = [bars, line]
+    if known:
+        handles += axes.plot(
+            [row["low"], row["high"]], [0.0, 0.0], color=inks.motion, lw=3.2 * size,
+            solid_capstyle="butt", label="90\N{NO-BREAK SPACE}% interval and median", zorder=3.0,
+            clip_on=False,
+        )  # fmt: skip
+        axes.plot(
+            row["median"], 0.0, "o", ms=5.0 * size, color=inks.paper, mec=inks.motion,
+            mew=1.4 * size, zorder=3.2, clip_on=False,
+        )  # fmt: skip
+    else:
+        handles.append(Patch(fc="none", ec="none", label=NOT_IDENTIFIED))
     outline = row.get("outline")
     if outline is not None and np.isfinite(outline):
-        draw_limit(axes, outline, "the outline's", zorder=2.8)
+        draw_limit(axes, outline, "alpha of the outline", zorder=2.8)
     axes.set(
         xlabel=AXIS.get(parameter, parameter.replace("_m", " [m]").replace("_", " ")),
         ylabel="density",
-        ylim=(-0.12 * top, 1.08 * top),
+        ylim=(0.0, 1.08 * top),
     )
     axes.set_yticks([])
     axes.grid(visible=False, axis="y")

@@ -73,7 +73,7 @@ def plot_predictions(
     handles = []
     for outcome, face, shape, words in (
         (True, inks.observed, "o", "fell"),
-        (False, inks.paper, "o", "stood"),
+        (False, inks.paper, "s", "stood"),
         (None, inks.risk, "D", "predicted"),
     ):
         which = np.array([each is outcome for each in outcomes])
@@ -90,5 +90,5 @@ def plot_predictions(
         name_rows(axes, [predictions.test[each] for each in order.tolist()])
     else:
         axes.set_ylabel("tests in the order of their probability")
-    draw_legend(axes, place, handles=[*handles, band])
+    draw_legend(axes, place, handles=[*handles, *([band] if (high > low).any() else [])])
     return axes

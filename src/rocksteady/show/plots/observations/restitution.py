@@ -7,9 +7,11 @@ import numpy as np
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.free_rocking.restitution_fit import RestitutionFit
+from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, clear_place, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend
+from rocksteady.show.style.limits import name_point
 from rocksteady.show.style.line_ends import LineEnd, name_line_ends
 from rocksteady.show.style.tokens import DASHED, DOUBT, MARKS, Inks, inks_of
 
@@ -112,12 +114,16 @@ def _draw_peaks(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
         lw=0.0,
         label="90 % band",
     )
+    low = min(float(np.min(np.asarray(each.peaks_rad))) for each in fit.releases) / alpha
+    axes.set(xlabel="impacts", ylabel=r"peak $\theta/\alpha$", yscale="log", ylim=(0.7 * low, None))
     if fit.housner is not None:
         predicted = fit.peaks_of(first, fit.housner) / alpha
         axes.plot(count, predicted, color=inks.limit, lw=1.0, ls=DASHED)
-        named.append(LineEnd("Housner", predicted, inks.limit))
-    low = min(float(np.min(np.asarray(each.peaks_rad))) for each in fit.releases) / alpha
-    axes.set(xlabel="impacts", ylabel=r"peak $\theta/\alpha$", yscale="log", ylim=(0.7 * low, None))
+        seen = int((predicted >= 0.7 * low).sum()) - 1
+        if seen == len(predicted) - 1:
+            named.append(LineEnd("Housner", predicted, inks.limit))
+        else:  # where it leaves the picture
+            name_point(axes, count[seen], predicted[seen], "Housner")
     axes.set_xlim(left=-0.02 * max(count[-1], 1))
     axes.locator_params(axis="x", integer=True)
     plain_ticks(axes)
@@ -160,7 +166,7 @@ def _draw_impacts(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
             axes.axhline(fit.housner[k], color=inks.limit, lw=1.0, ls=DASHED)
             words = f"Housner {number(fit.housner[k])}{side}"
             named.append(LineEnd(words, fit.housner[k], inks.limit))
-    axes.set(xlabel=r"peak before, $\theta/\alpha$", ylabel="restitution e")
+    axes.set(xlabel=r"peak before, $\theta/\alpha$", ylabel=palette.LABELS["restitution"])
     axes.set_xlim(left=0.0)
     name_line_ends(axes, named)
 

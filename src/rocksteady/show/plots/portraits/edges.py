@@ -4,11 +4,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.edges.edge_state import EdgeState
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle
+from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.plots.portraits._window import plane_scales
 from rocksteady.show.plots.portraits.manifolds import saddle_at
+from rocksteady.show.style.insets import LARGEST, draw_inset, room_for_inset
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
 from rocksteady.show.style.scales import draw_far_axes
@@ -58,11 +61,36 @@ def plot_edge_state(
     """
     given = ax is not None and ax.has_data()
     axes = axes_or_new(ax)
-    inks = inks_of(axes)
     right, up = plane_scales(axes, edge.block)
     factors = np.array([right.factor, up.factor])
     limits = axes.get_xlim(), axes.get_ylim()
     saddle = edge if isinstance(edge, HilltopSaddle) else edge.saddle
+    _draw(axes, edge, saddle, factors)
+    if given:
+        axes.set(xlim=limits[0], ylim=limits[1])
+    else:
+        axes.set(xlabel=right.label, ylabel=up.label)
+        axes.margins(0.08)
+        if isinstance(edge, EdgeState) and len(np.unique(edge.angle)) == 1:
+            axes.set(xlim=(edge.angle[0] + np.array([-1.0, 1.0])) * right.factor)
+        draw_far_axes(axes, right, up)
+        if saddle is not None:
+            _magnify(axes, edge, saddle, factors)
+    place = place_of(axes, legend, "below")
+    if place != "none":
+        draw_legend(axes, place)
+    return axes
+
+
+def _draw(
+    axes: "Axes",
+    edge: EdgeState | HilltopSaddle,
+    saddle: Orbit | HilltopSaddle | None,
+    factors: Floats,
+) -> None:
+    """Draw the course of the saddle, and what is tracked to it."""
+    inks = inks_of(axes)
+    right, up = factors.tolist()
     if saddle is not None:
         words = "hilltop saddle"
         if not isinstance(saddle, HilltopSaddle):
@@ -75,8 +103,8 @@ def plot_edge_state(
         axes.plot(*points.T, "x", mew=1.5, color=inks.ink, label="saddle at this phase", **cross)
     if isinstance(edge, EdgeState):
         axes.plot(
-            edge.angle * right.factor,
-            edge.velocity * up.factor,
+            edge.angle * right,
+            edge.velocity * up,
             "o-",
             ms=3.2,
             lw=0.6,
@@ -89,25 +117,33 @@ def plot_edge_state(
         ends = zip((edge.start, edge.other), edge.outcomes, "os", strict=True)
         for state, outcome, mark in ends:
             axes.plot(
-                state.angle * right.factor,
-                state.velocity * up.factor,
+                state.angle * right,
+                state.velocity * up,
                 mark,
                 ms=5.5,
                 mfc=inks.ink,
                 mec=inks.paper,
                 ls="none",
                 zorder=3.5,
-                label="rests" if outcome == "rest" else outcome.replace("overturned", "falls"),
+                label="from here: "
+                + ("rests" if outcome == "rest" else outcome.replace("overturned", "falls")),
             )
-    if given:
-        axes.set(xlim=limits[0], ylim=limits[1])
-    else:
-        axes.set(xlabel=right.label, ylabel=up.label)
-        axes.margins(0.08)
-        if isinstance(edge, EdgeState) and len(np.unique(edge.angle)) == 1:
-            axes.set(xlim=(edge.angle[0] + np.array([-1.0, 1.0])) * right.factor)
-        draw_far_axes(axes, right, up)
-    place = place_of(axes, legend, "below")
-    if place != "none":
-        draw_legend(axes, place)
-    return axes
+
+
+def _magnify(
+    axes: "Axes", edge: EdgeState | HilltopSaddle, saddle: Orbit | HilltopSaddle, factors: Floats
+) -> None:
+    """Draw the course of the saddle again in an inset, where it is small and there is room."""
+    course = np.column_stack(saddle.trajectory().phase_path()) * factors
+    low, high = course.min(axis=0), course.max(axis=0)
+    if (
+        room_for_inset(axes)
+        and ((high - low) < LARGEST * np.ptp([axes.get_xlim(), axes.get_ylim()], axis=1)).all()
+    ):
+        drawn = [np.asarray(line.get_xydata(), dtype=np.float64) for line in axes.lines]
+        spots = [(float(x), float(y)) for line in drawn[1:] for x, y in line]
+        inset = draw_inset(axes, (*low.tolist(), *high.tolist()), drawn, spots)
+        if inset is not None:
+            limits = inset.get_xlim(), inset.get_ylim()
+            _draw(inset, edge, saddle, factors)
+            inset.set(xlim=limits[0], ylim=limits[1])

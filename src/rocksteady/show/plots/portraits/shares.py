@@ -1,6 +1,5 @@
 """Plot of the shares of basins of attraction over a parameter."""
 
-import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -35,6 +34,8 @@ UPWARDS = (
 """Order of the bands; orbits stand in the order of their labels."""
 PLACES = 241
 """Abscissas at which a label may stand."""
+THIN = 0.5
+"""Share of the axis [%] below which a band is only counted."""
 LETTER, LINE = 0.62, 1.35
 """Width of a letter and height of a line, in parts of the size of the text."""
 
@@ -51,7 +52,8 @@ def plot_basin_shares(
 
     Rest is at the bottom, then come orbits, and what falls is at the top; fills are those of
     `plots.basins`.  Between two values a band is drawn straight.  A band has its name where there
-    is room for it, else in the legend.  Bands thinner than a point everywhere are counted there.
+    is room for it, else in the legend.  Bands below 0.5 % of the axis everywhere are
+    counted there.
     The axis is logarithmic where the values are spaced by ratio.
 
     Parameters
@@ -132,26 +134,25 @@ def plot_basin_shares(
         plain_ticks(axes)
     axes.set(
         xlabel=scale.label,
-        ylabel="share of the window [%]",
+        ylabel="share of the window [%]" + (", enlarged" if upper < 1.0 else ""),
         xlim=(float(values[0]), float(values[-1])),
         ylim=(0.0, 100.0 * upper),
     )
     axes.grid(visible=False)
     draw_far_axes(axes, scale)
     along = np.log(values) if logarithmic else values
-    point = 100.0 * upper / size_of(axes)[1]
     handles: list[Patch] = []
     labels: list[str] = []
     thin = 0
     for area, style, low, high in zip(areas, styles, edges[:-1], edges[1:], strict=True):
-        if float((high - low).max()) < point:
-            thin += 1
+        if float((np.minimum(high, 100.0 * upper) - low).max()) < THIN * upper:
+            thin += bool(float(low.min()) < 100.0 * upper)
         elif not _named(axes, area.word, area.fill, (along, low, high)):
             handles.append(Patch(lw=0.6, **style))
             labels.append(area.word)
     if thin:
         handles.append(Patch(fc="none", ec="none"))
-        labels.append(f"and {thin} below {_percent(point)} %")
+        labels.append(f"and {thin} below {THIN * upper:.2g} %")
     draw_legend(
         axes,
         place_of(axes, legend, "right"),
@@ -162,12 +163,6 @@ def plot_basin_shares(
         handletextpad=0.6,
     )
     return axes
-
-
-def _percent(share: float) -> str:
-    """Return a small share in per cent, rounded up to one digit."""
-    digits = -math.floor(math.log10(share))
-    return f"{math.ceil(share * 10.0**digits - 1e-9) / 10.0**digits:g}"
 
 
 def _place(family: BasinFamily) -> tuple[int, int]:

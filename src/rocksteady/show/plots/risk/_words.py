@@ -1,7 +1,6 @@
 """Names as pictures show them."""
 
-import re
-
+from rocksteady.show.style import wording
 from rocksteady.show.style.escaping import literal
 
 
@@ -13,7 +12,4 @@ def greek(text: str) -> str:
     >>> greek("theta/alpha > 0.5")
     'θ/α > 0.5'
     """
-    shown = literal(text)
-    for word, letter in (("theta", "θ"), ("alpha", "α"), ("pi", "π")):
-        shown = re.sub(rf"\b{word}\b", letter, shown)
-    return shown
+    return wording.greek(literal(text))

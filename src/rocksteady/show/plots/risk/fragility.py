@@ -47,7 +47,7 @@ Curve = FragilityCurve | TwoStageCurve
 
 SAMPLES = 120
 """Points of a curve."""
-NOT_RUN = 0.14
+NOT_RUN = 0.2
 """Opacity of the shade over intensities that were not run."""
 BEYOND = 1.35
 """Factor by which a picture goes beyond the intensities that were run."""

@@ -7,7 +7,7 @@ import numpy as np
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.hazard.failure_risk import Risk
-from rocksteady.show.style.escaping import literal
+from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style.layout import axes_or_new, percent_ticks, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
 from rocksteady.show.style.tokens import DOUBT, inks_of
@@ -82,7 +82,9 @@ def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | Non
     bars = risk.density(at).reshape(BARS, POINTS).mean(axis=1)
     fill = np.repeat(bars * (HIGHEST_FILL / max(float(bars.max()), 1e-300)), POINTS)
     style: dict[str, Any] = {"color": inks.risk, "lw": 0.0, "alpha": DOUBT}
-    everywhere = beside.fill_between(at, fill, label="rate of falling by intensity", **style)
+    everywhere = beside.fill_between(
+        at, fill, label="rate of falling by intensity, not to scale", **style
+    )
     first, _, last = risk.contributing
     inside = (at >= first) & (at <= last)
     beside.fill_between(at, fill, where=inside.tolist(), **style)
@@ -95,13 +97,13 @@ def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | Non
     shade = Patch(facecolor=inks.risk, alpha=twice, lw=0.0, label="middle 90 % of the risk")
     axes.set(
         xlim=(low, high),
-        xlabel=literal(str(hazard.intensity)),
+        xlabel=greek(str(hazard.intensity)),
         ylabel="annual rate of exceedance",
-        title=f"falls {number(risk.annual_rate)} times a year",
+        title=_once(risk.annual_rate),
     )
     percent_ticks(beside, "y")
     beside.set(ylim=(0.0, 1.03), ylabel=str(fragility.get_label()))
-    beside.grid(visible=False)
+    axes.grid(visible=False)  # those of the probabilities are beneath the area
     beside.spines["right"].set_visible(True)
     for each, ink in ((axes, inks.base), (beside, inks.risk)):
         each.tick_params(axis="y", which="both", colors=ink)
@@ -109,3 +111,14 @@ def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | Non
     plain_ticks(axes)
     draw_legend(axes, place, handles=[curve, fragility, everywhere, shade], gap=44.0)
     return axes
+
+
+def _once(rate: float) -> str:
+    """Return how often something falls that does so at an annual rate.
+
+    Examples
+    --------
+    >>> _once(0.000506), _once(0.0)
+    ('falls once in 1,976 years', 'never falls')
+    """
+    return f"falls once in {float(number(1.0 / rate)):,g} years" if rate > 1e-12 else "never falls"

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
@@ -74,7 +75,7 @@ def plot_hazard_curve(
     axes.set(
         xscale="log",
         yscale="log",
-        xlabel=literal(measures.pop()),
+        xlabel=greek(measures.pop()),
         ylabel="annual rate of exceedance",
     )
     if ends:

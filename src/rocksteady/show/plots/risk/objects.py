@@ -8,7 +8,7 @@ from rocksteady.results.numbers import chance
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
-from rocksteady.show.style.layout import axes_or_new, name_rows
+from rocksteady.show.style.layout import axes_or_new, name_rows, percent_ticks
 from rocksteady.show.style.legends import figure_of, text_size
 from rocksteady.show.style.limits import draw_limit
 from rocksteady.show.style.line_ends import write_beside
@@ -66,7 +66,6 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
     (['vase'], 'probability of falling')
     """
     from matplotlib.patheffects import withStroke
-    from matplotlib.ticker import PercentFormatter
 
     most = whole_number("most", most, at_least=1, at_most=MOST, hint="give a number of objects")
     worst = table.worst[:most]
@@ -81,6 +80,7 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
         if None not in band:
             outline = [withStroke(linewidth=3.0, foreground=inks.paper)]
             axes.plot(band, [place] * 2, color=inks.ink, lw=1.2, path_effects=outline)
+            axes.plot(share, place, "o", ms=5.0, color=inks.ink, mec=inks.paper, clip_on=False)
         if share is not None and row["basis"] != "statics":
             words = f"{chance(share, row['tried'] * (row['basis'] == 'count'))}, {words}"
         write_beside(axes, words, place, inks.ink, small, of_row=True)
@@ -91,10 +91,6 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
     wide = figure_of(axes).get_figwidth() > NARROW
     letters = 24 if wide else 14
     name_rows(axes, [literal(palette.shortened(row["name"], letters)) for row in worst])
-    axes.xaxis.set_major_formatter(PercentFormatter(1.0))
-    axes.set(
-        xlabel="probability of falling",
-        xlim=(0.0, 1.03),
-        xticks=[0.0, 0.2, 0.4, 0.6, 0.8, 1.0] if wide else [0.0, 0.5, 1.0],
-    )
+    percent_ticks(axes, "x")
+    axes.set(xlabel=palette.LABELS["falling"], xlim=(0.0, 1.03))
     return axes

@@ -79,7 +79,7 @@ function sampledTimes(end, samples, begins, moving) {
  * @param {ArrayLike<number>} times  ascending
  * @returns {Float64Array}
  */
-function baseCourse(kernels, segments, starts, times) {
+export function baseCourse(kernels, segments, starts, times) {
   const columns = segments.shape[1], table = segments.values;
   const value = new Float64Array(times.length), turned = new Float64Array(times.length);
   const size = new Float64Array(times.length);

@@ -1,0 +1,180 @@
+// 4. One shaking, two fates: the basins under the finger, and the block dropped into one.
+
+/** @import { App } from '../../shell/app.mjs' */
+/** @import { Area, Role } from '../draw.mjs' */
+/** @import { Fate } from '../../physics/story/fates.mjs' */
+/** @import { Reel } from '../../physics/push/falling.mjs' */
+import { GRAVITY } from '../../physics/case.mjs';
+import { FATE_SHAKING, stateFates, stateReel } from '../../physics/story/fates.mjs';
+import { rectangle } from '../../physics/story/pulses.mjs';
+import { fillClass } from '../../draw/classes.mjs';
+import { element } from '../../shell/app.mjs';
+import { drawCurve, drawGround, drawLine, drawRing, inArea, write } from '../draw.mjs';
+import { NARROW, drawReel, makePlayer, reelShape, sceneOf, tieSlider } from '../scene.mjs';
+import { dragOn, makeView } from '../view.mjs';
+
+const SECONDS = 12, REACH = 1.2, SIDE = 120, ROWS = 10; // cells along an axis, rows of one job
+const FARTHEST = 1.1; // of the start
+/** @type {Record<Fate, string>} */
+const ANSWERS = {
+  rest: 'From here it comes to rest, though the ground goes on.',
+  rocking: 'From here it rocks for ever, in step with the ground.',
+  overturned: 'From here it falls.',
+  undecided: 'From here it is not known after 300 periods.',
+};
+
+/** @type {readonly Fate[]} */
+const FATES = ['rest', 'rocking', 'overturned', 'undecided'];
+/** Word of a region, its colour and that below it. @type {Record<Fate, [string, Role, Role]>} */
+const WORDS = {
+  rest: ['rests', 'ink', 'rest'], rocking: ['rocks', 'onRocks', 'rocks'],
+  overturned: ['falls', 'onFalls', 'falls'], undecided: ['', 'ink', 'paper'],
+};
+const LEAST_ROOM = 36; // [px] of a region for its word
+
+/**
+ * Return where the regions have most room for a word, and their shares.
+ * @param {Fate[]} fates
+ */
+function regionWords(fates) {
+  return FATES.filter((fate) => fates.includes(fate)).map((fate) => {
+    const at = (/** @type {number} */ row, /** @type {number} */ column) => row >= 0 && row < SIDE
+      && column >= 0 && column < SIDE && fates[row * SIDE + column] === fate;
+    let best = { room: 0, row: 0, column: 0 };
+    for (let row = 0; row < SIDE; row++) {
+      for (let column = 0; column < SIDE; column++) {
+        let half = 0;
+        while (at(row, column - half) && at(row, column + half) && at(row - half, column) && at(row + half, column)) half++;
+        if (2 * half > best.room) best = { room: 2 * half, row, column };
+      }
+    }
+    return { fate, share: fates.filter((each) => each === fate).length / fates.length, ...best };
+  });
+}
+
+/** Return the answer of a fate. @param {Fate} fate */
+export function fateAnswer(fate) {
+  return ANSWERS[fate];
+}
+
+/** Make the scene. @param {App} app */
+export function makeFates(app) {
+  const { canvas, answer } = sceneOf('fates'), { kernels } = app;
+  const block = rectangle(kernels, 0.3, 1, FATE_SHAKING.restitution);
+  const hertz = (FATE_SHAKING.frequencyRatio * block.p) / (2 * Math.PI);
+  const travel = (FATE_SHAKING.amplitude * block.alpha * GRAVITY) / (2 * Math.PI * hertz) ** 2; // [m]
+  /** @type {Reel} */
+  let reel;
+  /** @type {(Fate | undefined)[]} */
+  const fates = new Array(SIDE * SIDE);
+  /** @type {ReturnType<typeof regionWords> | null} */
+  let words = null;
+  /** @type {Area | null} */
+  let plane = null;
+  const middle = (/** @type {number} */ k) => REACH * ((2 * k + 1) / SIDE - 1);
+
+  const go = () => {
+    const { su: u, sv: v } = app.state;
+    const [fate] = stateFates(kernels, { alpha: block.alpha, angles: [u], velocities: [v] });
+    reel = stateReel(kernels, block, u, v, SECONDS);
+    answer(ANSWERS[fate]);
+  };
+  const view = makeView(canvas, (pen, width, height) => {
+    const { theme, state } = app, narrow = width < NARROW;
+    const wide = (narrow ? 0.24 : 0.3) * width, y = Math.round((narrow ? 0.8 : 0.72) * height);
+    const unit = Math.min((narrow ? 1.1 : 0.62) * wide, 0.5 * height, 260), turn = 2 * Math.PI * hertz * player.time;
+    const x = 0.5 * wide - travel * Math.sin(turn) * unit;
+    drawGround(pen, theme, { width: wide, height: 30, y, x, unit });
+    drawReel(pen, theme, reel, player.time, { x, y, unit, shape: reelShape(reel) });
+    const left = wide + 44, high = height - 62, top = 26;
+    const side = narrow ? high : Math.min(width - left - 10, high);
+    plane = [left, top, width - left - 10, side];
+    const area = plane, across = (/** @type {number} */ u) => left + ((u / REACH + 1) / 2) * area[2];
+    const up = (/** @type {number} */ v) => top + ((1 - v / REACH) / 2) * side;
+    drawFates(pen, area);
+    pen.save();
+    pen.beginPath();
+    pen.rect(...area);
+    pen.clip();
+    const { angle, velocity, step } = reel, count = Math.floor(player.time / step);
+    const place = (/** @type {number} */ k) => /** @type {const} */ ([across(angle[k]),
+      up(velocity[k])]);
+    drawCurve(pen, theme, count, place, { role: 'paper', width: 4 });
+    drawCurve(pen, theme, count, place, { role: 'motion', width: 1.75 });
+    pen.restore();
+    drawWords(pen, area);
+    for (const mark of [-1, 0, 1]) {
+      const tilt = ((180 / Math.PI) * mark * block.alpha).toFixed(0);
+      write(pen, theme, `${tilt}°`, across(mark), top + side + 16, { role: 'quiet', align: 'center' });
+      const rate = (180 / Math.PI) * mark * block.alpha * block.p;
+      write(pen, theme, `${rate.toFixed(0)}`, left - 6, up(mark) + 4, { role: 'quiet', align: 'right' });
+    }
+    write(pen, theme, 'tilt at the start', left + area[2], top + side + 32, { align: 'right' });
+    write(pen, theme, 'speed at the start [°/s]', left - 34, top - 10);
+    drawRing(pen, theme, across(state.su), up(state.sv));
+  });
+
+  /** @param {CanvasRenderingContext2D} pen @param {Area} area */
+  const drawFates = (pen, [left, top, width, height]) => {
+    const { theme } = app, step = width / SIDE, tall = height / SIDE;
+    for (const fate of FATES) {
+      pen.beginPath();
+      for (let row = 0; row < SIDE; row++) {
+        for (let from = 0; from < SIDE; from++) {
+          if (fates[row * SIDE + from] !== fate) continue;
+          let to = from;
+          while (to < SIDE && fates[row * SIDE + to] === fate) to++;
+          pen.rect(left + from * step, top + height - (row + 1) * tall, (to - from) * step + 0.4, tall + 0.4);
+          from = to;
+        }
+      }
+      pen.save();
+      pen.clip();
+      fillClass(pen, theme, fate, { left, top, width, height });
+      pen.restore();
+    }
+    drawLine(pen, theme, [left, top + height, left + width, top + height], 'ink');
+    drawLine(pen, theme, [left, top, left, top + height], 'ink');
+  };
+  /** @param {CanvasRenderingContext2D} pen @param {Area} area */
+  const drawWords = (pen, [left, top, width, height]) => {
+    if (fates.includes(undefined)) return;
+    words ??= regionWords(/** @type {Fate[]} */ (fates));
+    for (const { fate, share, column, row, room } of words) {
+      if ((room * width) / SIDE < LEAST_ROOM) continue;
+      const x = left + ((column + 0.5) / SIDE) * width, y = top + (1 - (row + 0.5) / SIDE) * height;
+      const [word, role, over] = WORDS[fate], how = { bold: true, align: /** @type {const} */ ('center'), role, over };
+      write(pen, app.theme, word, x, y - 3, how);
+      write(pen, app.theme, `${Math.round(100 * share)} %`, x, y + 12, how);
+    }
+  };
+  const player = makePlayer(app, view, SECONDS, () => [reel]);
+  const change = () => {
+    go();
+    player.play();
+  };
+  const degrees = (180 / Math.PI) * block.alpha;
+  tieSlider(app, 'su', { text: (u) => `${(degrees * u).toFixed(1)}°`, change });
+  tieSlider(app, 'sv', { text: (v) => `${(degrees * block.p * v).toFixed(0)} °/s`, change });
+  go();
+  element('go-fates').addEventListener('click', player.play);
+  dragOn(canvas, (x, y) => (inArea(plane, x, y, 4) ? 'start' : null), (_, x, y, done) => {
+    const [left, top, width, height] = /** @type {Area} */ (plane);
+    const within = (/** @type {number} */ part) =>
+      Number(Math.max(-FARTHEST, Math.min(FARTHEST, (2 * part - 1) * REACH)).toFixed(3));
+    app.set({ su: within((x - left) / width), sv: within(1 - (y - top) / height) },
+      { settled: done, push: false });
+  });
+  for (let row = 0; row < SIDE; row += ROWS) {
+    const places = Array.from({ length: ROWS * SIDE }, (_, k) => k);
+    const asked = {
+      alpha: block.alpha, angles: places.map((k) => middle(k % SIDE)),
+      velocities: places.map((k) => middle(row + Math.floor(k / SIDE))),
+    };
+    app.pool.ask('stateFates', asked, { key: `story:fates${row}`, priority: 2 }).then((found) => {
+      found.forEach((/** @type {Fate} */ fate, /** @type {number} */ k) => { fates[row * SIDE + k] = fate; });
+      view.ask();
+    });
+  }
+  return view;
+}

@@ -1,0 +1,79 @@
+"""Small pictures of every scene and tab: ``python -m tests.explorer.browser.pictured`` keeps them.
+
+Each file is a sheet of one size of window and one theme, a picture a column, so small that fonts of
+other machines do not show, and large enough that a part which is missing does.
+"""
+
+import io
+import shutil
+import tempfile
+from pathlib import Path
+
+from PIL import Image
+from playwright.sync_api import Page, sync_playwright
+
+from rocksteady import write_explorer
+from tests.explorer.browser.conftest import FLAGS, PROGRAMS
+from tests.explorer.browser.watched import Explorer, Watch
+
+FOLDER = Path(__file__).with_name("pictures")
+SIZES = {"desktop": (1440, 900), "phone": (390, 844)}
+LOOKS = ("light", "dark")
+STORY = ("push", "swing", "size", "fall", "fates", "order", "quake")
+VIEWS = {
+    **{scene: f"#v=1&at={scene}" for scene in STORY},
+    **{
+        f"lab {tab}": f"#v=1&at=lab&tab={tab}"
+        for tab in ("explore", "basins", "pulse", "quake", "design")
+    },
+}
+HEIGHT = 64
+"""Of a picture [px]."""
+PAUSE, PAUSES = 500.0, 40
+"""Milliseconds between two looks at a page that may still be computing, and how many."""
+
+
+def sheet(explorer: Explorer, size: str, look: str) -> Image.Image:
+    """Return the pictures of all views, side by side."""
+    width, height = SIZES[size]
+    small = (round(width * HEIGHT / height), HEIGHT)
+    made = Image.new("RGB", (small[0] * len(VIEWS), HEIGHT))
+    for column, fragment in enumerate(VIEWS.values()):
+        page = explorer.open(fragment, (width, height), color_scheme=look)
+        shot = settled(page).convert("RGB").resize(small, Image.Resampling.BOX)
+        made.paste(shot, (column * small[0], 0))
+        page.context.close()
+    return made
+
+
+def settled(page: Page) -> Image.Image:
+    """Return the picture of a page that has stopped to change."""
+    page.wait_for_timeout(2.0 * PAUSE)
+    before = b""
+    for _ in range(PAUSES):
+        now = page.screenshot()
+        if now == before:
+            break
+        before = now
+        page.wait_for_timeout(PAUSE)
+    return Image.open(io.BytesIO(before))
+
+
+def main() -> None:
+    """Keep the sheets."""
+    program = next(filter(None, map(shutil.which, PROGRAMS)), None)
+    if program is None:
+        raise SystemExit("no Chromium is installed")
+    FOLDER.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=program, args=FLAGS)
+        file = write_explorer(Path(folder, "explorer.html"))
+        for size in SIZES:
+            for look in LOOKS:
+                explorer = Explorer(browser, file, Watch())
+                sheet(explorer, size, look).save(FOLDER / f"{size}-{look}.png", optimize=True)
+        browser.close()
+
+
+if __name__ == "__main__":
+    main()
