@@ -227,6 +227,13 @@ def write_files(folder: Path) -> None:
             scaled = [" ".join(f"{float(x) * share: .7E}" for x in row.split()) for row in rows]
             text = header.replace("Hut, 90", f"Hut {number}, {channel}") + "\n".join(scaled) + "\n"
             (motions / f"RSN{number}_HUT{name}.AT2").write_text(text, encoding="ascii")
+    (folder / "orbit.json").write_text(
+        '{"format": "rocking-certificate/1", "kind": "orbit", "bits": 64, "model": '
+        '{"amplitude": ["2"], "frequency_ratio": ["2"], "restitution": ["0.8"]}, '
+        '"half_periods": [1], "phases": ["2.87838818025741"], "radii": ["1e-12"], '
+        '"claim": {"stability": "stable"}}',
+        "utf-8",
+    )
     (folder / "statue.toml").write_text(
         'name = "statue"\n[geometry]\nwidth_m = 0.435\nheight_m = 1.8\noffset_m = 0.05\n'
         "[demand]\npga_g = 0.35\npgv_m_s = 0.3\n",

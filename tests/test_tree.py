@@ -15,7 +15,10 @@ from tests.every import every
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "rocksteady"
 FILES = sorted(SOURCE.rglob("*.py"))
-STARTED = {"rocksteady.__main__", "rocksteady.cli.app", "rocksteady.kernels.entries"}
+STARTED = {
+    *("rocksteady.__main__", "rocksteady.cli.app", "rocksteady.kernels.entries"),
+    *("rocksteady.certify.checker", "rocksteady.certify.fate_checker"),
+}
 """Modules that are run by their names."""
 TWICE = {
     frozenset({"kernels/linear", "kernels/nonlinear"}),  # one thing in both models

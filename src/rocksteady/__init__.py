@@ -54,6 +54,7 @@ use_plots(
         "OverturningScales": "overturning_scales",
         "OverturningWindows": "overturning",
         "Predictions": "predictions",
+        "ProvedRegion": "proved_region",
         "RegionMap": "steady_regions",
         "ResponseCurve": "response",
         "ResponseSpectrum": "response_spectra",

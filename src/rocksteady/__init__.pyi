@@ -15,6 +15,7 @@ from . import orbits as orbits
 from . import outcomes as outcomes
 from . import overturning as overturning
 from . import plots as plots
+from . import proofs as proofs
 from . import records as records
 from . import risk as risk
 from . import sweeps as sweeps

@@ -37,6 +37,7 @@ from .show.plots.portraits.edges import plot_edge_state as edge_state
 from .show.plots.portraits.fate_basins import plot_fate_basins as fate_basins
 from .show.plots.portraits.manifolds import plot_manifolds as manifolds
 from .show.plots.portraits.shares import plot_basin_shares as basin_shares
+from .show.plots.proofs import plot_proved_region as proved_region
 from .show.plots.records import plot_husid as husid
 from .show.plots.records import plot_integrated_record as integrated_record
 from .show.plots.records import plot_response_spectra as response_spectra
@@ -97,6 +98,7 @@ __all__ = [
     "poincare_section",
     "posterior",
     "predictions",
+    "proved_region",
     "reliability",
     "residuals",
     "response",

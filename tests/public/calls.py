@@ -13,6 +13,7 @@ import rocksteady as rs
 from tests.public.dynamics_calls import dynamics_calls
 from tests.public.facade_calls import facade_calls
 from tests.public.observation_calls import observation_calls
+from tests.public.proof_calls import proof_calls
 from tests.public.risk_calls import risk_calls
 from tests.public.things import MANY, fields, square, things
 from tools.namespace import THINGS
@@ -468,6 +469,7 @@ def calls() -> dict[str, Call]:
         rs.basins.FateBasins: "fates", rs.overturning.NoiseFates: "noise fates",
     }  # fmt: skip
     table |= dynamics_calls(t) | risk_calls(t) | observation_calls(t) | facade_calls(t)
+    table |= proof_calls(t)
     table |= {kind: fields(t[name]) for kind, name in results.items()}
     table |= {rs.histories.Flights: fields(run.flights), rs.histories.Impacts: fields(run.impacts)}
     found = {}

@@ -3,6 +3,7 @@
 import dataclasses
 import functools
 import inspect
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -265,6 +266,20 @@ def things() -> dict[str, Any]:
         "posterior": calibration.posteriors["vase"],
         "scores": calibration.validation.rows["calibrated"],
         "installation": rs.installation.check_installation(),
+        **proof_things(),
+    }
+
+
+def proof_things() -> dict[str, Any]:
+    """Return one of every class of proofs, and a file of a certificate."""
+    chaos = rs.proofs.certify_chaos(0.6, 2.0, 0.8)
+    file = Path(tempfile.mkdtemp()) / "chaos.json"
+    file.write_text(chaos.to_json(), encoding="utf-8")
+    return {
+        "chaos": chaos,
+        "certificate file": file,
+        "checked certificate": rs.proofs.check_certificate(file),
+        "proved region": rs.proofs.certify_region((1.9, 2.1), (1.9, 2.1), 0.8, most_boxes=20),
     }
 
 

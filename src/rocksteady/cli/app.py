@@ -23,6 +23,7 @@ from rocksteady import __version__
 from rocksteady.cli.commands import (
     attractor,
     bifurcate,
+    certify,
     curves,
     doctor,
     maps,
@@ -75,6 +76,7 @@ GROUPS = {
         *(calibrate, predict, back_analyse),
     ),
     "Pages and papers": (explore, paper, study),
+    "Proofs": (certify,),
     "This installation": (doctor,),
 }
 """Modules of commands, by the titles under which --help lists them."""

@@ -7,8 +7,8 @@ import pytest
 
 from rocksteady import DimensionlessBlock, Harmonic, find_orbits
 from rocksteady.branches import Branch, BranchPoint, find_branches, follow_branch
-from rocksteady.dynamics.continuation._from_orbit import chain_of
 from rocksteady.dynamics.continuation.chains.chain import Chain
+from rocksteady.dynamics.continuation.from_orbit import chain_of
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError, ModelError
 from rocksteady.orbits import Orbit

@@ -8,7 +8,6 @@ from itertools import islice
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.dynamics.continuation.chains.events import (
     ChainCurve,
     ChainSpot,
@@ -30,6 +29,7 @@ from rocksteady.dynamics.continuation.chains.predictor_corrector import (
     StalledError,
 )
 from rocksteady.dynamics.continuation.chains.switching import switched
+from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.errors import ModelError, Words

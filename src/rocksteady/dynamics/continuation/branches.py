@@ -8,12 +8,12 @@ from typing import Annotated
 
 import numpy as np
 
-from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.dynamics.continuation.branch import follow_branch
 from rocksteady.dynamics.continuation.chains.chain import MERGED, Chain
 from rocksteady.dynamics.continuation.chains.family import LARGEST_STEP, checked_ranges
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.continuation.chains.switching import switched
+from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.dynamics.orbits.orbit import Orbit

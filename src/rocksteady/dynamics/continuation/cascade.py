@@ -9,7 +9,6 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation._datasets import cascade_dataset
-from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.dynamics.continuation.branch import follow_branch
 from rocksteady.dynamics.continuation.branch_facts import (
     cascade_notes,
@@ -21,6 +20,7 @@ from rocksteady.dynamics.continuation.branch_facts import (
 )
 from rocksteady.dynamics.continuation.chains.family import LARGEST_STEP
 from rocksteady.dynamics.continuation.chains.point_types import PointType
+from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.parameters import SYMBOLS

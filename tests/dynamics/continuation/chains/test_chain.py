@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from rocksteady import DimensionlessBlock, Harmonic, find_orbits
-from rocksteady.dynamics.continuation._from_orbit import chain_of
 from rocksteady.dynamics.continuation.chains.chain import Chain
+from rocksteady.dynamics.continuation.from_orbit import chain_of
 from rocksteady.errors import ModelError
 from rocksteady.formulas import steady_states
 from rocksteady.orbits import Orbit

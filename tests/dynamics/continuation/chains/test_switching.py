@@ -8,8 +8,8 @@ import pytest
 
 from rocksteady import find_attractor, find_orbits
 from rocksteady.branches import BranchPoint, PointType, follow_branch
-from rocksteady.dynamics.continuation._from_orbit import chain_of
 from rocksteady.dynamics.continuation.chains.switching import switched
+from rocksteady.dynamics.continuation.from_orbit import chain_of
 from rocksteady.dynamics.orbits.return_map import make_system, section_of
 from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic

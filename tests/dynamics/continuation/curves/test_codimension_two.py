@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from rocksteady import DimensionlessBlock, Harmonic, find_bifurcation_curves
 from rocksteady.branches import BifurcationCurves, BranchPoint, CurveOptions
-from rocksteady.dynamics.continuation._from_orbit import chain_at
+from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.kernels.orbits.chains import LANDING
 from tests.dynamics.continuation.branches import random_start
 from tests.dynamics.continuation.curves.fifty_digits import solved_again

@@ -15,7 +15,7 @@ from rocksteady import (
     find_orbits,
 )
 from rocksteady.branches import BifurcationCurves, CurveOptions
-from rocksteady.dynamics.continuation._from_orbit import chain_at
+from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits.chains import LANDING
 from tests.dynamics.continuation.curves.jets import solved_twice

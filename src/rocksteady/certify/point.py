@@ -1,0 +1,294 @@
+"""Bifurcation points proved: folds, symmetry breakings and period doublings."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from flint import arb, arb_mat, arb_series, ctx
+
+from rocksteady.certify import checker
+from rocksteady.certify._balls import ball, decimals_around, mid, precision, size
+from rocksteady.certify._flight import Shaking
+from rocksteady.certify._krawczyk import Enclosure, enclose
+from rocksteady.certify.certificate import (
+    MOST_BITS,
+    PROVED,
+    UNDECIDED,
+    BitCount,
+    Certificate,
+    Numbers,
+    ladder,
+    place,
+)
+from rocksteady.certify.orbit import (
+    Proposal,
+    jacobian,
+    links,
+    passage,
+    propose,
+    trace_of,
+)
+from rocksteady.dynamics.continuation.chains.point_types import PointType
+from rocksteady.dynamics.continuation.points import BranchPoint
+from rocksteady.errors import ModelError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.description import Fact
+from rocksteady.results.numbers import plural
+
+SIGNS = {PointType.FOLD: 1, PointType.SYMMETRY_BREAKING: -1, PointType.PERIOD_DOUBLING: -1}
+"""The multiplier of the chain of impacts at each type; a symmetric orbit's chain is half of it."""
+
+
+@dataclass(frozen=True)
+class PointProof:
+    """What is proved of a point, and with how many bits."""
+
+    verdict: str
+    reason: str
+    bits: int
+    numbers: Numbers
+    zero: Enclosure | None = None
+    opens: int = 0
+    critical: str = ""
+
+
+class Extended:
+    """The equations of a bifurcation point in the phases and the amplitude: (E3) and the trace."""
+
+    def __init__(self, ratio: arb, restitution: arb, orders: tuple[int, ...], sign: int) -> None:
+        self.ratio, self.restitution = ratio, restitution
+        self.orders, self.sign = orders, sign
+
+    def shaking(self, amplitude: Any) -> Shaking:
+        """Return the shaking of an amplitude."""
+        return Shaking(amplitude, self.ratio, self.restitution)
+
+    def __call__(self, unknowns: list[arb]) -> tuple[list[arb], list[list[arb]]]:
+        """Return the residuals of the phases and the amplitude, and their Jacobian."""
+        columns = []
+        for chosen in range(len(unknowns)):
+            lifted = [arb_series([x, int(k == chosen)], 2) for k, x in enumerate(unknowns)]
+            columns.append([term(part, 1) for part in self._residuals(lifted)])
+        plain = self._residuals(unknowns)
+        return plain, [list(entries) for entries in zip(*columns, strict=True)]
+
+    def _residuals(self, unknowns: list[Any]) -> list[Any]:
+        """Return the mismatches, and the trace less its value at the point."""
+        *phases, amplitude = unknowns
+        ctx.cap = 2
+        rows = links(self.shaking(amplitude), phases, self.orders).rows
+        limit = 1 + self.restitution ** (2 * len(phases))
+        return [*(each.mismatch for each in rows), trace_of(rows) - self.sign * limit]
+
+    def direction(self, zero: list[arb]) -> tuple[arb, arb]:
+        """Return how the orbits that meet at a point open, and how the trace passes it.
+
+        Returns
+        -------
+        tuple
+            a_2 of the amplitude A + a_2 s^2 along the branch that turns or begins at the point, s a
+            measure of the distance (docs/theory/proofs.md), and the derivative of the trace by the
+            amplitude along the orbit that doubles; 0 at a fold.
+        """
+        *phases, amplitude = zero
+        count, sign = len(phases), self.sign
+        rows = links(self.shaking(amplitude), phases, self.orders).rows
+        right, left = null_vectors(jacobian(rows, sign))
+        _, extended = self(zero)
+        by_amplitude = [extended[k][count] for k in range(count)]
+        still = [arb(0)] * count
+
+        def expansion(second: list[arb], rise: int) -> list[Any]:
+            """Return the mismatches along a curve, as series in its parameter s."""
+            ctx.cap = 4
+            curve = [
+                arb_series([x, v, u], 4) for x, v, u in zip(phases, right, second, strict=True)
+            ]
+            shaken = self.shaking(arb_series([amplitude, 0, rise], 4))
+            turned = reflected if sign < 0 else (lambda phase: phase)
+            mismatches = links(shaken, curve, self.orders, turned).rows
+            return [each.mismatch for each in mismatches]
+
+        bent = [term(part, 2) for part in expansion(still, 0)]
+        if sign > 0:
+            return -dot(left, bent) / dot(left, by_amplitude), arb(0)
+        whole = arb_mat(jacobian(rows))
+        column = solved(whole, by_amplitude)
+        second = [-x for x in solved(whole, bent)]
+        third = dot(left, [term(part, 3) for part in expansion(second, 0)])
+        risen = [u - x for u, x in zip(second, column, strict=True)]
+        slope = dot(left, [term(part, 3) for part in expansion(risen, 1)]) - third
+        passing = extended[count][count] - dot(extended[count][:count], column)
+        return -third / slope, passing
+
+
+def reflected(series: arb_series) -> arb_series:
+    """Return a power series in s as one in -s."""
+    return arb_series([x if k % 2 == 0 else -x for k, x in enumerate(series.coeffs())], 4)
+
+
+def term(series: Any, order: int) -> arb:
+    """Return a coefficient of a power series."""
+    return arb(series[order])
+
+
+def dot(left: list[arb], right: list[arb]) -> arb:
+    """Return the sum of products."""
+    return sum((x * y for x, y in zip(left, right, strict=True)), arb(0))
+
+
+def solved(matrix: arb_mat, right: list[arb]) -> list[arb]:
+    """Return the solution of linear equations in balls."""
+    proof = matrix.solve(arb_mat(len(right), 1, right))
+    return [proof[k, 0] for k in range(len(right))]
+
+
+def null_vectors(matrix: list[list[arb]]) -> tuple[list[arb], list[arb]]:
+    """Return the right and left null vectors of a singular matrix within balls.
+
+    By the matrix bordered with approximations of both, which is regular.
+    """
+    count = len(matrix)
+    u, _, vt = np.linalg.svd(np.array([[float(x.mid()) for x in line] for line in matrix]))
+    left, right = [arb(float(x)) for x in u[:, -1]], [arb(float(x)) for x in vt[-1]]
+    bordered = arb_mat([*([*line, left[k]] for k, line in enumerate(matrix)), [*right, arb(0)]])
+    unit = [arb(int(k == count)) for k in range(count + 1)]
+    return solved(bordered, unit)[:count], solved(bordered.transpose(), unit)[:count]
+
+
+def prove_point(proposal: Proposal, sign: int, most_bits: int = MOST_BITS) -> PointProof:
+    """Return what is proved of a point near a proposal, with as many bits as it takes."""
+    # Of the decimals alone: rounding of the parameters would only move the point.
+    numbers = {name: proposal.numbers[name][:1] for name in ("frequency_ratio", "restitution")}
+    proof = PointProof(UNDECIDED, "no precision was tried", 0, numbers)
+    start = [*proposal.phases, float(proposal.numbers["amplitude"][0])]
+    for bits in ladder(most_bits)[1:]:
+        with precision(bits):
+            ratio, restitution = map(ball, numbers.values())
+            system = Extended(ratio, restitution, proposal.half_periods, sign)
+            proof = _proof(system, start, bits, numbers)
+        if proof.verdict == PROVED:
+            break
+    return proof
+
+
+def _proof(system: Extended, start: list[float], bits: int, numbers: Numbers) -> PointProof:
+    """Return what one precision proves."""
+    zero = enclose(system, [arb(x) for x in start])
+    if zero is None:
+        reason = "no box around it passes the test of Krawczyk"
+        return PointProof(UNDECIDED, reason, bits, numbers)
+    *phases, amplitude = zero.box
+    if passage(system.shaking(amplitude), phases, system.orders):
+        return PointProof(UNDECIDED, "a flight is not above the floor", bits, numbers, zero)
+    try:
+        rise, passing = system.direction(zero.box)
+    except (ValueError, ZeroDivisionError):
+        return PointProof(UNDECIDED, "its criticality is undecided", bits, numbers, zero)
+    opens = 1 if rise > 0 else (-1 if rise < 0 else 0)
+    product = rise * passing
+    critical = "supercritical" if product < 0 else ("subcritical" if product > 0 else "")
+    if opens == 0 or (system.sign < 0 and not critical):
+        return PointProof(UNDECIDED, "its criticality is undecided", bits, numbers, zero)
+    return PointProof(PROVED, "", bits, numbers, zero, opens, critical)
+
+
+def _content(
+    proposal: Proposal, sign: int, centres: list[str], radii: list[str]
+) -> dict[str, object]:
+    """Return what the certificate holds, with the widest box of the first phase that is checked.
+
+    The checker moves it over its box, and the other unknowns have to stay inside theirs; of some
+    sixty impacts its inverse in doubles is too coarse, and there is nothing to hold.
+    """
+    numbers = {name: texts[:1] for name, texts in proposal.numbers.items() if name != "amplitude"}
+    place_of_radius = int(radii[0].partition("e-")[2])
+    for share in range(8):
+        content = {
+            "half_periods": list(proposal.half_periods),
+            "phases": centres[:-1],
+            "amplitude": centres[-1],
+            "radii": [f"1e-{place_of_radius + share}", *radii[1:]],
+            "claim": {"sign": sign},
+        }
+        try:
+            checker.point(checker.arb(ctx.prec + 64), {"model": numbers, **content})
+        except (ArithmeticError, ValueError):
+            continue
+        return content
+    return {}
+
+
+@checked
+def certify_point(origin: BranchPoint, *, most_bits: BitCount = MOST_BITS) -> Certificate:
+    """Prove a bifurcation at a point of a branch, and enclose its amplitude.
+
+    Proved is a regular zero of (E3) with the condition of the multiplier, in the phases and the
+    amplitude: the fold is quadratic, or the multiplier passes -1; with the side to which the
+    orbits open, and whether the orbits that branch off are stable (supercritical).
+
+    Parameters
+    ----------
+    origin
+        A fold, symmetry breaking or period doubling of the linear model; its frequency ratio
+        and restitution are kept, and the amplitude is enclosed.
+    most_bits
+        Precision at which the proof gives up.
+
+    Raises
+    ------
+    ModelError
+        If no proof is written for its type, its equations, its block or its shaking.
+
+    Examples
+    --------
+    >>> import rocksteady as rs
+    >>> block = rs.DimensionlessBlock(restitution=0.8)
+    >>> motion = rs.Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    >>> orbit = rs.find_orbits(block, motion, max_period=1)[0]
+    >>> points = rs.branches.follow_branch(orbit, "amplitude", (0.1, 3.0))
+    >>> point = next(each for each in points if each.type == "symmetry-breaking")
+    >>> certify_point(point).content["amplitude"][:18]
+    '2.1201669312648425'
+    """
+    sign = SIGNS.get(origin.type)
+    if sign is None:
+        raise ModelError(
+            "origin",
+            Words(f"is a point of type {origin.type}"),
+            "points proved are a fold, a symmetry-breaking or a period-doubling",
+            "take one of these",
+        )
+    proposal = propose(origin)
+    proof = prove_point(proposal, sign, most_bits)
+    name = str(origin.type).replace("-", " ")
+    kind = f"{proof.critical} {name}".strip()
+    impacts = plural(origin.impacts, "impact")
+    claim = f"one {kind} of the {origin.kind} motion with {impacts}: {place(proof.numbers)}"
+    content: dict[str, object] = {}
+    facts: list[Fact] = []
+    if proof.zero is not None and proof.verdict == PROVED:
+        with precision(proof.bits):
+            centres, radii = decimals_around(proof.zero.box)
+            amplitude = proof.zero.box[-1]
+            width = size(amplitude - mid(amplitude))
+            apart = size(amplitude - arb(origin.amplitude))
+            shown, side = amplitude.str(30), "larger" if proof.opens > 0 else "smaller"
+            content = _content(proposal, sign, centres, radii)
+        facts = [
+            Fact("amplitude", centres[-1], "A", shown),
+            Fact("error", width, "A within", f"{width:.1g}"),
+            Fact("alone_within", proof.zero.alone, "alone within", f"{proof.zero.alone:.2g}"),
+            Fact("double_error", apart, "double off by", f"{apart:.1g}"),
+            Fact("opens", proof.opens, "opens", f"to {side} A"),
+        ]
+    return Certificate(
+        kind="point",
+        verdict=proof.verdict,
+        claim=claim,
+        model=proof.numbers,
+        bits=proof.bits,
+        content=content,
+        facts=tuple(facts),
+        reason=proof.reason,
+    )

@@ -1,0 +1,304 @@
+"""`rocksteady certify`: proofs in ball arithmetic, their certificates, and the check of these."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from importlib.resources import files
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from rocksteady.cli.console.outputs import NEGATIVE, announce_compilation, announce_file
+from rocksteady.cli.console.refusals import FlagError, missing, needs, refuse
+from rocksteady.cli.console.shell import quoted
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, ShakingFlags
+from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.parsing import number
+from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.results.answer import Answer
+from rocksteady.results.description import Description, Table
+from rocksteady.results.numbers import plural
+
+if TYPE_CHECKING:
+    from rocksteady.certify.certificate import Certificate
+
+HELP = (
+    "Prove an answer in ball arithmetic, and check certificates.\n\n"
+    "WHAT is orbit: the periodic motions at a point exist, are stable or not; point: their folds, "
+    "symmetry breakings and period doublings over -A LOW:HIGH; fate: a block at rest falls or "
+    "stands under a pulse or a record; region: the symmetric motion over -A LOW:HIGH and -W "
+    "LOW:HIGH; chaos: every sequence of flights is a motion.\n\n"
+    "Proofs are of the linear model and of blocks whose sides are alike. Needs the extra proof "
+    "(python-flint). --out writes a certificate, which --check, or the program of --print-checker "
+    "by itself, proves again. Exit code 3 where a proof is undecided; of --check 0 holds, "
+    "1 refused, 3 undecided."
+)
+MAIN = "what amplitude frequency_ratio restitution order kind pulse record out check"
+"""Parameters that the short help shows."""
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady certify orbit -A 2 -W 2 -r 0.8\n\n"
+    "rocksteady certify orbit -A 2 -W 2 -r 0.8 --number 1 --out one.json\n\n"
+    "rocksteady certify point -A 1:2.7 -W 2 -r 0.8\n\n"
+    "rocksteady certify fate --pulse one-sine -A 2 -W 2 -r 0.9\n\n"
+    "rocksteady certify region -A 0.3:6 -W 1:8 -r 0.8 --plot region.png\n\n"
+    "rocksteady certify chaos -A 2.698 -W 2 -r 0.8 --kind homoclinic\n\n"
+    "rocksteady certify --check orbit.json"
+)
+KINDS = ("orbit", "point", "fate", "region", "chaos")
+proof_flag = options.Panel("Proof")
+
+
+@grouped
+def certify(
+    shaking: ShakingFlags,
+    block: BlockFlags,
+    pulse: PulseFlags,
+    recorded: RecordFlags,
+    reading: ReadingFlags,
+    what: Annotated[
+        str | None, typer.Argument(metavar="WHAT", help="Prove this: " + ", ".join(KINDS) + ".")
+    ] = None,
+    order: int = options.order(),
+    which: int | None = proof_flag(
+        "--number K", "Prove this one of the motions or points alone, as they are numbered."
+    ),
+    kind: str = proof_flag(
+        "--kind NAME",
+        "Prove chaos near the hilltops (hilltop, default) or of flights of one half period along "
+        "a homoclinic motion (homoclinic).",
+        default="hilltop",
+    ),
+    out: Path | None = proof_flag("--out FILE", "Write the certificate: .json."),
+    plot: Path | None = options.output_flag(
+        "--plot FILE", "Save the picture of a region: .png, .svg or .pdf."
+    ),
+    force: bool = options.force(),
+    check: Path | None = proof_flag("--check FILE", "Check the certificate in this file."),
+    samples: Path | None = proof_flag(
+        "--samples FILE", "Read the samples of a record for --check, one in m/s^2 a line."
+    ),
+    leaves: str | None = proof_flag(
+        "--leaves N", "Set how many boxes of a region --check proves again, or all; default 1000."
+    ),
+    arithmetic: str = proof_flag(
+        "--arithmetic NAME",
+        "Check in balls of python-flint (arb, default) or intervals of mpmath (iv).",
+        default="arb",
+    ),
+    print_checker: bool = proof_flag(
+        "--print-checker",
+        "Print the program that checks certificates alone, that of fates beside WHAT = fate.",
+        default=False,
+    ),
+    as_json: bool = options.as_json(),
+    more: bool = options.more(),
+    quiet: bool = options.quiet(),
+) -> int:
+    """Run `rocksteady certify`; `HELP` is what its users read."""
+    if what is not None and what not in KINDS:
+        raise InputError("WHAT", what, "there is no such proof", "give " + ", ".join(KINDS))
+    if print_checker:
+        name = "fate_checker.py" if what == "fate" else "checker.py"
+        print(files("rocksteady.certify").joinpath(name).read_text(encoding="utf-8"), end="")
+        return 0
+    output = OutputFlags(as_json=as_json, more=more, quiet=quiet, plot=plot, force=force)
+    if what != "region":
+        refuse({"--plot": plot}, "a picture is one of a region")
+    output.check()
+    needs("--samples", samples, "--check", "fate.json", beside=check)
+    needs("--leaves", leaves, "--check", "region.json", beside=check)
+    if check is not None:
+        refuse({"WHAT": what, "--out": out}, "--check reads a certificate alone")
+        return _check(output, check, samples, leaves, arithmetic)
+    if what is None:
+        raise missing("WHAT", valid="what is proved is needed", hint="give " + ", ".join(KINDS))
+    if out is not None:
+        from rocksteady.show.export.files import check_writable
+
+        check_writable("--out", out, force=force)
+    if what == "fate":
+        of_record = recorded.given(reading, pulse=pulse.given)
+        body = recorded.block(block) if of_record else block.described()
+        certificates = [_fate(body, shaking, pulse, recorded, reading)]
+    else:
+        body = block.described()
+        if what == "region":
+            return _region(output, body, shaking, order, out)
+        certificates = _proofs(what, body, shaking, kind)
+    if which is not None:
+        if not 1 <= which <= len(certificates):
+            valid = f"there are {len(certificates)} of them"
+            raise InputError("--number", which, valid, "take a number of the list")
+        certificates = [certificates[which - 1]]
+    _save(certificates, out)
+    _leave(output, what, certificates, out)
+    return 0
+
+
+def _check(
+    output: OutputFlags, file: Path, samples: Path | None, leaves: str | None, arithmetic: str
+) -> int:
+    """Check a certificate's file, and return the exit code."""
+    from rocksteady.certify.files import check_certificate
+
+    numbers: list[float] = []
+    if samples is not None:
+        try:
+            numbers = [float(word) for word in samples.read_text(encoding="utf-8").split()]
+        except (OSError, ValueError):
+            raise InputError(
+                "--samples", samples, "it must hold one number a line", "give samples in m/s^2"
+            ) from None
+    count = None if leaves == "all" else int(number("--leaves", leaves or "1000"))
+    result = check_certificate(
+        file, accelerations_m_s2=numbers, leaves=count, arithmetic=arithmetic
+    )
+    output.leave("certify", result.describe(), decided=result.verdict != "undecided")
+    return 0 if result.holds else NEGATIVE
+
+
+def _ends(flag: str, text: str | None) -> tuple[float, float]:
+    """Return both ends of a range LOW:HIGH."""
+    parts = (text or "").split(":")
+    if len(parts) != 2:
+        raise FlagError(flag, text, "a range LOW:HIGH is needed", "give it as 0.3:6")
+    return number(flag, parts[0]), number(flag, parts[1])
+
+
+def _fate(
+    body: Block | DimensionlessBlock,
+    shaking: ShakingFlags,
+    pulse: PulseFlags,
+    recorded: RecordFlags,
+    reading: ReadingFlags,
+) -> "Certificate":
+    """Return the certificate of a run under a pulse or a record."""
+    from rocksteady.certify.fate import certify_fate
+
+    refuse({"--vertical": recorded.vertical}, "proofs lack vertical motion")
+    if recorded.record:
+        return certify_fate(body, recorded.scaled(recorded.recording(reading).record))
+    if not pulse.given:
+        raise missing("--pulse", valid="a pulse or a record is needed", hint="add --pulse one-sine")
+    return certify_fate(body, pulse.of(shaking.at(body), phase=None, reverse=recorded.reverse))
+
+
+def _proofs(
+    what: str, body: Block | DimensionlessBlock, shaking: ShakingFlags, kind: str
+) -> "list[Certificate]":
+    """Return the certificates of orbits, points or chaos."""
+    if what == "chaos":
+        from rocksteady.certify.chaos import certify_chaos
+
+        if ":" in f"{shaking.amplitude}{shaking.frequency_ratio}":
+            ranges = (
+                _ends("--amplitude/-A", shaking.amplitude),
+                _ends("--frequency-ratio/-W", shaking.frequency_ratio),
+            )
+            return [certify_chaos(*ranges, body.restitution, kind=kind)]  # type: ignore[arg-type]
+        motion = shaking.at(body)
+        numbers = motion.amplitude, motion.frequency_ratio, body.restitution
+        return [certify_chaos(*numbers, kind=kind)]  # type: ignore[arg-type]
+    announce_compilation("periodic.search")
+    if what == "orbit":
+        from rocksteady.certify.orbit import certify_orbit
+        from rocksteady.dynamics.orbits.search import find_orbits
+
+        orbits = find_orbits(body, shaking.at(body))
+        return [certify_orbit(orbit) for orbit in orbits if not orbit.rest_phases]
+    from rocksteady.certify.point import SIGNS, certify_point
+    from rocksteady.dynamics.continuation.find_bifurcations import find_bifurcations
+
+    within = _ends("--amplitude/-A", shaking.amplitude)
+    motion = replace(shaking, amplitude=str(within[1])).at(body)
+    diagram = find_bifurcations(body, motion, "amplitude", within=within, values=0)
+    points = [each.point for each in diagram.points if each.point.type in SIGNS]
+    return [certify_point(point) for point in points]
+
+
+def _region(
+    output: OutputFlags,
+    body: Block | DimensionlessBlock,
+    shaking: ShakingFlags,
+    order: int,
+    out: Path | None,
+) -> int:
+    """Prove a region, write it and print it."""
+    from rocksteady.certify.region import BITS, certify_region
+
+    ranges = (
+        _ends("--amplitude/-A", shaking.amplitude),
+        _ends("--frequency-ratio/-W", shaking.frequency_ratio),
+    )
+    region = certify_region(*ranges, body.restitution, order=order)
+    if out is not None:
+        _write(out, region.to_json())
+    from rocksteady.show.plots.proofs import plot_proved_region
+
+    title = region.describe().headline.capitalize()
+    output.write_plot(lambda page: page.panel(8.0, 4.6, title, plot_proved_region, region))
+    further = "" if out is None else f"rocksteady certify --check {quoted(out)}"
+    description = region.describe()
+    after = {"proved": region.decided > 0.0, "claim": description.headline, "bits": BITS}
+    after["file"] = None if out is None else str(out)
+    output.leave("certify", description, after=after, follow_up=further)
+    return 0
+
+
+def _save(certificates: "Sequence[Certificate]", out: Path | None) -> None:
+    """Write a certificate, and the samples of a record beside it."""
+    if out is None:
+        return
+    if len(certificates) != 1:
+        valid = f"a file holds one certificate, and there are {len(certificates)}"
+        raise FlagError("--out", out, valid, "choose one with --number")
+    if certificates[0].proved:
+        _write(out, certificates[0].to_json())
+        if certificates[0].samples:
+            _write(out.with_suffix(".txt"), "".join(f"{x!r}\n" for x in certificates[0].samples))
+
+
+def _write(file: Path, text: str) -> None:
+    """Write a file whole."""
+    from rocksteady.show.export.files import save_text
+
+    save_text("--out", file, text)
+    announce_file(file)
+
+
+def _leave(
+    output: OutputFlags, what: str, certificates: "Sequence[Certificate]", out: Path | None
+) -> None:
+    """Print one certificate, or a list of them."""
+    proved = sum(each.proved for each in certificates)
+    decided = all(each.verdict != "undecided" for each in certificates)
+    after: dict[str, Any] = {"file": None if out is None else str(out)}
+    if len(certificates) == 1:
+        further = ""
+        if out is not None and certificates[0].proved:
+            text = f" --samples {quoted(out.with_suffix('.txt'))}" * bool(certificates[0].samples)
+            further = f"rocksteady certify --check {quoted(out)}{text}"
+        description = certificates[0].describe()
+        output.leave("certify", description, after=after, decided=decided, follow_up=further)
+        return
+    rows = [
+        {"number": n, "verdict": each.verdict, "claim": each.claim, "reason": each.reason}
+        for n, each in enumerate(certificates, 1)
+    ]
+    sentence = f"Proved {proved} of {plural(len(certificates), what)}"
+    shown = [(f"{row['number']}", f"{row['verdict']}: {row['claim']}") for row in rows]
+    output.leave(
+        "certify",
+        Description(
+            sentence, tables=[Table("certificates", rows)], answer=Answer(sentence, rows=shown)
+        ),
+        values={"proved": proved == len(certificates), "claim": sentence, "certificates": rows},
+        after=after,
+        decided=decided,
+        wrap=True,
+    )
