@@ -30,7 +30,7 @@ def colours_of(artist: Any) -> set[str]:
     if isinstance(artist, AxesImage) or (
         isinstance(artist, Collection) and artist.get_array() is not None
     ):
-        return {to_hex(each) for each in artist.to_rgba(np.ma.compressed(artist.get_array()))}
+        return {to_hex(each) for each in artist.to_rgba(np.ma.asarray(artist.get_array()).compressed())}
     faces = [*np.atleast_2d(artist.get_facecolor()), *np.atleast_2d(artist.get_edgecolor())]
     return {to_hex(each) for each in faces if len(each)}
 
