@@ -110,7 +110,7 @@ class Certificate(Result):
             Fact("reason", self.reason, "reason" if self.reason else ""),
             Fact("bits", self.bits, "bits"),
             *self.facts,
-            Fact("model", {name: list(texts) for name, texts in self.model.items()}),
+            Fact("numbers", {name: list(texts) for name, texts in self.model.items()}),
         ]
         notes = [meaning(self.model)] if self.proved else []
         answer = Answer(

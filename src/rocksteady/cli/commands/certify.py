@@ -19,8 +19,8 @@ from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Description, Table
+from rocksteady.results.answer import MOST_FACTS, Answer, left_out
+from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.numbers import plural
 
 if TYPE_CHECKING:
@@ -291,14 +291,29 @@ def _leave(
         for n, each in enumerate(certificates, 1)
     ]
     sentence = f"Proved {proved} of {plural(len(certificates), what)}"
-    shown = [(f"{row['number']}", f"{row['verdict']}: {row['claim']}") for row in rows]
+    shown = [
+        (f"{n}", f"{each.verdict}: {_short(each)}")
+        for n, each in enumerate(certificates[:MOST_FACTS], 1)
+    ]
+    if len(rows) > MOST_FACTS:
+        shown[-1] = left_out(len(rows) - MOST_FACTS + 1)
+    columns = [Column(key, key, left=True) for key in ("number", "verdict", "claim", "reason")]
     output.leave(
         "certify",
         Description(
-            sentence, tables=[Table("certificates", rows)], answer=Answer(sentence, rows=shown)
+            sentence,
+            tables=[Table("certificates", rows, columns)],
+            answer=Answer(sentence, facts=shown),
         ),
         values={"proved": proved == len(certificates), "claim": sentence, "certificates": rows},
         after=after,
         decided=decided,
         wrap=True,
     )
+
+
+def _short(certificate: "Certificate") -> str:
+    """Return a claim without its parameters, with the amplitude that it encloses."""
+    words = certificate.claim.partition(": ")[0].partition(" of the ")[0].removeprefix("one ")
+    amplitude = certificate.content.get("amplitude")
+    return words if amplitude is None else f"A = {str(amplitude)[:12]}, {words}"
