@@ -298,7 +298,7 @@ def _number_regions(axes: "Axes", centres: Mapping[int, tuple[float, float]]) ->
 
 
 def _region_entries(shown: Sequence[int], fills: Sequence[str], edge: str) -> "list[Artist]":
-    """Return the entries of a legend that tell what there is in the regions that have a number."""
+    """Return the entries of a legend for the regions that have a number."""
     from matplotlib.patches import Patch
 
     entries: list[Artist] = []
