@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Annotated, Any
 
 from rocksteady.certify._balls import BITS, Stated, stated
@@ -131,8 +132,8 @@ def place(model: Mapping[str, Stated]) -> str:
     """Return the parameters of a claim in words."""
     words = []
     for name, texts in model.items():
-        low, high = min(texts, key=float), max(texts, key=float)
-        wide = float(high) - float(low) > 1e-9 * float(high)
+        low, high = min(texts, key=Fraction), max(texts, key=Fraction)
+        wide = Fraction(high) - Fraction(low) > Fraction(high) / 10**9
         shown = f"{texts[0]} to {texts[len(texts) // 2]}" if wide else texts[0]
         words.append(f"{SYMBOLS.get(name, name)} = {shown}")
     return ", ".join(words)
@@ -174,8 +175,8 @@ def harmonic_numbers(amplitude: Any, ratio: Any, restitution: Any) -> Numbers:
             raise InputError(name, texts, "it must be a number or a range", "give its ends")
         if (
             not 0.0
-            < min(map(float, texts))
-            <= max(map(float, texts))
+            < min(map(Fraction, texts))
+            <= max(map(Fraction, texts))
             <= (1.0 if name == "restitution" else LARGEST)
         ):
             raise InputError(

@@ -6,6 +6,7 @@ import zlib
 from collections import Counter, deque
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import Annotated, Any, NamedTuple
 
@@ -275,7 +276,7 @@ def certify_region(
     if order % 2 == 0:
         raise InputError("order", order, "it must be odd", "give 1 or 3")
     texts = stated("restitution", restitution)
-    if not 0.0 < float(texts[0]) < 1.0:
+    if not 0.0 < Fraction(texts[0]) < 1.0:
         raise InputError(
             "restitution", restitution, "it must lie in (0, 1)", "give a ratio of velocities"
         )
@@ -300,6 +301,10 @@ def certify_region(
     )
 
 
+LONGEST = 100_000_000
+"""Letters of a tree in a file that are read."""
+
+
 def region_from(values: dict[str, Any]) -> ProvedRegion | None:
     """Return the region of a certificate's file; None if the file holds none."""
     try:
@@ -311,7 +316,9 @@ def region_from(values: dict[str, Any]) -> ProvedRegion | None:
             frequency_ratio=(float(slow), float(fast)),
             restitution=tuple(map(str, values["model"]["restitution"])),
             order=int(values["order"]),
-            tree=zlib.decompress(base64.b64decode(values["tree"])).decode(),
+            tree=zlib.decompressobj()
+            .decompress(base64.b64decode(values["tree"]), LONGEST)
+            .decode(),
         )
         valid = set(region.tree) <= set("012345") and region.order % 2 == 1
         halved = region.tree.count(SPLIT)

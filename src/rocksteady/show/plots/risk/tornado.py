@@ -149,6 +149,7 @@ def plot_tornado(
     ]
     if not bars:
         raise InputError("rows", Words("are none"), "there must be one or more", hint)
+    label = text_value("label", label)
     bars.sort(key=lambda bar: -max(abs(end - middle) for end in bar[1:]))
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend or "below", "below")
@@ -193,7 +194,7 @@ def plot_tornado(
         # The whole scale: a small change is to look small.
         limits = (min(limits[0], -0.04 * whole), max(limits[1], 1.04 * whole))
     name_rows(axes, names, bars=True)
-    axes.set(xlabel=greek(text_value("label", label)), xlim=limits)
+    axes.set(xlabel=greek(label), xlim=limits)
     draw_legend(axes, place, handles=handles)
     return axes
 
