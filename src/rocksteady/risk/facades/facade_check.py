@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.answer import Answer, left_out
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import length, number, plural, quantity
 from rocksteady.results.result import Result
@@ -245,8 +245,6 @@ class FacadeCheck(Result):
             sentence += f"by {len(failed)} of {plural(len(decided), 'check')}"
         if not decided:
             sentence = "No answer yet: no check has a demand, capacity alone is known"
-        most, facts = max(5, len(failed)), []
-        facts.append(left_out(max(len(decided) - most, 0), "satisfied"))
         refused = [
             str(remark)
             for check in self.checks
@@ -256,7 +254,7 @@ class FacadeCheck(Result):
         if self.runs is not None and self.runs.refusal is not None:
             refused = [self.runs.refusal]
         sentence += "; no verdict by runs" if refused and decided else ""
-        facts.append(("runs", " ".join(refused)))
+        facts = [("runs", " ".join(refused))]
         if self.runs is not None and self.runs.beyond:
             records = plural(len(self.runs.records), "record")
             facts.append(("beyond d0", f"runs under {len(self.runs.beyond)} of {records}"))
@@ -265,7 +263,7 @@ class FacadeCheck(Result):
         facts.append(("no demand", f"for {missing}" if missing else ""))
         facts.append(("not counted", ", ".join(each.name for each in self.facade.ending)))
         rows = [(f"{each.limit_state}, {each.method}", _ratio_words(each)) for each in decided]
-        return Answer(f"{sentence}.", facts, rows[:most])
+        return Answer(f"{sentence}.", facts, rows)
 
     def _of_checks(self) -> Iterator[str]:
         """Yield how demands were made, as far as the table does not show it."""
