@@ -67,15 +67,18 @@ def test_labels_are_clear_of_marks_of_one_another_and_of_the_edge() -> None:
             assert (np.abs(at - mark) >= half + 4.0 - 1e-6).any()
 
 
-def test_a_label_alone_stands_up_and_right_and_in_a_corner_inwards() -> None:
-    for x, y, across, up in ((0.5, 0.5, 1, 1), (0.999, 0.999, -1, -1), (0.001, 0.999, 1, -1)):
+def test_a_label_alone_stands_above_its_point_and_in_a_corner_inwards() -> None:
+    """Half as wide as 3 and as high as 4, beside a mark of 4: aslant 8.5 is not yet clear."""
+    inwards = 12.0 / np.sqrt(2.0)
+    for x, y, offset in (
+        (0.5, 0.5, (0.0, 8.5)),
+        (0.999, 0.999, (-inwards, -inwards)),
+        (0.001, 0.999, (inwards, -inwards)),
+        (0.5, 0.999, (0.0, -8.5)),
+    ):
         axes = axes_of()
         put_beside(axes, [("a", x, y)], [[x], [y]])
-        offset = axes.texts[0].xyann  # type: ignore[attr-defined]
-        assert offset[0] * across > 0.0
-        assert offset[1] * up > 0.0
-        # Half as wide as 3 and as high as 4, beside a mark of 4: 8.5 / sqrt 2 is not yet clear.
-        assert np.hypot(*offset) == pytest.approx(12.0)
+        assert axes.texts[0].xyann == pytest.approx(offset, abs=1e-9), (x, y)  # type: ignore[attr-defined]
 
 
 def test_a_size_is_a_part_of_the_axes_and_at_most_all_of_them() -> None:

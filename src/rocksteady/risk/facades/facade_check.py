@@ -236,7 +236,7 @@ class FacadeCheck(Result):
     def _answer(self) -> Answer:
         """Return what is not satisfied, the checks, and runs beyond d0."""
         decided = [check for check in self.checks if check.satisfied is not None]
-        decided.sort(key=lambda check: (check.satisfied is True, -(check.ratio or 0.0)))
+        decided.sort(key=lambda check: (check.satisfied is True, -_ratio(check)))
         failed = [check for check in decided if not check.satisfied]
         names = _joined(list(dict.fromkeys(each.limit_state for each in failed)))
         sentence = f"{self.facade.name} satisfies all {len(decided)} checks that have a demand"
@@ -296,10 +296,16 @@ def _row(check: LimitStateCheck) -> dict[str, object]:
     }
 
 
+def _ratio(check: LimitStateCheck) -> float:
+    """Return demand over capacity of a check with a demand."""
+    assert check.ratio is not None
+    return check.ratio
+
+
 def _ratio_words(check: LimitStateCheck) -> str:
     """Return demand and capacity of a check with their ratio."""
     demand, capacity = _words(check, check.demand), _words(check, check.capacity)
-    ratio = check.ratio or 0.0
+    ratio = _ratio(check)
     ratios = "" if math.isinf(ratio) else f" ({number(ratio, 2)})"
     return f"{demand} of {capacity}{ratios}" + ("" if check.satisfied else ": not satisfied")
 

@@ -146,7 +146,7 @@ def _write_title(figure: "Figure", title: str, size: float) -> None:
     letters = max(20, len(title))
     text = figure.suptitle(literal(title), x=0.01, ha="left", fontsize=size)
     while letters > 20 and text.get_window_extent().x1 > 0.99 * figure.bbox.x1:
-        letters = max(20, min(letters - 1, int(letters * 0.97)))
+        letters -= 1
         text.set_text(literal(title, line=letters))
 
 
