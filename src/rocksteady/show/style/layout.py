@@ -173,9 +173,8 @@ def percent_ticks(axes: "Axes", which: Literal["x", "y"]) -> None:
 def region_centres(
     curves: RegionMap,
     ceiling: float,
-    floor: float = 0.0,
+    floor: float,
     *,
-    taken: tuple[Corner, tuple[float, float]] | None = None,
     point: tuple[float, float] | None = None,
 ) -> dict[int, tuple[float, float]]:
     """Return where each region has most room for its number; too narrow ones are left out.
@@ -186,8 +185,6 @@ def region_centres(
         The map, its frequencies in ascending order.
     ceiling, floor
         Ends of the amplitude axis; it is logarithmic where the floor is above 0.
-    taken
-        Corner that the legend takes, and the legend's size in fractions of the axes.
     point
         A marked (frequency_ratio, amplitude), from which the numbers keep away.
     """
@@ -204,13 +201,6 @@ def region_centres(
     columns = np.searchsorted(w, spread(w[0], w[-1], rows)[:-1])
     columns = np.append(columns, len(w) - 1)
     free = np.ones((rows, rows), dtype=bool)
-    if taken is not None:
-        (right, upper), (wide, high) = CORNERS[taken[0]], taken[1]
-        across, up = math.ceil(wide * rows), math.ceil(high * rows)
-        free[
-            rows - up if upper else 0 : rows if upper else up,
-            rows - across if right else 0 : rows if right else across,
-        ] = False
     clear = free.copy()
     for curve in (curves.symmetry_breaking, curves.heteroclinic):
         above = np.pad(height > curve[columns], ((1, 0), (1, 0)), mode="edge")
