@@ -121,14 +121,12 @@ def test_other_states_come_first_and_those_without_a_median_not_at_all() -> None
     lifted = state("uplift", curve(median=0.21))
     tilted = StateFragility(state=DamageState("theta/alpha > 0.5", 0.5), plain=curve(median=0.4))
     never = StateFragility(state=DamageState("half", 0.5), plain=curve([0, 0, 0, 0]))
-    answer = fragility(
-        never, lifted, tilted, state(given_uplift=True, two_stage=stages())
-    )._answer()
-    assert list(answer.rows) == [
-        ("lift", "half at 0.21 m/s of PGV"),
-        ("> 0.5 alpha", "half at 0.4 m/s of PGV"),
-    ]
-    assert dict(answer.stated)["holds"] == "for blocks that lift, given PGA > g tan alpha"
+    shown = fragility(never, lifted, tilted, state(given_uplift=True, two_stage=stages()))
+    facts = told(shown)[1]
+    assert list(facts)[:2] == ["lift", "> 0.5 alpha"]
+    assert facts["lift"] == "half at 0.21 m/s of PGV"
+    assert facts["> 0.5 alpha"] == "half at 0.4 m/s of PGV"
+    assert facts["holds"] == "for blocks that lift, given PGA > g tan alpha"
     assert "holds" not in told(fragility())[1]
 
 

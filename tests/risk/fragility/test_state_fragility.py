@@ -39,7 +39,7 @@ def test_one_row_is_used_and_it_comes_first(two: object, given_uplift: bool, fir
         assert by_stage["two-stage"]["beta"] is None
         assert by_stage["given-uplift"]["offset"] == two.offset  # type: ignore[attr-defined]
         assert by_stage["uplift"]["offset"] == 0.0
-        assert by_stage["given-uplift"]["failures"] == (75 if two is GATED else 75)
+        assert by_stage["given-uplift"]["failures"] == 75
     else:
         assert state.gain is None
 
@@ -52,3 +52,14 @@ def test_a_step_and_bands_stand_in_their_columns() -> None:
     assert (row["step_low"], row["step_high"], row["peak"]) == (0.4, 0.8, 0.5)
     assert (row["low"], row["beta_low"], row["beta"]) == (None, None, None)
     assert row["status"] == "separated"
+
+
+def test_a_state_is_described_by_the_curve_to_use() -> None:
+    state = StateFragility(state=DamageState("half", 0.5), plain=PLAIN)
+    told = state.describe()
+    assert told.headline == f"half: {PLAIN.describe().headline}"
+    facts = {fact.key: fact.value for fact in told.facts}
+    assert "measure" not in facts  # which its fragility has
+    assert (facts["damage_state"], facts["peak"]) == ("half", 0.5)
+    assert facts["median"] == PLAIN.median
+    assert state.to_dict()["fits"] == state.rows("intensity")

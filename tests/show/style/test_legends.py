@@ -11,6 +11,7 @@ from rocksteady.show.style.legends import (
     _broken,
     checked_place,
     draw_legend,
+    figure_of,
     height_needed,
     line_scale,
     place_of,
@@ -28,6 +29,12 @@ def axes_of(width: float, *, part: float = 0.8, lines: int = 3) -> Axes:
     for place in range(lines):
         axes.plot([0, 1], [place, 1], label=f"line {place}")
     return axes
+
+
+def test_the_figure_of_axes_is_the_whole_one() -> None:
+    whole = Figure()
+    part, _ = whole.subfigures(1, 2)
+    assert figure_of(part.add_subplot()) is whole
 
 
 def test_sizes_are_those_of_the_axes_in_points() -> None:
