@@ -1,6 +1,7 @@
 """Records left out in turn: simulated surveys, what covers a share of truths, and temper."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -60,7 +61,8 @@ def plane() -> Plane:
 
 def test_where_no_survey_can_be_drawn_nothing_is_checked() -> None:
     chance = np.ones((2, 1, 6, 26))
-    for temper, taken in (("auto", 1.0), (0.3, 0.3)):
+    tempers: tuple[tuple[Any, float], ...] = (("auto", 1.0), (0.3, 0.3))
+    for temper, taken in tempers:
         found = hold_out(
             np.zeros((1, 6, 26)),
             chance,
@@ -68,9 +70,9 @@ def test_where_no_survey_can_be_drawn_nothing_is_checked() -> None:
             temper=temper,
             trials=2,
             seed=0,
-            confidence=0.9,  # type: ignore[arg-type]
+            confidence=0.9,
         )
-        alone = unchecked(temper, 0.9, 2)  # type: ignore[arg-type]
+        alone = unchecked(temper, 0.9, 2)
         for each in (found, alone):
             assert (each.temper, each.share, each.surveys, each.scores) == (taken, 0.9, 0, {})
             assert each.tails.tolist() == [0.9, 0.9]
@@ -87,17 +89,17 @@ def test_objects_that_obey_the_model_need_no_temper_and_a_region_of_about_the_co
     logs = (
         fell @ np.log(chance.reshape(8, -1)) + (1.0 - fell) @ np.log1p(-chance.reshape(8, -1))
     ).reshape(1, 6, 26)
-    given = {"trials": 30, "seed": 4, "confidence": 0.9}
-    found = hold_out(logs, chance, plane(), temper="auto", **given)  # type: ignore[arg-type]
+    given: dict[str, Any] = {"trials": 30, "seed": 4, "confidence": 0.9}
+    found = hold_out(logs, chance, plane(), temper="auto", **given)
     assert found.surveys > 150
     assert found.temper >= 0.7
     assert found.temper == max(found.scores, key=lambda value: found.scores[value])
     assert 0.75 < found.plain_coverage <= 1.0
     assert 0.7 < found.share < 0.97
     assert ((found.tails > 0.6) & (found.tails < 0.999)).all()
-    fixed = hold_out(logs, chance, plane(), temper=found.temper, **given)  # type: ignore[arg-type]
+    fixed = hold_out(logs, chance, plane(), temper=found.temper, **given)
     assert list(fixed.scores) == [found.temper]
     assert fixed.scores[found.temper] == found.scores[found.temper]
     assert (fixed.share, fixed.tails.tolist()) == (found.share, found.tails.tolist())
-    flat = hold_out(logs, chance, plane(), temper=0.05, **given)  # type: ignore[arg-type]
+    flat = hold_out(logs, chance, plane(), temper=0.05, **given)
     assert flat.scores[0.05] < found.scores[found.temper]

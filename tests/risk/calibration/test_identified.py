@@ -1,6 +1,6 @@
 """Verdicts on parameters: each from its own limit on, and bounds of outcomes of one kind."""
 
-from types import SimpleNamespace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,20 +15,37 @@ from rocksteady.risk.calibration._identified import (
     RETURNED,
     parameters_of,
 )
+from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import DrawOptions
+from rocksteady.risk.observations.object_prior import ObjectPrior
+from rocksteady.risk.observations.prior import OutcomeErrors
 from tests.every import every
 
 PRIOR = np.linspace(0.0, 1.0, 2001)
 BOTH = np.array([1.0, 0.0, np.nan])
 
 
+@dataclass(frozen=True, kw_only=True)
+class One(Space):
+    """A space of one number, whatever its prior."""
+
+    one: str
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return (self.one,)
+
+    def derived(self, values: np.ndarray) -> dict[str, np.ndarray]:  # noqa: ARG002
+        return {}
+
+
 def posterior(values: np.ndarray, name: str = "alpha_rad", weights: Any = None) -> Posterior:
     """Return draws of one number, of equal weights by default."""
     count = len(values)
     equal = np.full(count, 1.0 / count) if weights is None else weights
-    space: Any = SimpleNamespace(
-        names=(name,), derived=lambda _: {}, block=SimpleNamespace(outline_alpha_rad=0.3)
+    space = One(
+        block=ObjectPrior(name="vase", alpha_rad=0.3, p_rad_s=3.0), noise=OutcomeErrors(), one=name
     )
     return Posterior(
         object="vase",
@@ -69,10 +86,10 @@ def test_a_third_at_an_end_of_the_prior_is_pushed_there(
     end: float, share: float, pushed: bool
 ) -> None:
     count = round(1000 * share)
-    values = np.concatenate([np.full(count, abs(end - 0.04)), np.full(1000 - count, 0.5)])
-    assert row(values)["verdict"] == (LIMIT if pushed else IDENTIFIED)
-    inside = np.where(values == 0.5, 0.5, abs(end - 0.06))
-    assert row(inside)["verdict"] == IDENTIFIED
+    for inwards, verdict in ((0.04, LIMIT if pushed else IDENTIFIED), (0.06, IDENTIFIED)):
+        near, far = abs(end - inwards), abs(end - 0.3)
+        values = np.concatenate([np.full(count, near), np.full(1000 - count, far)])
+        assert row(values)["verdict"] == verdict
 
 
 @every(("fell", "side", "bound"), [(1.0, "upper", 0.9), (0.0, "lower", 0.1)])

@@ -1,6 +1,7 @@
 """Words and patterns upon areas: within their class, clear of marks, and none where none fits."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -30,7 +31,9 @@ def axes_of(width: float = 360.0, height: float = 180.0) -> Axes:
     return axes
 
 
-def words_of(codes: np.ndarray, words: dict[int, str], marks: object = ()) -> dict[str, tuple]:
+def words_of(
+    codes: np.ndarray, words: dict[int, str], marks: object = ()
+) -> dict[str, tuple[float, float]]:
     """Return where words stand on cells that fill the axes, in fractions of these."""
     axes, (rows, columns) = axes_of(), codes.shape
     edges = np.linspace(0.0, 10.0, columns + 1), np.linspace(0.0, 5.0, rows + 1)
@@ -98,10 +101,10 @@ def test_a_pattern_ends_where_its_cells_do_and_leaves_out_what_is_narrow() -> No
     edges = np.linspace(0.0, 8.0, 9), np.linspace(0.0, 4.0, 9)
     axes = axes_of()
     draw_pattern(axes, edges, where, "////", "#123456", outline=0.7)
-    (drawn,) = axes.collections
+    drawn: Any = axes.collections[0]
     box = drawn.get_datalim(axes.transData)
     assert box.extents == pytest.approx([3.0, 1.0, 7.0, 2.5], abs=0.02)
-    assert drawn.hatches == ["////"]  # type: ignore[attr-defined]
+    assert drawn.hatches == ["////"]
     assert to_hex(drawn.get_edgecolor()[0]) == "#123456"
     assert drawn.get_linewidth()[0] == 0.7
     for none in (np.zeros((8, 8), dtype=bool), None):

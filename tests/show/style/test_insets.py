@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from rocksteady.show.style.insets import crowd_of, draw_inset, room_for_inset
 from tests.every import every
 
+Mark = tuple[float, float]
 SIDE = np.linspace(0.0, 1.0, 50)
 
 
@@ -18,7 +19,7 @@ def axes_of(width: float = 360.0, height: float = 160.0) -> Axes:
     return axes
 
 
-def row(count: int, *, apart: float = 6.0, at: tuple[float, float] = (7.0, 1.0)) -> list:
+def row(count: int, *, apart: float = 6.0, at: tuple[float, float] = (7.0, 1.0)) -> list[Mark]:
     """Return marks side by side, so many points apart on axes of 360 points."""
     return [(at[0] + 10.0 * apart / 360.0 * k, at[1]) for k in range(count)]
 

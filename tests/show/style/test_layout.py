@@ -107,8 +107,10 @@ def test_values_are_spaced_by_ratio_where_half_lie_in_the_lowest_quarter(
 @every(("length", "sparse"), [(123.0, True), (125.0, False)])
 def test_a_decade_has_one_tick_below_62_points(length: float, sparse: bool) -> None:
     for which in ("x", "y"):
-        size = {"width": 400.0, "height": 400.0} | {{"x": "width", "y": "height"}[which]: length}
-        axes = axes_of(**size, **{f"{which}scale": "log", f"{which}lim": (0.1, 10.0)})
+        size: dict[str, Any] = {"width": 400.0, "height": 400.0}
+        size |= {{"x": "width", "y": "height"}[which]: length}
+        size |= {f"{which}scale": "log", f"{which}lim": (0.1, 10.0)}
+        axes = axes_of(**size)
         plain_ticks(axes)
         axis = axes.xaxis if which == "x" else axes.yaxis
         shown = [each for each in axis.get_majorticklocs() if 0.099 < each < 10.1]
