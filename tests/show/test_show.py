@@ -494,7 +494,7 @@ def test_the_peak_axis_ends_where_the_caller_says(top: float, balance: bool) -> 
 
 def test_the_numbers_of_the_regions_stand_in_their_regions() -> None:
     drawn = curves()
-    centres = region_centres(drawn, 12.0)
+    centres = region_centres(drawn, 12.0, 0.0)
     assert set(centres) == {1, 2, 3, 4, 5}
     for region, (w, a) in centres.items():
         assert steady_states(a, w, 0.5, order=3).region == region

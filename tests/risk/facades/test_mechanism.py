@@ -319,7 +319,11 @@ def test_the_capacity_curve_drops_where_a_tie_ends() -> None:
     corners = [(0.0, found.a0_g), (0.1, 0.246734), (0.1, 0.091437), (found.d0_m, 0.0)]
     assert np.array(found.curve) == pytest.approx(np.array(corners), abs=5e-7)
     assert held(rod(lost_at_m=0.2)).mechanism.t_slv_s < found.t_slv_s
-    assert held(rod(lost_at_m=5.0)).mechanism.d0_m == found.d0_m  # d0: up to collapse alone
+    late = held(rod(lost_at_m=5.0)).mechanism
+    assert late.d0_m == found.d0_m  # d0: up to collapse alone
+    # Beyond d0 what lasts counts, whatever would act there still.
+    assert late.capacity_g(1.5 * found.d0_m) == pytest.approx(-0.5 * late.lasting.a0_g, rel=1e-12)
+    assert late.capacity_g(0.99 * found.d0_m) > 0.0
 
 
 def test_what_weakens_counts_by_default_and_what_strengthens_does_not() -> None:

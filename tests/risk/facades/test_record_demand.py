@@ -10,6 +10,9 @@ from scipy.signal import lsim
 from rocksteady import Record
 from rocksteady.codes import RecordDemand
 from rocksteady.errors import InputError
+from rocksteady.measures import compute_response_spectrum
+from rocksteady.risk.facades.record_demand import _largest, different_motions
+from rocksteady.seismic.spectra.batch import GroundShaking
 from tests.every import every
 from tests.risk.facades.suites import motion, motions
 
@@ -62,6 +65,56 @@ def test_the_spectrum_begins_at_the_mean_peak_and_is_near_its_ordinates() -> Non
     w = 2.0 * math.pi / 0.9
     exact = np.mean([w * w * swing(record, 0.9, 0.08) / G for record in DEMAND.records])
     assert DEMAND.sa_g(0.9, 0.08) == pytest.approx(exact, rel=0.03)
+
+
+@every("end", [0.02, 1.0])
+def test_the_largest_ordinate_is_found_within_the_range(end: float) -> None:
+    """Beside a dense search: a few sines, and a single one."""
+    t = 0.02 * np.arange(100)
+    sine = Record(acceleration_m_s2=np.sin(2.0 * np.pi * t / 0.21) * np.exp(-t), dt_s=0.02)
+    for record in (motion(3, 3.0), sine):
+        periods = np.linspace(end / 40.0, end, 40)
+        dense = compute_response_spectrum(record, periods, damping=0.08).displacement_m
+        found = _largest(record, end, 0.08)
+        assert found == pytest.approx(float(dense.max()), rel=0.02)
+        assert found <= float(dense.max()) * 1.02
+
+
+def test_the_acceleration_is_exact_at_its_tabulated_periods_and_straight_between_them() -> None:
+    edges = 0.05 * 160.0 ** (np.arange(30) / 29.0)
+    own = RecordDemand(records=tuple(motions(7, 1.0)))
+    values = np.mean(
+        [
+            compute_response_spectrum(record, edges[[0, 7, 8, -1]], damping=0.08)
+            .pseudo_acceleration_m_s2
+            for record in own.records
+        ],
+        axis=0,
+    ) / G  # fmt: skip
+    for place, period in enumerate(edges[[0, 7, 8]].tolist()):
+        assert own.sa_g(period, 0.08) == pytest.approx(values[place], rel=1e-9)
+    assert own.sa_g(8.0, 0.08) == pytest.approx(values[-1], rel=1e-9)
+    half = own.sa_g(0.5 * float(edges[7] + edges[8]), 0.08)
+    assert half == pytest.approx(0.5 * (values[1] + values[2]))
+    assert own.sa_g(0.025, 0.08) == pytest.approx(0.5 * (own.sa_g(0.0, 0.08) + values[0]))
+    with pytest.raises(InputError, match="period_s"):
+        own.sa_g(8.001, 0.08)
+
+
+def test_one_motion_is_known_by_its_samples_and_its_interval() -> None:
+    first = motion(0, 1.0)
+    slower = Record(acceleration_m_s2=first.acceleration_m_s2, dt_s=0.03)
+    up = first.scaled(0.5)
+    grounds = [
+        GroundShaking(record=first),
+        GroundShaking(record=slower),
+        GroundShaking(record=first, vertical=up),
+        GroundShaking(record=first, vertical=up.scaled(2.0)),
+    ]
+    assert different_motions(grounds) == 2
+    nameless = Record(acceleration_m_s2=first.acceleration_m_s2, dt_s=0.03, name="")
+    with pytest.raises(InputError, match="as record 2 and as record 5"):
+        different_motions([*grounds, GroundShaking(record=nameless)])
 
 
 def test_a_mean_needs_seven_records() -> None:

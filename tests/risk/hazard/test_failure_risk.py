@@ -333,6 +333,23 @@ def test_a_curve_over_pgv_says_that_it_has_no_gate() -> None:
     assert not any("gate" in note or "No measure" in note for note in over.describe().notes)
 
 
+@every("at", [0.02, 0.021, 0.1, 0.7, 2.0, 0.004, 9.0])
+def test_the_density_is_the_probability_times_the_fall_of_the_hazard(at: float) -> None:
+    """By a difference of the hazard in the logarithm; at an end of the levels on its inner side."""
+    tailed = HAZARD.extended()
+    risk = compute_risk((0.4, 0.5), tailed)
+    ends = np.array([at * (1.0 - 1e-6 * (at != 0.02)), at * (1.0 + 1e-6 * (at != 2.0))])
+    slope = -float(np.diff(tailed.rate(ends))[0]) / math.log(ends[1] / ends[0])
+    expected = slope * float(ndtr(math.log(at / 0.4) / 0.5))
+    assert float(risk.density(at)) == pytest.approx(expected, rel=1e-5)
+    if 0.02 <= at <= 2.0:
+        assert float(compute_risk((0.4, 0.5), HAZARD).density(at)) == pytest.approx(
+            expected, rel=1e-5
+        )
+    with pytest.raises(InputError, match="level"):
+        risk.density(0.0)
+
+
 def test_rows_and_json_add_up() -> None:
     risk = compute_risk((0.4, 0.5), HAZARD)
     told = risk.to_dict()

@@ -97,3 +97,43 @@ def test_a_curve_cannot_be_changed_and_describes_itself() -> None:
     assert [point["level"] for point in told["points"]] == LEVELS
     assert "Sa(1 s)" in branch.summary()
     assert "One is gone." in branch.summary()
+
+
+def test_both_tails_are_fitted_to_three_points_and_rise_to_neither_side() -> None:
+    x, y = np.log(LEVELS), np.log(RATES)
+    for k, ends, at in ((0, slice(0, 3), 0.01), (1, slice(1, 4), 3.0)):
+        end = (0, -1)[k]
+        dx, dy = x[ends] - x[end], y[ends] - y[end]
+        slope = float(np.linalg.lstsq(dx[:, None], dy, rcond=None)[0][0])
+        assert curve().end_slopes[k] == pytest.approx(-slope, rel=1e-12)
+        expected = RATES[end] * (at / LEVELS[end]) ** slope
+        assert curve().extended().rate(at) == pytest.approx(expected, rel=1e-12)
+    flat = curve(rates=[0.1, 0.1, 0.1, 0.001])
+    assert flat.end_slopes[0] == 0.0
+    assert flat.extended().rate(0.001) == pytest.approx(0.1)
+    # Far out a rate is a number all the same.
+    assert 0.0 < curve().extended().rate(1e99) < curve().extended().rate(1e-99) < np.inf
+
+
+def test_levels_rates_and_sites_may_reach_their_bounds() -> None:
+    wide = curve(levels=[1e-100, 1e100], rates=[1e100, 1e-100])
+    assert wide.slopes == pytest.approx([1.0])
+    for site in ((-360.0, -90.0), (360.0, 90.0)):
+        assert curve(site=site).site == site
+    for site in ((-360.1, 0.0), (360.1, 0.0), (0.0, -90.1), (0.0, 90.1)):
+        with pytest.raises(InputError, match="site"):
+            curve(site=site)
+    for changed in ({"levels": [0.9e-100, 1.0]}, {"levels": [1.0, 1.1e100]}):
+        with pytest.raises(InputError, match=r"must lie in \[1e-100, 1e\+100\]"):
+            curve(**changed, rates=[0.1, 0.01])
+    assert curve(rates=[0.1, 0.02, 0.02, 0.001]).slopes[1] == 0.0
+    assert curve(levels=[0.1, 0.2], rates=[0.1, 0.01]).end_slopes[0] == pytest.approx(
+        curve(levels=[0.1, 0.2], rates=[0.1, 0.01]).end_slopes[1]
+    )
+
+
+def test_what_is_beyond_the_ends_is_told() -> None:
+    low, high = curve().end_slopes
+    assert "unknown" in curve().summary()
+    assert f"power laws of exponents {low:.3g} and {high:.3g}" in curve().extended().summary()
+    assert curve(weight=1.0).weight == 1.0

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady import Block
-from rocksteady.risk.screens._asce import RockingBody, find_rotations
+from rocksteady.risk.screens._asce import RockingBody, find_rotations, rotations_text
 from rocksteady.risk.screens.spectra import Chain
 
 G = 9.80665
@@ -148,3 +148,9 @@ def test_a_short_spectrum_is_examined_to_its_end() -> None:
     period = 1.0 / case.frequency_hz(0.1)
     found = find_rotations(case, Chain((0.1, period), (9.0, 9.0)))
     assert found.examined_rad == pytest.approx(0.1)
+
+
+def test_three_angles_are_listed_and_four_are_counted() -> None:
+    assert rotations_text((0.1,)) == "0.1 rad"
+    assert rotations_text((0.02, 0.05, 0.1)) == "0.02 and 0.05 and 0.1 rad"
+    assert rotations_text((0.01, 0.02, 0.05, 0.1)) == "4 angles from 0.01 to 0.1 rad"

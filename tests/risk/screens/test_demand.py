@@ -37,10 +37,24 @@ def test_a_row_at_period_zero_is_the_pga_where_none_is_given() -> None:
     assert Demand(spectrum=table, spectrum_damping=0.05).with_peak().pga_g == 0.3
     assert Demand(spectrum=table, pga_g=0.4).with_peak().pga_g == 0.4
     assert Demand(spectrum=[[0.1, 0.3], [0.5, 0.8]]).with_peak().pga_g is None
+    # At period 0 no damping matters; of columns that differ all the same the largest counts.
+    columns = [[0.0, 0.2, 0.35, 0.3], [0.5, 0.8, 0.7, 0.6]]
+    assert Demand(spectrum=columns).with_peak().pga_g == 0.35
     # A replaced spectrum brings its own peak.
     stronger = replace(Demand(spectrum=table), spectrum=[[0.0, 0.9], [0.5, 0.8]])
     screens = screen_block(Block.rectangle(width=0.4, height=1.6), stronger)
     assert screens.demand.pga_g == stronger.with_peak().pga_g == 0.9
+
+
+def test_vertical_motion_acts_with_its_share_at_the_peak() -> None:
+    record = Record(acceleration_m_s2=[0.0, 2.0, -2.0, 0.0], dt_s=0.2)
+    whole = Demand.from_record(record, vertical_g=0.3)
+    part = Demand.from_record(record, vertical_g=0.3, vertical_share=0.4)
+    assert (whole.vertical_at_peak_g, part.vertical_at_peak_g) == (0.3, pytest.approx(0.12))
+    assert whole.vertical_words.startswith("0.3 g of vertical motion")
+    assert part.vertical_words.startswith("0.4 of 0.3 g of vertical motion")
+    for none in (Demand(pga_g=0.3), Demand(vertical_g=0.3, vertical_share=0.0)):
+        assert none.vertical_words == ""
 
 
 @every(

@@ -267,6 +267,65 @@ def test_rows_for_rectangles_say_so_of_other_blocks() -> None:
         assert one.verdict == other.verdict
 
 
+def test_a_spectrum_that_ends_below_the_capacity_answers_up_to_there() -> None:
+    """Its last root is passed: what follows of a falling spectrum can be left out."""
+    table = [[0.1, 0.4], [0.4, 0.4], [0.8, 0.01], [1.0, 0.005]]
+    row = screen_block(BLOCK, Demand(spectrum=table, spectrum_damping=0.05)).row(NAMES[3])
+    assert row.verdict.startswith("rocks up to ")
+    assert (row.passes, row.needs, row.status) == (True, "", "computed")
+    assert "It ends at 1 s: up to" in row.remark
+    # It is asked to go on where it ends above the capacity, or has met it nowhere.
+    for values in ([0.4, 0.4, 0.01, 0.4], [0.01, 0.01, 0.01, 0.005]):
+        other = [[period, value] for (period, _), value in zip(table, values, strict=True)]
+        row = screen_block(BLOCK, Demand(spectrum=other, spectrum_damping=0.05)).row(NAMES[3])
+        assert row.verdict.startswith("needs a spectrum up to 2.22 s"), values
+        assert (row.passes, row.status) == (None, "needs input")
+
+
+def test_beyond_its_last_root_a_demand_above_the_capacity_may_overturn() -> None:
+    table = [[0.1, 0.4], [0.4, 0.4], [0.8, 0.01], [4.0, 4.0]]
+    row = screen_block(BLOCK, Demand(spectrum=table, spectrum_damping=0.05)).row(NAMES[3])
+    assert row.verdict.startswith("may overturn beyond ")
+    assert (row.passes, row.needs, row.status) == (False, "", "computed")
+    assert "It ends at" not in row.remark
+    roots = [value for name, value, _ in row.details if name == "root"]
+    assert len(roots) == 2
+    assert row.value == roots[-1]
+
+
+def test_the_ratio_of_a_row_is_the_demand_over_its_threshold() -> None:
+    found = full()
+    for row in found.rows:
+        demand = {"g": 0.35, "m/s": 0.4}.get(row.unit)
+        expected = None if demand is None else demand / (row.value or math.nan)
+        assert found.ratio(row) == expected, row.name
+    alone = screen_block(BLOCK, Demand(pga_g=9.0))
+    assert [row.name for row in alone.rows if alone.ratio(row) is not None] == [
+        "uplift",
+        "Circolare rectangle",
+    ]
+
+
+def test_the_answer_shows_what_is_not_passed_first_and_five_rows_at_least() -> None:
+    calm = screen_block(BLOCK, Demand(pga_g=0.17, pgv_m_s=0.2), friction=0.4)
+    answer = calm.describe().answer
+    assert answer is not None
+    passes = [calm.row(name).passes for name, _ in answer.rows]
+    assert passes == [False, None, None, None, None]
+    assert "restitution" not in [name for name, _ in answer.rows]
+    (words,) = [text for name, text in answer.facts if name == "not listed"]
+    assert words == f"2 more with --more: Ishiyama bound, {NAMES[7]}"
+    worst = full().describe().answer
+    assert worst is not None
+    failed = [row.name for row in full().rows if row.passes is False]
+    assert [name for name, _ in worst.rows][: len(failed)] == failed
+    bare = screen_block(BLOCK, Demand()).describe().answer
+    assert bare is not None
+    assert bare.sentence == "No answer yet: none of the published screens has a verdict."
+    (words,) = [text for name, text in bare.facts if name == "no verdict"]
+    assert words == "uplift needs a PGA; friction to rock needs a PGA"
+
+
 def test_far_from_every_cabinet_there_is_no_verdict() -> None:
     row = screen_block(Block.rectangle(width=1.0, height=5.0), PEAKS).row("FEMA P-58 cabinets")
     assert row.passes is None

@@ -9,6 +9,7 @@ import pytest
 from rocksteady import Record
 from rocksteady.errors import InputError
 from rocksteady.measures import compute_response_spectrum
+from rocksteady.risk.screens import spectra
 from rocksteady.risk.screens.spectra import (
     Chain,
     RecordSpectrum,
@@ -28,7 +29,7 @@ def test_a_chain_is_a_straight_line_on_logarithmic_paper() -> None:
     assert chain.at(0.3) == pytest.approx(2.0)
     assert chain.at(1.0) == pytest.approx(1.0)  # 1/T
     assert (chain.at(0.01), chain.at(5.0)) == (2.0, 0.5)
-    assert list(chain.pieces()) == [(0.0, 0.1, 0.0), (0.1, 0.5, 0.0), (0.5, 2.0, pytest.approx(-1))]
+    assert list(chain.pieces()) == [(0.1, 0.0), (0.5, 0.0), (2.0, pytest.approx(-1))]
 
 
 def test_a_given_damping_is_taken_as_it_is() -> None:
@@ -80,6 +81,59 @@ def test_a_record_has_its_spectrum_at_the_damping_itself() -> None:
     ).pseudo_acceleration_m_s2
     assert [chain.values_m_s2[i] for i in some] == pytest.approx(exact.tolist(), rel=1e-12)
     assert chain.last_s == pytest.approx(3.0)
+
+
+@every("first", [1e-5, 0.005, 0.01, 0.0101, 0.5])
+def test_a_row_at_period_zero_stands_below_all_others(first: float) -> None:
+    """Its value holds up to 0.01 s, or to half the next period where that comes sooner."""
+    table = tabulated([[0.0, 0.3], [first, 0.9], [2.0, 0.5]], 0.05)
+    assert table is not None
+    chain, _ = table.at_damping(0.05, 4.0)
+    rigid = 0.01 if first > 0.01 else 0.5 * first
+    assert chain.periods_s == (rigid, first, 2.0)
+    assert chain.at(0.99 * rigid) == chain.at(0.0) == pytest.approx(0.3 * G)
+    assert chain.at(first) == pytest.approx(0.9 * G)
+
+
+@every("longest", [1e-9, 0.5, 4.0, 1e12])
+@every("step", [0.02, 2.0])
+def test_periods_of_a_record_ascend_to_the_longest_that_is_wanted(
+    longest: float, step: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """From 0.01 s, or a hundredth of the interval: an oscillator swings no faster between two."""
+    monkeypatch.setattr(spectra, "RECORD_PERIODS", 4)
+    record = Record(acceleration_m_s2=np.array([1.0, -1.0]), dt_s=step)
+    periods = np.array(RecordSpectrum(record).at_damping(0.05, longest)[0].periods_s)
+    assert periods[0] == pytest.approx(max(0.01, 0.01 * step), rel=1e-12)
+    assert (np.diff(periods) > 0.0).all()
+    assert periods[-1] == pytest.approx(min(max(longest, 2.0 * periods[0]), 1e9))
+
+
+def test_a_table_may_reach_its_bounds_and_not_beyond() -> None:
+    rows = [[1e-6, 1e-12], [1e9, 1e12]]
+    assert tabulated(rows, 0.05) is not None
+    assert tabulated([[0.0, 1.0], *rows], 0.05) is not None
+    for place, value in ((0, 0), (0, 1), (1, 0), (1, 1)):
+        wrong = [list(row) for row in rows]
+        wrong[place][value] *= 1.001 if place else 0.999
+        with pytest.raises(InputError, match="must lie in"):
+            tabulated(wrong, 0.05)
+    with pytest.raises(InputError, match="2 columns of Sa"):
+        tabulated([[0.1, 0.3, 0.2], [0.2, 0.3, 0.2]], 0.05)
+
+
+def test_at_the_dampings_of_a_table_and_beyond_the_nearest_column_counts() -> None:
+    table = tabulated([[0.0, 0.4, 0.4], [0.5, 1.2, 0.6]], (0.02, 0.08))
+    assert table is not None
+    for damping, column in ((0.02, 1.2), (0.08, 0.6)):
+        values, how = table.scaled(damping)
+        assert values.tolist() == [0.4, column]
+        assert f"as given at {100.0 * damping:g} %" in how
+    for damping, nearest, column in ((0.01, 0.02, 1.2), (0.2, 0.08, 0.6)):
+        values, how = table.scaled(damping)
+        factor = damping_factor(damping) / damping_factor(nearest)
+        assert values.tolist() == pytest.approx([0.4, factor * column])
+        assert f"scaled from {100.0 * nearest:g} % to {100.0 * damping:g} %" in how
 
 
 def test_without_a_damping_a_table_is_checked_and_not_used() -> None:
@@ -161,6 +215,10 @@ def test_a_file_that_holds_none_is_refused_by_its_line(
 def test_what_is_no_text_file_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="No such file"):
         read_table(tmp_path / "gone.txt")
+    for size, words in ((10_000_000, "no rows"), (10_000_001, "too large for a spectrum")):
+        (tmp_path / "long").write_text("#" * size, encoding="utf-8")
+        with pytest.raises(InputError, match=words):
+            read_table(tmp_path / "long")
     (tmp_path / "bytes").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(InputError, match="no text"):
         read_table(tmp_path / "bytes")

@@ -7,7 +7,7 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number
@@ -50,7 +50,7 @@ class DemandLevel:
         if intensity.name == "p_pgv_per_uplift":
             return side.p * self.value / uplift
         if intensity.name == "pga_per_uplift":
-            return self.value * 9.80665 / uplift
+            return self.value * STANDARD_GRAVITY / uplift
         return self.value
 
 
@@ -66,31 +66,21 @@ def demand_level(
     """
     key = PEAKS.get(intensity.name)
     given = demand.pga_g is not None or demand.pgv_m_s is not None or demand.spectrum is not None
-    if key is None:
-        period = intensity.period_s or 2.0 * np.pi / first_side(block).p
-        measure = Measure(intensity.name, float(period))
-    else:
-        measure = Measure(key)
+    period = float(intensity.period_s or 2.0 * np.pi / first_side(block).p)
+    measure = Measure(intensity.name, period) if key is None else Measure(key)
     value: float | None = None if key is None else getattr(demand, key)
     spectrum = demand.spectrum
     if key is None and intensity.name == "sa_g" and spectrum is not None:
         first, last = spectrum.period_s[0], spectrum.period_s[-1]
-        if not first <= (measure.period_s or 1.0) <= last:
+        if not first <= period <= last:
             raise ModelError(
                 named(source, "demand.spectrum", "period_s"),
-                Words(f"does not reach {number(measure.period_s or 1.0)} s, the measure's period"),
+                Words(f"does not reach {number(period)} s, the measure's period"),
                 f"it goes from {number(first)} to {number(last)} s and is not continued",
                 "add points to the spectrum, or name another intensity_measure",
             )
-        value = float(
-            np.exp(
-                np.interp(
-                    np.log(measure.period_s or 1.0),
-                    np.log(spectrum.period_s),
-                    np.log(spectrum.sa_g),
-                )
-            )
-        )
+        logs = np.interp(np.log(period), np.log(spectrum.period_s), np.log(spectrum.sa_g))
+        value = float(np.exp(logs))
     assumed = False
     if value is None and given:
         raise ModelError(

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.answer import Answer, left_out
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import length, number, plural, quantity
 from rocksteady.results.result import Result
@@ -243,7 +243,7 @@ class FacadeCheck(Result):
     def _answer(self) -> Answer:
         """Return what is not satisfied, the checks, and runs beyond d0."""
         decided = [check for check in self.checks if check.satisfied is not None]
-        decided.sort(key=lambda check: (check.satisfied is True, -(check.ratio or 0.0)))
+        decided.sort(key=lambda check: (check.satisfied is True, -_ratio(check)))
         failed = [check for check in decided if not check.satisfied]
         names = _joined(list(dict.fromkeys(each.limit_state for each in failed)))
         sentence = f"{self.facade.name} satisfies all {len(decided)} checks that have a demand"
@@ -252,8 +252,6 @@ class FacadeCheck(Result):
             sentence += f"by {len(failed)} of {plural(len(decided), 'check')}"
         if not decided:
             sentence = "No answer yet: no check has a demand, capacity alone is known"
-        most, facts = max(5, len(failed)), []
-        facts.append(left_out(max(len(decided) - most, 0), "satisfied"))
         refused = [
             str(remark)
             for check in self.checks
@@ -263,7 +261,7 @@ class FacadeCheck(Result):
         if self.runs is not None and self.runs.refusal is not None:
             refused = [self.runs.refusal]
         sentence += "; no verdict by runs" if refused and decided else ""
-        facts.append(("runs", " ".join(refused)))
+        facts = [("runs", " ".join(refused))]
         if self.runs is not None and self.runs.beyond:
             records = plural(len(self.runs.records), "record")
             facts.append(("beyond d0", f"runs under {len(self.runs.beyond)} of {records}"))
@@ -272,7 +270,7 @@ class FacadeCheck(Result):
         facts.append(("no demand", f"for {missing}" if missing else ""))
         facts.append(("not counted", ", ".join(each.name for each in self.facade.ending)))
         rows = [(f"{each.limit_state}, {each.method}", _ratio_words(each)) for each in decided]
-        return Answer(f"{sentence}.", facts, rows[:most])
+        return Answer(f"{sentence}.", facts, rows)
 
     def _of_checks(self) -> Iterator[str]:
         """Yield how demands were made, as far as the table does not show it."""
@@ -295,10 +293,16 @@ def _row(check: LimitStateCheck) -> dict[str, object]:
     return {**row, "demand": None if check.demand == math.inf else check.demand}
 
 
+def _ratio(check: LimitStateCheck) -> float:
+    """Return demand over capacity of a check with a demand."""
+    assert check.ratio is not None
+    return check.ratio
+
+
 def _ratio_words(check: LimitStateCheck) -> str:
     """Return demand and capacity of a check with their ratio."""
     demand, capacity = _words(check, check.demand), _words(check, check.capacity)
-    ratio = check.ratio or 0.0
+    ratio = _ratio(check)
     ratios = "" if math.isinf(ratio) else f" ({number(ratio, 2)})"
     return f"{demand} of {capacity}{ratios}" + ("" if check.satisfied else ": not satisfied")
 

@@ -282,10 +282,9 @@ def _shape(each: StateFragility) -> FragilityCurve:
 
 def _verb(state: DamageState) -> str:
     """Return what a block does in a damage state, in a word or two."""
-    default = {"uplift": "lift", "overturned": "fall"}
     if state.peak is not None:
         return f"tilt > {state.peak:g} alpha"
-    return default.get(state.name, f"reach {state.name}")
+    return {"uplift": "lift", "overturned": "fall"}[state.name]
 
 
 def _short(state: DamageState) -> str:

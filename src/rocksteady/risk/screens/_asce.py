@@ -148,9 +148,7 @@ def _cuts(body: RockingBody, demand: Chain) -> list[float]:
     first = LEAST * body.alpha
     last = _rotation_of(body, demand.last_s, first)
     cuts = [first]
-    for start_s, end_s, power in demand.pieces():
-        if 1.0 / end_s >= body.frequency_hz(first):  # all of it shorter
-            continue
+    for end_s, power in demand.pieces():
         low, high = cuts[-1], min(_rotation_of(body, end_s, first), last)
         if -1.0 < power < 0.0:
             level = 1.0 + power / (2.0 + power)
@@ -158,8 +156,6 @@ def _cuts(body: RockingBody, demand: Chain) -> list[float]:
                 cuts.append(_turn(body, level, low, high))
         if high > cuts[-1]:
             cuts.append(high)
-        if start_s >= demand.last_s or high >= last:
-            break
     return cuts
 
 

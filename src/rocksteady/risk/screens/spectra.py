@@ -59,11 +59,11 @@ class Chain:
         start, power = self.periods_s[i - 1], self._power(i)
         return self.values_m_s2[i - 1] * math.pow(period_s / start, power)
 
-    def pieces(self) -> Iterator[tuple[float, float, float]]:
-        """Yield start, end [s] and power of each power law, the constant one first."""
-        yield 0.0, self.periods_s[0], 0.0
+    def pieces(self) -> Iterator[tuple[float, float]]:
+        """Yield end [s] and power of each power law, the constant one first."""
+        yield self.periods_s[0], 0.0
         for i in range(1, len(self.periods_s)):
-            yield self.periods_s[i - 1], self.periods_s[i], self._power(i)
+            yield self.periods_s[i], self._power(i)
 
     def _power(self, i: int) -> float:
         value = math.log(self.values_m_s2[i] / self.values_m_s2[i - 1])

@@ -1,5 +1,6 @@
 """Insets: a crowded part of a plot, magnified."""
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -135,12 +136,12 @@ def _dense(path: Floats) -> Floats:
 def _hidden(box: Box, points: Floats, marks: Floats, crowd: Box) -> float:
     """Return how much an inset with its tick labels would hide; nearer to its crowd is better."""
     x0, y0, x1, y1 = box[0], box[1], box[2] + 0.02, box[3] + 0.02
+    if x0 < crowd[2] and crowd[0] < x1 and y0 < crowd[3] and crowd[1] < y1:
+        return math.inf
     hidden = 0.0
     for places in (points, marks):
         x, y = places.T
         hidden += float(((x > x0) & (x < x1) & (y > y0) & (y < y1)).mean())
-    if x0 < crowd[2] and crowd[0] < x1 and y0 < crowd[3] and crowd[1] < y1:
-        hidden += 1.0
     middle = (
         0.5 * (x0 + x1) - 0.5 * (crowd[0] + crowd[2]),
         0.5 * (y0 + y1) - 0.5 * (crowd[1] + crowd[3]),

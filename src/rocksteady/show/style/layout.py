@@ -262,7 +262,7 @@ def percent_ticks(axes: "Axes", which: Literal["x", "y"]) -> None:
 def region_centres(
     curves: RegionMap,
     ceiling: float,
-    floor: float = 0.0,
+    floor: float,
     *,
     point: tuple[float, float] | None = None,
     taken: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0),

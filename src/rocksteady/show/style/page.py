@@ -164,7 +164,7 @@ def _write_title(figure: "Figure", title: str, size: float) -> None:
         if box.x0 > 0.5 * room and box.y1 > 0.9 * figure.bbox.y1:  # at the right of the title
             room = box.x0 - 6.0
     while letters > 20 and text.get_window_extent().x1 > room:
-        letters = max(20, min(letters - 1, int(letters * 0.97)))
+        letters -= 1
         text.set_text(literal(title, line=letters))
 
 

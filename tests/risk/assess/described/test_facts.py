@@ -56,3 +56,28 @@ def test_what_is_assumed_is_written(
     facts = facts_of(geometry, **keys)
     assert any(words in warning for warning in facts.warnings)
     assert not any(words in warning for warning in facts_of(friction=0.4).warnings)
+
+
+@every(("alpha", "words"), [(0.0399, "is small"), (0.0401, ""), (0.3999, ""), (0.4001, "slide")])
+def test_slender_and_stocky_begin_at_a_slenderness(alpha: float, words: str) -> None:
+    facts = facts_of({"alpha_rad": alpha, "p_rad_s": 2.0}, friction=0.9)
+    assert len(facts.warnings) == (1 if words else 0)
+    assert all(words in warning for warning in facts.warnings)
+
+
+def test_half_a_degree_is_compared_with_the_slenderness() -> None:
+    alpha = math.radians(2.0)
+    facts = facts_of({"alpha_rad": alpha, "p_rad_s": 2.0}, friction=0.9)
+    assert "by half a degree changes it by 25 %" in facts.warnings[0]
+    assert facts_of(friction=0.4, restitution=0.98).warnings == ()
+
+
+def test_of_an_object_at_a_wall_the_free_side_and_the_wall_count() -> None:
+    facts = facts_of({"left_m": 0.1, "right_m": 0.3, "mass_centre_height_m": 0.8},
+                     friction=0.5, against_wall=True, restitution=0.4)  # fmt: skip
+    values = facts.to_dict()
+    assert values["restitution"] == 0.4
+    assert [row["side"] for row in values["sides"]] == ["left"]
+    assert values["sides"][0]["restitution"] == 0.4
+    assert any("rocks about its left edge alone" in warning for warning in facts.warnings)
+    assert values["uplift_pga_g"] == pytest.approx(0.1 / 0.8)

@@ -1,5 +1,6 @@
 """What follows from an object's geometry: slenderness, frequency, restitution, friction, doubts."""
 
+import math
 from dataclasses import dataclass
 
 from rocksteady.kernels.elementary.arrays import tan
@@ -188,7 +189,7 @@ def _warnings(described: DescribedObject, block: Block, slope: float) -> list[st
     if side.alpha < SLENDER:
         sentences.append(
             f"A slenderness of {angle(side.alpha)} is small: a floor out of level by half a degree "
-            f"changes it by {number(50.0 / (side.alpha * 57.3))} %."
+            f"changes it by {number(50.0 / math.degrees(side.alpha))} %."
         )
     shape = given.geometry
     moved = shape.mass_centre_height_m is not None or shape.offset_m is not None

@@ -1,0 +1,163 @@
+"""Answers on a facade: what is not satisfied, in what order, and what is left open."""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from rocksteady.model.equations import Nonlinear
+from rocksteady.outcomes import Status
+from rocksteady.risk.facades.actions import Tie
+from rocksteady.risk.facades.check_facade import check_facade
+from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
+from rocksteady.risk.facades.facade import Facade
+from rocksteady.risk.facades.facade_check import FacadeCheck
+from rocksteady.risk.facades.facade_demand import FacadeDemand
+from rocksteady.risk.facades.facade_runs import FacadeRuns
+from rocksteady.risk.facades.spectrum_table import SpectrumTable
+from tests.every import every
+
+WALL = Facade(name="front", thickness_m=0.3, height_m=3.0)
+
+
+def rock(ag_g: float) -> ElasticSpectrum:
+    return ElasticSpectrum(ag_g=ag_g, f0=2.5, tc_star_s=0.3, soil="A")
+
+
+def runs(share: list[list[float]], *, pga_g: float = 0.4, **keys: Any) -> FacadeRuns:
+    count = len(share)
+    values: dict[str, Any] = {
+        "facade": WALL,
+        "limit_state": "SLV",
+        "model": Nonlinear(),
+        "records": tuple(f"r{k}" for k in range(count)),
+        "directions": ("as recorded", "reversed"),
+        "pga_g": np.full(count, pga_g),
+        "scale": np.ones(count),
+        "vertical": (False,) * count,
+        "status": np.full((count, 2), int(Status.AT_REST)),
+        "share": np.array(share),
+    }
+    return FacadeRuns(**{**values, **keys})
+
+
+def checked(ag: float = 0.15, shares: list[list[float]] | None = None) -> FacadeCheck:
+    demand = FacadeDemand(sld=rock(ag), slv=rock(ag), slc=rock(ag))
+    return check_facade(WALL, demand, runs=None if shares is None else runs(shares))
+
+
+def told(check: FacadeCheck) -> dict[str, str]:
+    answer = check.describe().answer
+    assert answer is not None
+    return dict(answer.stated)
+
+
+def test_what_is_not_satisfied_comes_first_and_then_what_is_nearest_to_it() -> None:
+    found = checked(0.15, [[0.1, 0.2]] * 7)
+    answer = found.describe().answer
+    assert answer is not None
+    assert answer.sentence == "front does not satisfy SLD and SLV, by 2 of 5 checks."
+    by_name = {f"{each.limit_state}, {each.method}": each for each in found.checks}
+    order = [(by_name[name].satisfied, -(by_name[name].ratio or 0.0)) for name, _ in answer.rows]
+    assert len(order) == 5
+    assert order == sorted(order)
+    assert answer.rows[0] == ("SLD, linear", "0.15 g of 0.0741 g (2): not satisfied")
+    assert answer.rows[2][1].endswith("(0.6)")
+    weak = checked(0.01).describe().answer
+    assert weak is not None
+    assert weak.sentence == "front satisfies all 4 checks that have a demand."
+
+
+def test_the_largest_displacement_of_a_record_is_that_of_the_worse_sign() -> None:
+    found = runs([[0.1, 0.2], [0.3, 0.1], *[[0.0, 0.4]] * 5])
+    assert found.largest_m.tolist() == (np.array([0.2, 0.3, *[0.4] * 5]) * 0.2).tolist()
+    values = found.to_dict()
+    assert [row["share_d0"] for row in values["records"]] == [0.2, 0.3, *[0.4] * 5]
+    assert [row["uplift"] for row in values["runs"][:6]] == [True, True, True, True, False, True]
+    assert "In 5 of 14 runs the facade does not lift." in found.remarks
+    assert {fact.key: fact.text for fact in found.describe().facts}["beyond"] == "none"
+
+
+def test_d0_itself_is_not_beyond_it_and_the_limit_itself_is_reached() -> None:
+    for share, beyond in ((1.0, False), (math.nextafter(1.0, 2.0), True)):
+        found = runs([[0.0, share], *[[0.0, 0.0]] * 7])
+        assert found.beyond == (("r0",) if beyond else ())
+        assert {fact.key: fact.text for fact in found.describe().facts}["beyond"] == (
+            "r0" if beyond else "none"
+        )
+        assert found.satisfied is not beyond
+        assert ("comes back" in " ".join(found.remarks)) is beyond
+        assert found.to_dict()["records"][0]["beyond_d0"] is beyond
+    for state, limit in (("SLV", 0.4), ("SLC", 0.6)):
+        at = runs([[limit, 0.0]] * 8, limit_state=state)
+        assert at.limit_m == at.mean_m
+        assert at.satisfied is True
+        over = runs([[1.0001 * limit, 0.0]] * 8, limit_state=state)
+        assert over.satisfied is False
+
+
+def test_runs_beyond_d0_are_counted_and_have_no_ratio() -> None:
+    found = checked(0.15, [[0.0, math.inf], [math.inf, math.inf], *[[0.1, 0.1]] * 6])
+    assert told(found)["beyond d0"] == "runs under 2 of 8 records"
+    answer = found.describe().answer
+    assert answer is not None
+    assert ("SLV, dynamic", "beyond d0 of 80 mm: not satisfied") in list(answer.rows)
+    assert answer.rows[0][0] == "SLV, dynamic"
+    words = " ".join(runs([[0.0, math.inf]] * 7, status=np.full((7, 2), -1)).remarks)
+    assert "The end of 14 runs could not be decided" in words
+    fell = np.full((7, 2), int(Status.OVERTURNED))
+    assert "could not be decided" not in " ".join(runs([[0.0, math.inf]] * 7, status=fell).remarks)
+
+
+def test_what_is_open_is_named() -> None:
+    bare = check_facade(WALL)
+    assert told(bare)["no demand"] == "for SLD, SLV and SLC"
+    part = check_facade(WALL, FacadeDemand(slv=rock(0.1)))
+    assert told(part)["no demand"] == "for SLD and SLC"
+    assert "no demand" not in told(checked())
+    tied = replace(WALL, ties=(Tie(name="rods", force_kn=1.0, z_m=3.0),))
+    assert told(check_facade(tied))["not counted"] == "rods"
+    held = replace(WALL, ties=(Tie(name="rods", force_kn=1.0, z_m=3.0, until_collapse=True),))
+    assert "not counted" not in told(check_facade(held))
+
+
+@every(("count", "words"), [(1, "there is 1 record"), (6, "there are 6 records")])
+def test_few_records_are_refused_in_the_answer(count: int, words: str) -> None:
+    found = checked(0.15, [[0.1, 0.1]] * count)
+    assert words in told(found)["runs"]
+    answer = found.describe().answer
+    assert answer is not None
+    assert answer.sentence.endswith("; no verdict by runs.")
+    alone = check_facade(WALL, runs=runs([[0.1, 0.1]] * count)).describe().answer
+    assert alone is not None
+    assert alone.sentence == "No answer yet: no check has a demand, capacity alone is known."
+    alike = runs([[0.1, 0.1]] * 9, motions=count)
+    assert words.replace("record", "different record") in str(alike.refusal)
+
+
+def test_records_may_be_weaker_than_the_demand_by_a_tenth_on_average() -> None:
+    demand = FacadeDemand(slv=rock(0.4))
+    for pga, answered in ((0.3601, True), (0.3599, False)):
+        given = runs([[0.1, 0.1]] * 7, pga_g=pga)
+        found = check_facade(WALL, demand, runs=given)
+        assert (found.checks[-1].satisfied is True) is answered
+        assert ("mean PGA of 0.36 g" in told(found).get("runs", "")) is not answered
+    # A table that does not begin at period 0 has no PGA to compare with.
+    late = SpectrumTable(periods_s=[0.1, 0.3, 6.0], values_g=[0.9, 0.9, 0.01], damping=0.05)
+    weak = check_facade(WALL, FacadeDemand(slc=late), runs=runs([[0.1, 0.1]] * 7, pga_g=1e-3,
+                                                                limit_state="SLC"))  # fmt: skip
+    assert weak.checks[-1].satisfied is True
+
+
+def test_a_demand_at_the_capacity_is_satisfied() -> None:
+    capacity = WALL.mechanism.linear_g
+    for part, satisfied in ((1.0, True), (1.0 + 1e-9, False)):
+        flat = SpectrumTable(
+            periods_s=[0.0, 6.0], values_g=[part * capacity, 1e-3 * capacity], damping=0.05
+        )
+        found = check_facade(WALL, FacadeDemand(sld=flat))
+        assert found.checks[0].satisfied is satisfied
+        # With q = 2 the same peak is half of the capacity.
+        again = check_facade(WALL, FacadeDemand(slv=flat)).checks[1]
+        assert again.ratio == 0.5 * part
