@@ -13,11 +13,10 @@ from rocksteady.risk.assess._sensitivity import (
     case_of,
     changes_of,
     levels_about,
-    parameter_words,
     stays,
     tornado,
 )
-from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.risk.assess.described.objects import DescribedObject, parameter_words
 from rocksteady.risk.screens.friction import uplift_acceleration_g
 from rocksteady.seismic.measures.scalar import Measure
 from tests.every import every

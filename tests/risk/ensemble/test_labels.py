@@ -9,7 +9,7 @@ from rocksteady import Record, Status
 from rocksteady.risk.ensemble._labels import warnings_of
 from tests.every import every
 
-SUITE = [Record(acceleration_m_s2=[0.0, 1.0, -1.0 - k, 0.0], dt_s=0.1) for k in range(8)]
+SUITE = [Record(acceleration_m_s2=np.array([0.0, 1.0, -1.0 - k, 0.0]), dt_s=0.1) for k in range(8)]
 NAMES = [f"r{k}" for k in range(8)]
 
 

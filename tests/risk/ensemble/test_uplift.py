@@ -10,8 +10,8 @@ from rocksteady.risk.ensemble._uplift import Lines, driving, uplift_times
 from rocksteady.seismic.spectra.batch import GroundShaking
 from tests.every import every
 
-ACROSS = Record(acceleration_m_s2=[0.0, 3.0, -2.0, 4.0, -6.0, 1.0], dt_s=0.5)
-UP = Record(acceleration_m_s2=[1.0, -4.0, 5.0, -7.0, 2.0], dt_s=0.7)
+ACROSS = Record(acceleration_m_s2=np.array([0.0, 3.0, -2.0, 4.0, -6.0, 1.0]), dt_s=0.5)
+UP = Record(acceleration_m_s2=np.array([1.0, -4.0, 5.0, -7.0, 2.0]), dt_s=0.7)
 FREE = Block.asymmetric(left=0.2, right=0.3, height=1.6, gravity=9.0)
 BLOCKS = (Block.rectangle(width=0.4, height=1.6), FREE, FREE.against_wall(0.5))
 BOTH = ("as recorded", "reversed")

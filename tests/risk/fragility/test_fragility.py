@@ -100,6 +100,7 @@ def test_few_records_and_large_factors_are_said_from_their_limits_on() -> None:
     for factor, large in ((10.0, False), (10.1, True)):
         _, facts = told(fragility(scale_factor_max=factor))
         assert ("scaled" in facts) is large
+    _, facts = told(fragility(scale_factor_max=10.1))
     assert facts["scaled"] == "records by up to 10.1 x: check these"
 
 

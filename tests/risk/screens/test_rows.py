@@ -1,6 +1,7 @@
 """Rows at their own thresholds, at the edges of their ranges, and with one peak alone."""
 
 import math
+from typing import Any
 
 import pytest
 
@@ -21,7 +22,7 @@ G = 9.80665
 NUMBER, CABINET = "p PGV/(g tan alpha)", "FEMA P-58 cabinets"
 
 
-def row(name: str, block: Block = BLOCK, friction: float | None = None, **demand: float) -> Screen:
+def row(name: str, block: Block = BLOCK, friction: float | None = None, **demand: Any) -> Screen:
     return screen_block(block, Demand(**demand), friction=friction).row(name)
 
 
@@ -33,7 +34,7 @@ def above(value: float) -> float:
     return math.nextafter(value, math.inf)
 
 
-def details(found: Screen) -> dict[str, tuple[float, str]]:
+def details(found: Screen) -> dict[str, Any]:
     return {name: (value, unit) for name, value, unit in found.details}
 
 
@@ -56,7 +57,7 @@ def test_a_peak_at_a_bound_reaches_it() -> None:
     ishiyama, kaneko, circolare = "Ishiyama bound", "Kaneko-Hayashi 50 %", "Circolare rectangle"
     assert row(ishiyama, pga_g=below(bounds.pga_g)).passes is True
     assert row(ishiyama, pgv_m_s=below(bounds.pgv_m_s)).passes is True
-    at_both = {"pga_g": bounds.pga_g, "pgv_m_s": bounds.pgv_m_s}
+    at_both: dict[str, Any] = {"pga_g": bounds.pga_g, "pgv_m_s": bounds.pgv_m_s}
     assert row(ishiyama, **at_both).passes is False
     assert row(ishiyama, **(at_both | {"pga_g": below(bounds.pga_g)})).passes is True
     assert row(ishiyama, **(at_both | {"pgv_m_s": below(bounds.pgv_m_s)})).passes is True
@@ -67,8 +68,8 @@ def test_a_peak_at_a_bound_reaches_it() -> None:
     assert slower.passes is None
     assert "fewer than half" in slower.verdict
     for name, value in (("pga_g", half.acceleration_g), ("pgv_m_s", half.velocity_m_s)):
-        assert not row(kaneko, **{name: below(value)}).needs
-        assert row(kaneko, **{name: value}).needs
+        assert not row(kaneko, **dict[str, Any]({name: below(value)})).needs
+        assert row(kaneko, **dict[str, Any]({name: value})).needs
     # The acceleration that activates a mechanism does not yet exceed its capacity.
     poor = circolare_rectangle(BLOCK.positive, G, 1.35).a0_lumped_g
     assert [row(circolare, pga_g=pga).passes for pga in (poor, above(poor))] == [True, False]

@@ -33,7 +33,7 @@ def axes_of(width: float, *, part: float = 0.8, lines: int = 3) -> Axes:
 
 def test_the_figure_of_axes_is_the_whole_one() -> None:
     whole = Figure()
-    part, _ = whole.subfigures(1, 2)
+    part = whole.add_subfigure(whole.add_gridspec(1, 2)[0])
     assert figure_of(part.add_subplot()) is whole
 
 
