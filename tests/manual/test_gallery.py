@@ -155,12 +155,12 @@ def test_a_script_draws_on_both_papers_computes_once_and_leaves_no_ground(
 
     compute = rs.simulate
     monkeypatch.setattr(rs, "simulate", simulate)
-    assert shown("histories/hops.py", tmp_path)
+    assert shown("histories/record.py", tmp_path)
     light, dark = (Image.open(tmp_path / f"drawn_001{end}.png") for end in ("", "_dark"))
     assert light.size == dark.size
     for picture in (light, dark):
         assert picture.getpixel((0, 0))[3] == 0  # type: ignore[index]
-        assert picture.info["Source"] == "examples/histories/hops.py"
+        assert picture.info["Source"] == "examples/histories/record.py"
     ink = [np.asarray(each)[np.asarray(each)[..., 3] == 255] for each in (light, dark)]
     assert ink[0].mean() < ink[1].mean()
     assert rs.simulate is simulate

@@ -10,6 +10,7 @@ from rocksteady.certify._balls import BITS, Stated, stated
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.equations import Linear, Model
@@ -30,6 +31,7 @@ SYMBOLS = dict(zip(NAMES, ("A", "W", "restitution"), strict=True))
 Numbers = dict[str, Stated]
 
 
+@checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Certificate(Result):
     """A claim with its verdict, and the numbers from which the standalone program proves it again.

@@ -18,6 +18,7 @@ from rocksteady.results.result import Result
 HOLDS, REFUSED, UNDECIDED = "holds", "refused", "undecided"
 
 
+@checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class CheckedCertificate(Result):
     """What the check of a certificate's file found.

@@ -115,6 +115,7 @@ def _one_rise(amplitude: arb, floor: arb, beta: arb, sine: arb, inertia: arb, or
     return bool(amplitude < 1 or sine * inertia > 1 or beta > floor)
 
 
+@checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ProvedRegion(Result):
     """What is proved of the symmetric motion over amplitude and frequency ratio.

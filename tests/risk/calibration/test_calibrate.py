@@ -304,7 +304,11 @@ def test_below_fifty_effective_draws_nothing_is_identified(tests: Observations) 
     assert np.isnan(predicted.low[low]).all()
     assert all(row["low"] is None for row, few in zip(predicted.rows, low, strict=True) if few)
     drawn = plots.posterior(found, Figure().add_subplot())
-    assert "not identified" in drawn.get_legend_handles_labels()[1]
+    legend = drawn.get_legend()
+    assert legend is not None
+    assert "not identified" in [
+        text.get_text() for text in (legend.get_title(), *legend.get_texts())
+    ]
 
 
 def test_full_equations_count_flips_of_their_tolerance() -> None:

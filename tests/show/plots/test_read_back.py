@@ -269,6 +269,10 @@ CASES: dict[str, Case] = {
             [float(test.fell) for test in t["observations"].tests],
         ],
     ),
+    "plot_proved_region": lambda t: (
+        {"region": t["proved region"]},
+        [t["proved region"].grid(500, 500)],
+    ),
     "plot_residuals": lambda t: ({"calibration": t["calibration"]}, [residuals(t)]),
     "plot_response": lambda t: (
         {"curves": t["curve"]},

@@ -52,13 +52,13 @@ LONGEST_NAME = 0.3
 SHADES = 3
 """Lightness steps of orbits, in turn."""
 BOUNDARIES: dict[str, tuple[str, Any]] = {
-    "existence": ("existence", CURVES[PointType.FOLD]),
-    "kind": ("kind", (0, (5, 2.5))),
-    "sign": ("sign", CURVES[PointType.GRAZING]),
+    "existence": ("existence (23)", CURVES[PointType.FOLD]),
+    "kind": ("kind (25)", (0, (5, 2.5))),
+    "sign": ("sign (24)", CURVES[PointType.GRAZING]),
     "symmetry_breaking": ("symmetry breaking", CURVES[PointType.SYMMETRY_BREAKING]),
     "heteroclinic": ("heteroclinic", (0, (7, 2, 1.2, 2, 1.2, 2))),
 }
-"""Name and dashes of each boundary in the plane of frequency and amplitude."""
+"""Name, with its equation in docs/theory/steady.md, and dashes of each boundary."""
 KEY = (170.0, 60.0)
 """Width and height of the legend of the regions [points]."""
 SOLUTIONS = (
