@@ -78,7 +78,7 @@ def test_no_command_line_of_many_ends_in_another_way() -> None:
 
 def test_every_command_and_every_flag_is_drawn() -> None:
     draw = random.Random(0)
-    drawn = [command_line(draw, number) for number in range(8000)]
+    drawn = [command_line(draw, number) for number in range(12_000)]
     for path, command in COMMANDS.items():
         words = path.split()
         mine = {
