@@ -2,8 +2,8 @@
 Where is the steady motion proved?
 ==================================
 
-Boxes of frequency and amplitude in which the symmetric motion is proved to be stable, to be unstable,
-or not to exist, in ball arithmetic. What is left undecided lies along the boundaries. See
+Boxes of frequency and amplitude in which the symmetric motion is proved to be stable, to be
+unstable, or not to exist, in ball arithmetic. What is left undecided lies along the boundaries. See
 :doc:`/how-to/prove`.
 """
 

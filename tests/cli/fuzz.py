@@ -180,7 +180,8 @@ VAGUE = re.compile(
     r"= '?(not given|both given|neither given|given|no axis|one size)'? is|the block = "
 )
 NAMED = re.compile(
-    r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess|object|facade|certify|certificate|WHAT) (= |is not given)|"
+    r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess|object|facade|certificate) = |"
+    r"WHAT is not given|"
     r"[^:]+: line \d+|.*; see rocksteady.*--help$|"
     r".* is (too much|no command|no flag of [^:]*): rocksteady.* --help(-all)? )"
 )
