@@ -76,7 +76,7 @@ def test_a_title_stands_above_all_names() -> None:
     for title, lines in (("of", 0), ("of\ntwo", 1)):
         found = named([LineEnd("a", [0.4], "k")], title=title, most=0.9)
         assert found["a"][0] == pytest.approx(0.2)
-        assert found[title][0] == pytest.approx(0.9 + (1.3 + 0.5 * lines) * step)
+        assert found[title][0] == pytest.approx(0.2 + (1.3 + 0.5 * lines) * step)
     crowd = [LineEnd(f"n{k}", [2.0], "k") for k in range(30)]
     heights = [height for name, (height, _) in named(crowd, title="all").items() if name != "all"]
     assert min(heights) == 0.0
