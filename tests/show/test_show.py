@@ -299,7 +299,7 @@ def words_of(axes: Axes) -> list[str]:
     return [text.get_text() for text in axes.texts]
 
 
-BOUNDARIES = {"existence", "kind", "sign", "symmetry breaking", "heteroclinic"}
+BOUNDARIES = {"existence (23)", "kind (25)", "sign (24)", "symmetry breaking", "heteroclinic"}
 
 
 @pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
