@@ -28,7 +28,7 @@ MEANS = {
     ("area", "paper"): "stands|no such start|not computed|does not lift.*",
     ("area", "rocks"): "rocks",
     ("area", "undecided"): "undecided",
-    ("area", "symmetric"): "symmetric",
+    ("area", "symmetric"): "symmetric( stable)?",
     ("area", "unsymmetric"): "unsymmetric",
     ("area", "subharmonic"): "subharmonic",
     ("area", "aperiodic"): "aperiodic",

@@ -48,7 +48,7 @@ def plot_proved_region(
     >>> region = certify_region((1.5, 2.5), (1.8, 2.2), 0.8, most_boxes=500)
     >>> axes = plot_proved_region(region, Figure().add_subplot())
     >>> [text.get_text() for text in axes.get_legend().get_texts()]
-    ['stable', 'unstable', 'undecided']
+    ['symmetric, stable', 'unstable', 'undecided']
     """
     from matplotlib.colors import ListedColormap
 
@@ -65,8 +65,9 @@ def plot_proved_region(
     draw_pattern(axes, (edges[0], edges[1]), cells == 0, HATCHES["undecided"], ink, thin=True)
     across, up = scale_of("frequency_ratio", None), scale_of("amplitude", None)
     axes.set(xlabel=across.label, ylabel=up.label)
-    seen = [letter for letter in WORDS if (cells == int(letter)).any()]
-    draw_legend(
-        axes, place, handles=[swatch(inks, ROLES[letter], WORDS[letter]) for letter in seen]
-    )
+    seen = {letter: WORDS[letter] for letter in WORDS if (cells == int(letter)).any()}
+    kind = {letter for letter in seen if ROLES[letter] == "symmetric"}  # whose colour names it
+    names = {letter: "symmetric, " * (letter in kind) + words for letter, words in seen.items()}
+    handles = [swatch(inks, ROLES[letter], name) for letter, name in names.items()]
+    draw_legend(axes, place, handles=handles)
     return axes
