@@ -1,5 +1,6 @@
 """Computed studies as folders of files."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from pathlib import Path
 from typing import ClassVar
@@ -36,7 +37,7 @@ def fill_study(
     return fill_folder(folder, write, within=None if parts is None else parts.folder)
 
 
-class Saved:
+class Saved(ABC):
     """A computed study whose pictures, tables, numbers and page are written at once."""
 
     ours: ClassVar[str]
@@ -76,6 +77,6 @@ class Saved:
         check_folder(folder, self.ours, force=force)
         return fill_study(folder, lambda stage: self.write(stage, done), parts)
 
+    @abstractmethod
     def write(self, stage: Path, done: Done) -> None:
         """Write every file into a hidden folder."""
-        raise NotImplementedError
