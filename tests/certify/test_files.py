@@ -1,6 +1,8 @@
 """Files of certificates checked."""
 
+import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -9,7 +11,9 @@ from rocksteady.certify.fate import certify_fate
 from rocksteady.certify.files import check_certificate
 from rocksteady.certify.region import certify_region
 from rocksteady.errors import InputError
-from tests.certify.test_fate import BLOCK, synthetic
+from rocksteady.model.motions.pulses import Pulse
+from tests.certify.test_fate import BARE, BLOCK, synthetic
+from tests.every import every
 
 
 def test_each_kind_is_checked_by_its_program(tmp_path: Path) -> None:
@@ -33,3 +37,34 @@ def test_what_is_no_certificate_is_bad_input(tmp_path: Path) -> None:
         check_certificate(file)
     with pytest.raises(InputError, match="give arb or iv"):
         check_certificate(file, arithmetic="float")
+
+
+BOMBS = ("1e99999999", "1e-99999999", "1E+1_000_000_00", "9" * 10_000)
+"""Texts of numbers that would take minutes, or all memory, to be made."""
+
+
+@every("text", BOMBS)
+def test_a_number_of_too_many_digits_is_refused_at_once(text: str, tmp_path: Path) -> None:
+    file = tmp_path / "certificate.json"
+    chaos = json.loads(certify_chaos(0.6, 2, 0.8).to_json())
+    pulse = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=2.0)
+    fate = json.loads(certify_fate(BARE, pulse).to_json())
+    changes: tuple[dict[str, Any], ...] = (
+        chaos | {"radius": text},
+        chaos | {"claim": {"entropy_per_period": text}},
+        chaos | {"model": chaos["model"] | {"amplitude": [text]}},
+        fate | {"model": fate["model"] | {"amplitude": [text]}},
+    )
+    for values in changes:
+        file.write_text(json.dumps(values), encoding="utf-8")
+        for arithmetic in ("arb", "iv"):
+            assert check_certificate(file, arithmetic=arithmetic).verdict == "refused"
+    with pytest.raises(InputError, match="it must be a finite number"):
+        certify_chaos(text, 2, 0.8)
+
+
+def test_a_file_of_many_brackets_is_no_certificate(tmp_path: Path) -> None:
+    file = tmp_path / "deep.json"
+    file.write_text("[" * 100_000 + "]" * 100_000, encoding="utf-8")
+    with pytest.raises(InputError, match="cannot be read as the JSON of a certificate"):
+        check_certificate(file)

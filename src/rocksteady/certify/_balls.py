@@ -11,6 +11,7 @@ from fractions import Fraction
 
 from flint import arb, ctx, fmpq
 
+from rocksteady.certify import checker
 from rocksteady.errors import InputError
 
 BITS = (64, 128, 256, 512, 1024, 2048, 4096)
@@ -48,7 +49,7 @@ def stated(name: str, value: str | float | Fraction) -> Stated:
     """
     text = str(value) if isinstance(value, str | Fraction) else repr(float(value))
     try:
-        written = Fraction(text)
+        written = checker.exact(text)
         double = Fraction(float(written))
     except (ValueError, OverflowError, ZeroDivisionError):
         raise InputError(

@@ -21,12 +21,18 @@ from itertools import combinations, product
 from types import SimpleNamespace as K
 
 
+def exact(t):
+    """Return a number or its text as a fraction; a text of too many digits is no number."""
+    short = not isinstance(t, str) or (len(t) < 9999 and len(t.lower().partition("e")[2]) < 6)
+    return Fraction(t if short else "of too many digits")
+
+
 def arb(bits):
     """Return the arithmetic of python-flint."""
     from flint import arb, ctx, fmpq
 
     ctx.prec = bits
-    num = lambda t: arb(fmpq(*Fraction(t).as_integer_ratio()))
+    num = lambda t: arb(fmpq(*exact(t).as_integer_ratio()))
     hull = lambda a, b: arb(a).union(arb(b))
     ends, mid = lambda x: (arb(x.lower()), arb(x.upper())), lambda x: arb(x.mid())
     return K(pi=arb.pi(), num=num, hull=hull, ends=ends, mid=mid, sin_cos=arb.sin_cos, exp=arb.exp)
@@ -37,7 +43,7 @@ def iv(bits):
     from mpmath import iv
 
     iv.prec, f = bits, iv.mpf
-    num, mid = lambda t: f(Fraction(t).numerator) / Fraction(t).denominator, lambda x: f(x.mid.a)
+    num, mid = lambda t: f(exact(t).numerator) / exact(t).denominator, lambda x: f(x.mid.a)
     hull = lambda a, b: f([min(f(a).a, f(b).a), max(f(a).b, f(b).b)])
     ends, sin_cos = lambda x: (f(x.a), f(x.b)), lambda x: (iv.sin(x), iv.cos(x))
     return K(pi=+iv.pi, num=num, hull=hull, ends=ends, mid=mid, sin_cos=sin_cos, exp=iv.exp)
@@ -151,7 +157,7 @@ def krawczyk(K, f, X):
 def numbers(K, model):
     """Return A, W, r and b of a claim, each between its decimals."""
     given = (model[name] for name in ("amplitude", "frequency_ratio", "restitution"))
-    A, W, r = (K.hull(K.num(min(t, key=Fraction)), K.num(max(t, key=Fraction))) for t in given)
+    A, W, r = (K.hull(K.num(min(t, key=exact)), K.num(max(t, key=exact))) for t in given)
     need(True, not positive(A, W, r) or positive(r - 1), "the parameters are invalid")
     return A, W, r, A / (1 + W * W)
 
@@ -186,8 +192,7 @@ def point(K, c):
             return e, [[*row[1:], a] for row, a in zip(J, by_A)], t
 
         x = krawczyk(K, lambda x, f=system: f(x)[:2], X[1:])
-        g = system(x)[2] - s * (1 + r ** (2 * m))
-        signs.append(positive(g) - positive(-g))
+        signs.append(positive(g := system(x)[2] - s * (1 + r ** (2 * m))) - positive(-g))
     for k in range(m):
         flight(K, (X[m], W, r, X[m] / (1 + W * W)), X[(k or m) - 1], X[k], n[k - 1])
     need((way := signs[1] * signs[2] * s * s) == -1, way not in (-1, 0), "the trace passes nothing")
@@ -199,12 +204,10 @@ def sure(K, test, parts, depth=12):
         need(test(*parts))
     except ArithmeticError:
         need(depth)
-    else:
-        return
-    ends = [K.ends(x) for x in parts]
-    w = max(range(len(parts)), key=lambda k: float(K.mid(ends[k][1] - ends[k][0])))
-    for half in (K.hull(ends[w][0], K.mid(parts[w])), K.hull(K.mid(parts[w]), ends[w][1])):
-        sure(K, test, [*parts[:w], half, *parts[w + 1 :]], depth - 1)
+        ends = [K.ends(x) for x in parts]
+        w = max(range(len(parts)), key=lambda k: float(K.mid(ends[k][1] - ends[k][0])))
+        for half in (K.hull(ends[w][0], K.mid(parts[w])), K.hull(K.mid(parts[w]), ends[w][1])):
+            sure(K, test, [*parts[:w], half, *parts[w + 1 :]], depth - 1)
 
 
 def hilltops(K, c):
@@ -274,7 +277,7 @@ def check(text, arithmetic):
         return "holds"
     except ArithmeticError as unknown:
         return f"undecided: {unknown}"
-    except (ValueError, LookupError, TypeError, AttributeError) as wrong:
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as wrong:
         return f"refused: {wrong}"
 
 

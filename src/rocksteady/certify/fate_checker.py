@@ -24,12 +24,18 @@ from itertools import pairwise
 from types import SimpleNamespace as K
 
 
+def exact(t):
+    """Return a number or its text as a fraction; a text of too many digits is no number."""
+    short = not isinstance(t, str) or (len(t) < 9999 and len(t.lower().partition("e")[2]) < 6)
+    return Fraction(t if short else "of too many digits")
+
+
 def arb(bits):
     """Return the arithmetic of python-flint."""
     from flint import arb, ctx, fmpq
 
     ctx.prec, k = bits, K(pi=arb.pi(), sin_cos=arb.sin_cos, exp=arb.exp, sqrt=arb.sqrt)
-    k.num, k.mid = lambda t: arb(fmpq(*Fraction(t).as_integer_ratio())), lambda x: arb(x.mid())
+    k.num, k.mid = lambda t: arb(fmpq(*exact(t).as_integer_ratio())), lambda x: arb(x.mid())
     k.hull, k.ends = lambda a, b: arb(a).union(arb(b)), lambda x: (arb(x.lower()), arb(x.upper()))
     return k
 
@@ -40,7 +46,7 @@ def iv(bits):
 
     iv.prec, f = bits, iv.mpf
     k = K(pi=+iv.pi, sin_cos=lambda x: (iv.sin(x), iv.cos(x)), exp=iv.exp, sqrt=iv.sqrt)
-    k.num = lambda t: f(Fraction(t).numerator) / Fraction(t).denominator
+    k.num = lambda t: f(exact(t).numerator) / exact(t).denominator
     k.hull = lambda a, b: f([min(f(a).a, f(b).a), max(f(a).b, f(b).b)])
     k.ends, k.mid = lambda x: (f(x.a), f(x.b)), lambda x: f(x.mid.a)
     return k
@@ -218,10 +224,7 @@ def fate(K, spans, r):
 
 def run(K, c, samples, model):
     """Return the fate of a certificate's block under its motion, for the numbers of a model."""
-    n = {
-        k: K.hull(K.num(min(t, key=Fraction)), K.num(max(t, key=Fraction)))
-        for k, t in model.items()
-    }
+    n = {k: K.hull(K.num(min(t, key=exact)), K.num(max(t, key=exact))) for k, t in model.items()}
     if "sha256" in c:
         a, D = [K.num(x) / (n["alpha"] * n["gravity"]) for x in samples], n["p"] * n["dt_s"]
         lines = pairwise(a)
@@ -251,7 +254,7 @@ def check(text, arithmetic, samples=()):
         return "holds" if fates == c["claim"]["outcomes"] else f"refused: it {' and '.join(fates)}"
     except ArithmeticError as unknown:
         return f"undecided: {unknown}"
-    except (ValueError, LookupError, TypeError, AttributeError) as wrong:
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as wrong:
         return f"refused: {wrong}"
 
 

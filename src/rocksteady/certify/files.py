@@ -96,7 +96,7 @@ def check_certificate(
         text = Path(file).read_text(encoding="utf-8")
         values = json.loads(text)
         kind = str(values["kind"])
-    except (OSError, ValueError, TypeError, LookupError):
+    except (OSError, ValueError, TypeError, LookupError, RecursionError):
         raise InputError(
             "certificate",
             file,
