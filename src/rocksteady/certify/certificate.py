@@ -117,7 +117,8 @@ class Certificate(Result):
         ]
         notes = [meaning(self.model)] if self.proved else []
         answer = Answer(
-            why[:1].upper() + why[1:], facts=[*words[:4], ("holds for", meaning(self.model))]
+            why[:1].upper() + why[1:],
+            facts=[*words[:4], ("holds for", f"{meaning(self.model)}; linear equations")],
         )
         return Description(headline, facts, notes=notes, answer=answer)
 

@@ -94,7 +94,7 @@ def scene_alone(view: ExplorerView, records: Sequence[Record | Recording] | None
     if view.scene not in SCENES:
         raise InputError(
             "embed",
-            Words("True without a scene") if view.scene is None else view.scene,
+            Words("is given without a scene") if view.scene is None else view.scene,
             f"one scene stands alone: {', '.join(SCENES)}",
             "give the view a scene, or leave embed out",
         )

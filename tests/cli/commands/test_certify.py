@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 from tests.every import every
 
@@ -112,3 +113,25 @@ def test_without_python_flint_the_line_says_what_to_install() -> None:
     assert ran.returncode == 2
     assert 'install it: python3 -m pip install "rocksteady[proof]"' in ran.stderr
     assert ran.stderr.count("\n") == 1
+
+
+def test_samples_of_a_record_replace_no_file_of_another(tmp_path: Path) -> None:
+    """They stand beside the certificate under its name, where the record itself may lie."""
+    record, out = tmp_path / "run.txt", tmp_path / "run.json"
+    at2(record, samples()[:200])
+    kept = record.read_bytes()
+    command = "certify fate --width-m 0.4 --height-m 2 --record"
+    assert "this file is read" in refused(command, record, "--out", out, "--force")
+    assert record.read_bytes() == kept
+    assert not out.exists()
+    other = tmp_path / "other.at2"
+    other.write_bytes(kept)
+    assert "it exists" in refused(command, other, "--out", out)
+    assert rocksteady(command, other, "--out", out, "--force").code == 0
+    assert "extension" in refused(command, other, "--out", tmp_path / "run.pdf")
+
+
+def test_where_there_is_no_orbit_none_is_proved() -> None:
+    ran = rocksteady("certify orbit -A 0.01 -W 2 -r 0.8")
+    assert (ran.code, ran.out) == (0, "There is no orbit to be proved here\n")
+    assert rocksteady("certify orbit -A 0.01 -W 2 -r 0.8 --json").json["proved"] is False

@@ -13,7 +13,7 @@ from rocksteady.cli.console.refusals import FlagError, missing, needs, refuse
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, ShakingFlags
-from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.groups import OutputFlags, check_ending, grouped
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.errors import InputError
@@ -22,6 +22,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.results.answer import MOST_FACTS, Answer, left_out
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.numbers import plural
+from rocksteady.show.export.files import check_apart, check_writable, save_text
 
 if TYPE_CHECKING:
     from rocksteady.certify.certificate import Certificate
@@ -110,6 +111,9 @@ def certify(
     if what != "region":
         refuse({"--plot": plot}, "a picture is one of a region")
     output.check()
+    written = _written(out, samples=what == "fate" and bool(recorded.files))
+    read = [*recorded.files, *(file for file in (check, samples) if file is not None)]
+    check_apart({**output.files, **written}, read=read)
     needs("--samples", samples, "--check", "fate.json", beside=check)
     needs("--leaves", leaves, "--check", "region.json", beside=check)
     if check is not None:
@@ -117,10 +121,9 @@ def certify(
         return _check(output, check, samples, leaves, arithmetic)
     if what is None:
         raise missing("WHAT", valid="what is proved is needed", hint="give " + ", ".join(KINDS))
-    if out is not None:
-        from rocksteady.show.export.files import check_writable
-
-        check_writable("--out", out, force=force)
+    check_ending("--out", out, ".json")
+    for file in written.values():
+        check_writable("--out", file, force=force)
     if what == "fate":
         of_record = recorded.given(reading, pulse=pulse.given)
         body = recorded.block(block) if of_record else block.described()
@@ -138,6 +141,13 @@ def certify(
     _save(certificates, out)
     _leave(output, what, certificates, out)
     return 0
+
+
+def _written(out: Path | None, *, samples: bool) -> dict[str, Path]:
+    """Return the files that are written: a certificate, and the samples of a record beside it."""
+    if out is None:
+        return {}
+    return {"--out": out} | ({"samples beside --out": out.with_suffix(".txt")} if samples else {})
 
 
 def _check(
@@ -259,14 +269,13 @@ def _save(certificates: "Sequence[Certificate]", out: Path | None) -> None:
         raise FlagError("--out", out, valid, "choose one with --number")
     if certificates[0].proved:
         _write(out, certificates[0].to_json())
+        *_, beside = _written(out, samples=True).values()
         if certificates[0].samples:
-            _write(out.with_suffix(".txt"), "".join(f"{x!r}\n" for x in certificates[0].samples))
+            _write(beside, "".join(f"{x!r}\n" for x in certificates[0].samples))
 
 
 def _write(file: Path, text: str) -> None:
     """Write a file whole."""
-    from rocksteady.show.export.files import save_text
-
     save_text("--out", file, text)
     announce_file(file)
 
@@ -290,7 +299,9 @@ def _leave(
         {"number": n, "verdict": each.verdict, "claim": each.claim, "reason": each.reason}
         for n, each in enumerate(certificates, 1)
     ]
-    sentence = f"Proved {proved} of {plural(len(certificates), what)}"
+    sentence = f"Proved {proved} of {plural(len(rows), what)}, by the linear equations"
+    if not rows:
+        sentence = f"There is no {what} to be proved here"
     shown = [
         (f"{n}", f"{each.verdict}: {_short(each)}")
         for n, each in enumerate(certificates[:MOST_FACTS], 1)
@@ -305,7 +316,7 @@ def _leave(
             tables=[Table("certificates", rows, columns)],
             answer=Answer(sentence, facts=shown),
         ),
-        values={"proved": proved == len(certificates), "claim": sentence, "certificates": rows},
+        values={"proved": 0 < proved == len(rows), "claim": sentence, "certificates": rows},
         after=after,
         decided=decided,
         wrap=True,
