@@ -17,6 +17,6 @@ def test_cells_have_the_fill_of_their_verdict_and_the_legend_names_them() -> Non
     legend = axes.get_legend()
     assert legend is not None
     named = [text.get_text() for text in legend.get_texts()]
-    assert named == ["stable", "unstable", "no solution", "undecided"]
+    assert named == ["symmetric, stable", "unstable", "no solution", "undecided"]
     assert len(axes.collections) + len(axes.patches) > 1, "what is undecided has a pattern"
     assert getattr(inks_of(axes), ROLES["2"]).startswith("#")
