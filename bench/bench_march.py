@@ -20,7 +20,16 @@ from bench.sampling_march import SAMPLES, sampled_fates
 from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.tables import ALIKE, ROW_COLUMNS, March
-from rocksteady.kernels.core.tuples import Fates, Kept, Starts, SymmetricCells, Tables, Until
+from rocksteady.kernels.core.tuples import (
+    Blocks,
+    Fates,
+    Kept,
+    PeakFates,
+    Starts,
+    SymmetricCells,
+    Tables,
+    Until,
+)
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.march.march import march
 from rocksteady.model.motions.record import Record
@@ -214,8 +223,8 @@ def test_samples_400_blocks(benchmark: Any, way: str) -> None:
     impacts = np.zeros(count, np.int64)
     side = np.column_stack([np.full(count, 0.9), uplift, rate])
     sides = np.repeat(side[:, np.newaxis], 2, axis=1)
-    arguments = (segments, sides, np.full(count, 1e15), 10**7)
-    results = (np.zeros(count, np.int64), impacts, np.zeros((count, 2)))
-    benchmark.pedantic(record_fates, args=(*arguments, *results), rounds=7, warmup_rounds=1)
+    fates = PeakFates(np.zeros(count, np.int64), impacts, np.zeros((count, 2)))
+    arguments = (segments, Blocks(sides, np.full(count, 1e15)), 10**7, fates)
+    benchmark.pedantic(record_fates, args=arguments, rounds=7, warmup_rounds=1)
     benchmark.extra_info["samples"] = count * len(segments)
     benchmark.extra_info["impacts"] = int(impacts.sum())

@@ -16,7 +16,7 @@ WHOLE = 490
 """Tests of the aim, ten times as many."""
 
 
-def tests_of(count: int) -> list[ShakingTest]:
+def trials(count: int) -> list[ShakingTest]:
     """Return tests of 18 s at 100 Hz with peaks from 1 to 7 m/s^2: of half the blocks too weak."""
     rng = np.random.default_rng(23)
     times = 0.01 * np.arange(1800)
@@ -47,7 +47,7 @@ def test_fates(
         "run": Execution(workers=2),
     }
     found = benchmark.pedantic(
-        compute_test_fates, args=(blocks, tests_of(TESTS)), kwargs=options, rounds=1
+        compute_test_fates, args=(blocks, trials(TESTS)), kwargs=options, rounds=1
     )
     benchmark.extra_info["what"] = f"{model.name}, {' and '.join(outputs)} of cells of tests"
     benchmark.extra_info["count"] = found.status.size
