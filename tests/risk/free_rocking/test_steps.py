@@ -10,6 +10,7 @@ from scipy import stats
 from rocksteady.risk.free_rocking._steps import (
     Steps,
     _deviance,
+    _refined,
     _whitened,
     errors_of,
     estimate,
@@ -160,3 +161,14 @@ def test_what_measuring_errors_explain_is_no_scatter() -> None:
     known = estimate(replace(made, before=0.05 * made.before, after=0.05 * made.after), error=1.0)
     assert known.error == 1.0
     assert known.factor[0] == pytest.approx(found.factor[0], abs=1e-3)
+
+
+def test_the_lowest_deviance_is_refined_between_its_neighbours_and_below_the_least_trial() -> None:
+    def bowl(at: float) -> float:
+        return 2.0 + (at - least) ** 2
+
+    trials = [0.0, 1.0, 2.0, 4.0]
+    for least in (0.7, 1.3, 2.6, 3.9, 4.0, 7.0, -1.0):
+        value, place = _refined(bowl, trials, [bowl(each) for each in trials])
+        assert place == pytest.approx(min(max(least, 0.0), 4.0), abs=1e-3)
+        assert value == pytest.approx(bowl(place), rel=1e-9)
