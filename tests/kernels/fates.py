@@ -11,6 +11,13 @@ NO_LIMIT = 2**62
 """Flights: no motion is given up."""
 
 
+def like_sides(restitution: Floats) -> Floats:
+    """Return the sides, shape (cells, 2, 3), of symmetric blocks with one restitution a cell."""
+    sides = np.ones((len(restitution), 2, SIDE_COLUMNS))
+    sides[:, :, RESTITUTION] = restitution[:, np.newaxis]
+    return sides
+
+
 def harmonic_fates(
     amplitude: Floats,
     frequency_ratio: Floats,
@@ -24,10 +31,8 @@ def harmonic_fates(
     final: Floats,
 ) -> None:
     """Call `fates_of_sides` with one restitution a cell, shape (cells,), in place of its sides."""
-    sides = np.ones((len(amplitude), 2, SIDE_COLUMNS))
-    sides[:, :, RESTITUTION] = restitution[:, np.newaxis]
     fates_of_sides(
-        Cells(amplitude, frequency_ratio, sides),
+        Cells(amplitude, frequency_ratio, like_sides(restitution)),
         Starts(angle, velocity, phase),
         cycles,
         NO_LIMIT,

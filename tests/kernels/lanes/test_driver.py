@@ -9,12 +9,22 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.kernels.core.tables import AT_REST, OVERTURNED, ROCKING, UNDECIDED
-from rocksteady.kernels.core.tuples import Fates, Starts, SymmetricCells
+from rocksteady.kernels.batch.harmonic import fates_of_sides
+from rocksteady.kernels.core.tables import (
+    AT_REST,
+    LEAN,
+    OVERTURNED,
+    RATE,
+    RESTITUTION,
+    ROCKING,
+    UNDECIDED,
+)
+from rocksteady.kernels.core.tuples import Cells, Fates, Starts
 from rocksteady.kernels.lanes._fields import FIELDS, LANES
 from rocksteady.kernels.lanes._newton import shake
 from rocksteady.kernels.lanes.driver import lane_fates
-from tests.kernels.fates import NO_LIMIT, harmonic_fates
+from tests.kernels.fates import NO_LIMIT, harmonic_fates, like_sides
+from tests.kernels.walls import against_wall
 from tests.oracles import mp
 from tests.strategies import PLAIN, sample_size
 
@@ -28,9 +38,9 @@ def empty(count: int) -> Fates:
 def by_lanes(columns: Floats, cycles: int, leaping: bool = True) -> Fates:
     """Run cells given as rows of amplitude, frequency, restitution, angle, velocity, phase."""
     found = empty(len(columns))
-    *shaken, angle, velocity, phase = columns.T.copy()
-    starts = Starts(angle, velocity, phase)
-    lane_fates(SymmetricCells(*shaken), starts, cycles, leaping, NO_LIMIT, found)
+    amplitude, frequency, restitution, *starts = columns.T.copy()
+    shaken = Cells(amplitude, frequency, like_sides(restitution))
+    lane_fates(shaken, Starts(*starts), cycles, leaping, NO_LIMIT, found)
     return found
 
 
@@ -105,6 +115,56 @@ def check_random_runs(seed: int, count: int) -> None:
     assert np.quantile(difference[chattered], 0.9) < 1e-12 if chattered.any() else True
     lossless = columns[:, 2] == 1.0
     assert not np.any(chattered & lossless)
+
+
+def unlike_cells(rng: np.random.Generator, count: int) -> tuple[Cells, Starts]:
+    """Return blocks whose sides differ, nearly differ or are alike, and blocks by either wall."""
+    columns = random_cells(rng, count)
+    sides = like_sides(columns[:, 2])
+    factor = np.exp(rng.uniform(-0.7, 0.7, (3, count)))
+    factor[:, rng.random(count) < 0.2] **= 1e-3
+    factor[:, rng.random(count) < 0.1] = 1.0
+    sides[:, 1, LEAN], sides[:, 1, RATE] = factor[:2]
+    sides[:, 1, RESTITUTION] **= factor[2]
+    angle, velocity = columns[:, 3], columns[:, 4]
+    for i in np.flatnonzero(rng.random(count) < 0.4):
+        free = 1 if i % 2 else -1
+        bounce = 0.0 if rng.random() < 0.2 else float(columns[i, 2])
+        sides[i] = against_wall(bounce, *sides[i, 1, [LEAN, RATE]], free=free)
+        angle[i], velocity[i] = free * abs(angle[i]), free * abs(velocity[i])
+    starts = Starts(angle.copy(), velocity.copy(), columns[:, 5].copy())
+    return Cells(columns[:, 0].copy(), columns[:, 1].copy(), sides), starts
+
+
+def check_unlike_runs(seed: int, count: int, cycles: int) -> None:
+    """Hold runs of unlike blocks, and of blocks by a wall, against the march.
+
+    Impacts may differ only where chatter comes to rest, or where the march itself changes its
+    answer with the last digits of the shaking.
+    """
+    cells, starts = unlike_cells(np.random.default_rng(seed), count)
+    lanes, plain, nudged = empty(count), empty(count), empty(count)
+    lane_fates(cells, starts, cycles, True, NO_LIMIT, lanes)
+    fates_of_sides(cells, starts, cycles, NO_LIMIT, plain)
+    moved = cells._replace(amplitude=cells.amplitude * (1.0 + 1e-12))
+    fates_of_sides(moved, starts, cycles, NO_LIMIT, nudged)
+    firm = (plain.status == nudged.status) & (plain.impacts == nudged.impacts)
+    assert np.count_nonzero(firm) > 0.95 * count
+    assert np.count_nonzero(firm & (lanes.status != plain.status)) == 0
+    same = firm & (lanes.impacts == plain.impacts)
+    assert np.count_nonzero(firm & ~same & (plain.status == ROCKING)) <= 0.01 * count
+    assert np.quantile(apart(lanes, plain)[same], sample_size(0.99, 0.9)) < 1e-11
+
+
+def test_short_runs_of_unlike_blocks_end_as_those_of_the_march() -> None:
+    check_unlike_runs(2, sample_size(40_000, 60), 3)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(PLAIN, reason="a million runs need compiled code")
+def test_a_million_runs_of_unlike_blocks_end_as_those_of_the_march() -> None:
+    for seed in range(20, 30):
+        check_unlike_runs(seed, 100_000, 3)
 
 
 def test_short_runs_end_as_those_of_the_march() -> None:
@@ -264,9 +324,9 @@ def test_bounces_without_end_are_given_up(leaping: bool) -> None:
     ends = []
     for columns in (endless, together):
         found = empty(len(columns))
-        *shaken, angle, velocity, phase = columns.T.copy()
-        starts = Starts(angle, velocity, phase)
-        lane_fates(SymmetricCells(*shaken), starts, 200, leaping, most, found)
+        amplitude, frequency, restitution, *starts = columns.T.copy()
+        shaken = Cells(amplitude, frequency, like_sides(restitution))
+        lane_fates(shaken, Starts(*starts), 200, leaping, most, found)
         ends.append(found)
     for found in (Fates(*(part[len(others)] for part in ends[1])), Fates(*(p[0] for p in ends[0]))):
         assert found.status == UNDECIDED
@@ -321,7 +381,7 @@ def test_the_loops_become_vector_instructions() -> None:
 def test_bounces_that_no_clock_resolves_come_to_rest(velocity: float) -> None:
     # At the peak of shaking that just does not lift, nothing pulls the block down.
     one = np.ones(1)
-    cell, found = SymmetricCells(one, 4.0 * one, 0.5 * one), empty(1)
+    cell, found = Cells(one, 4.0 * one, like_sides(0.5 * one)), empty(1)
     starts = Starts(0.0 * one, velocity * one, 0.5 * np.pi * one)
     lane_fates(cell, starts, 30, True, NO_LIMIT, found)
     assert found.status[0] == AT_REST

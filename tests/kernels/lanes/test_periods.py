@@ -8,27 +8,11 @@ import pytest
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.kernels.core.tables import OVERTURNED, ROCKING, UNDECIDED
-from rocksteady.kernels.core.tuples import Fates, Starts, SymmetricCells
-from rocksteady.kernels.lanes._fields import (
-    AREA,
-    BEFORE_PHASE,
-    BEFORE_VELOCITY,
-    COSINE,
-    FIELDS,
-    LANES,
-    LAST_PHASE,
-    LAST_SQUARE,
-    LAST_VELOCITY,
-    PHASE,
-    PRODUCT,
-    SINE,
-    VELOCITY,
-)
-from rocksteady.kernels.lanes._law import draw_near
+from rocksteady.kernels.core.tuples import Cells, Fates, Starts
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.orbits.closed_form import half_cycle_jacobian, symmetric_orbit
 from tests.every import every
-from tests.kernels.fates import NO_LIMIT, harmonic_fates
+from tests.kernels.fates import NO_LIMIT, harmonic_fates, like_sides
 from tests.strategies import PLAIN
 
 pytestmark = pytest.mark.skipif(PLAIN, reason="many cycles need compiled code")
@@ -72,7 +56,8 @@ def filled(
 def run(columns: Floats, cycles: int, leaping: bool) -> tuple[Integers, Integers, Floats]:
     count = columns.shape[1]
     found = Fates(np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3)))
-    cells, starts = SymmetricCells(*columns[:3]), Starts(*columns[3:])
+    cells = Cells(*columns[:2], like_sides(columns[2]))
+    starts = Starts(*columns[3:])
     lane_fates(cells, starts, cycles, leaping, NO_LIMIT, found)
     return found
 
@@ -141,35 +126,10 @@ def test_a_motion_is_leapt_long_before_it_repeats() -> None:
     cells = filled(2.0, 4.0, 0.8, 0.3, 0.0)
     for most, ending in ((9 * impacts_per_digit, ROCKING), (4 * impacts_per_digit, UNDECIDED)):
         found = Fates(np.zeros(1, np.int64), np.zeros(1, np.int64), np.zeros((1, 3)))
-        shaken, starts = SymmetricCells(*cells[:3]), Starts(*cells[3:])
+        shaken = Cells(*cells[:2], like_sides(cells[2]))
+        starts = Starts(*cells[3:])
         lane_fates(shaken, starts, 10**6, True, int(most), found)
         assert found[0][0] == ending
-
-
-@every(
-    ("first", "second"),
-    [(0.7, 0.6), (0.9, 0.1), (-0.8, 0.5), (0.55 + 0.6j, 0.55 - 0.6j), (0.95j, -0.95j)],
-)
-@every("times", [1, 7, 64, 3000])
-def test_returns_that_are_leapt_follow_the_linear_law(
-    first: complex, second: complex, times: int
-) -> None:
-    basis = np.array([[1.0, 0.3], [-0.4, 2.0]])
-    mean, half = (first + second).real / 2.0, ((first - second) / 2.0) ** 2
-    law = basis @ np.array([[mean, half.real], [1.0, mean]]) @ np.linalg.inv(basis)
-    fixed, state = np.array([1.0, 0.5]), np.array([1.0 + 3e-6, 0.5 - 1e-6])
-    states = [fixed + np.linalg.matrix_power(law, k) @ (state - fixed) for k in range(4)]
-    lanes = np.zeros(FIELDS * LANES)
-    lanes[PRODUCT], lanes[LAST_SQUARE] = 3.0 * (first + second).real, 3.0
-    lanes[AREA] = (first * second).real
-    lanes[BEFORE_PHASE], lanes[BEFORE_VELOCITY] = states[2] - states[1]
-    lanes[LAST_PHASE], lanes[LAST_VELOCITY] = states[3] - states[2]
-    lanes[PHASE], lanes[VELOCITY] = states[3]
-    draw_near(lanes, 0, float(times))
-    there = fixed + np.linalg.matrix_power(law, 3 + times) @ (state - fixed)
-    assert [lanes[PHASE], lanes[VELOCITY]] == pytest.approx(there, abs=2e-14)
-    assert lanes[SINE] == pytest.approx(math.sin(there[0]), abs=2e-14)
-    assert lanes[COSINE] == pytest.approx(math.cos(there[0]), abs=2e-14)
 
 
 def test_a_conservative_block_never_leaps() -> None:

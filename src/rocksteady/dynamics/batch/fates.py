@@ -3,10 +3,9 @@
 import numpy as np
 
 from rocksteady.arrays import Floats, Integers
-from rocksteady.dynamics.history.lowering import alike
-from rocksteady.kernels.batch.harmonic import fates_of_sides, series_fates
-from rocksteady.kernels.core.tables import NONLINEAR_SIDE_COLUMNS, RESTITUTION, SIDE_COLUMNS
-from rocksteady.kernels.core.tuples import Cells, Fates, SeriesCells, Starts, SymmetricCells
+from rocksteady.kernels.batch.harmonic import series_fates
+from rocksteady.kernels.core.tables import NONLINEAR_SIDE_COLUMNS, SIDE_COLUMNS
+from rocksteady.kernels.core.tuples import Cells, Fates, SeriesCells, Starts
 from rocksteady.kernels.devices import run_cells
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
@@ -41,8 +40,8 @@ def ends_of(
 ) -> Integers:
     """Return how motions end.
 
-    Motions are followed side by side, except motions of blocks against a wall, and of unsymmetric
-    blocks in the linear model: a cell's answer depends on nothing but the cell.
+    Motions are followed side by side, but for those of blocks against a wall in the nonlinear
+    model, and all under a Fourier series: a cell's answer depends on nothing but the cell.
 
     Parameters
     ----------
@@ -72,24 +71,9 @@ def ends_of(
         shaken = SeriesCells(total * amplitude, frequency_ratio.copy(), shares, blocks)
         series_fates(shaken, starts, cycles, MOST_IMPACTS, fates)
         return fates.status
-    if sides.shape[2] == NONLINEAR_SIDE_COLUMNS:
-        given = Cells(amplitude.copy(), frequency_ratio.copy(), blocks)
-        run_cells(nonlinear_lane_fates, given, starts, *limits, fates)
-        return fates.status
-    same = alike(sides)
-    for in_lanes, cells in ((True, same), (False, ~same)):
-        if count and not cells.any():  # without any cells at all both are to be loaded
-            continue
-        ends = _room(int(np.count_nonzero(cells)))
-        begin = Starts(*(each[cells] for each in starts))
-        if in_lanes:
-            ratio = sides[cells, 0, RESTITUTION]
-            alike_cells = SymmetricCells(amplitude[cells], frequency_ratio[cells], ratio)
-            run_cells(lane_fates, alike_cells, begin, *limits, ends)
-        else:
-            given = Cells(amplitude[cells], frequency_ratio[cells], sides[cells])
-            run_cells(fates_of_sides, given, begin, cycles, MOST_IMPACTS, ends)
-        fates.status[cells] = ends.status
+    kernel = nonlinear_lane_fates if sides.shape[2] == NONLINEAR_SIDE_COLUMNS else lane_fates
+    given = Cells(amplitude.copy(), frequency_ratio.copy(), blocks)
+    run_cells(kernel, given, starts, *limits, fates)
     return fates.status
 
 

@@ -4,7 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocksteady.kernels.machine_code.compilation import inlined
+from rocksteady.kernels.core.law import Law, after_return, drawn_near, law_of, put_law
+from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 NEAR = 0.05  # phase and velocity that have come back as closely are watched ...
 SAME = 1e-11  # ... until they repeat to this, each time more closely ...
@@ -13,6 +15,7 @@ NOISE = 1e-12  # ... and not because both are rounding
 # What has become of the lag, in impacts, after which a motion is nearly back.
 PERIODIC = -1.0
 LEAPT = -2.0
+ATTRACTED = -3.0  # the motion surely settles to an orbit
 MANTISSA = 2**52 - 1
 
 
@@ -27,15 +30,40 @@ class Reference(NamedTuple):
     widest: float
 
 
+REFERENCE_FIELDS = len(Reference._fields)
+"""Fields of a lane for its reference; those of the law of its returns follow."""
+
+
+class Passage(NamedTuple):
+    """A state at the start of a flight."""
+
+    phase: float
+    velocity: float
+    left: float
+    impacts: float
+
+
 @inlined
-def compared(
-    reference: Reference, compares: bool, phase: float, velocity: float, left: float, impacts: float
-) -> Reference:
+def reference_of(lanes: Floats, first: int, count: int) -> Reference:
+    """Return the reference in the fields of one of so many lanes, from a place on."""
+    return Reference(
+        lanes[first],
+        lanes[first + count],
+        lanes[first + 2 * count],
+        lanes[first + 3 * count],
+        lanes[first + 4 * count],
+        lanes[first + 5 * count],
+    )
+
+
+@inlined
+def compared(reference: Reference, compares: bool, now: Passage) -> Reference:
     """Compare a state with the reference and return the next one; its lag may be PERIODIC.
 
     `compares` is false of a state that is not after an impact, or of a motion to be given up.
     """
     lag = reference.lag
+    phase, velocity, left, impacts = now
     since = impacts - reference.impacts
     gap = max(abs(phase - reference.phase), abs(velocity - reference.velocity))
     searching = lag == 0.0
@@ -63,10 +91,75 @@ def compared(
 
 
 @inlined
-def leapt(reference: Reference, left: float, impacts: float) -> tuple[float, float, float]:
-    """Return half cycles left, impacts and lag after all but the last whole period."""
-    periodic = reference.lag == PERIODIC
-    period = reference.left - left if periodic else 1.0
-    times = max(np.floor(left / period) - 1.0, 0.0) if periodic else 0.0
-    since = impacts - reference.impacts if periodic else 0.0
-    return left - times * period, impacts + times * since, LEAPT if periodic else reference.lag
+def watched(
+    lanes: Floats, first: int, count: int, compares: bool, area: float, now: Passage
+) -> bool:
+    """Compare a state with the reference and the law of its returns; return whether it repeats.
+
+    Parameters
+    ----------
+    lanes, first, count
+        The fields of a lane from that of the reference's phase on, and how many lanes there are.
+    compares
+        Whether the state is at the start of a flight, of a motion that is not to be given up.
+    area
+        What an area has shrunk to since the last return, or `UNKNOWN`.
+    now
+        The state.
+    """
+    reference = reference_of(lanes, first, count)
+    then = compared(reference, compares, now)
+    back = compares & (reference.lag > 0.0) & (now.impacts - reference.impacts == reference.lag)
+    law_first = first + REFERENCE_FIELDS * count
+    law, attracted = after_return(
+        law_of(lanes, law_first, count, area),
+        back,
+        now.phase - reference.phase if back else 0.0,
+        now.velocity - reference.velocity if back else 0.0,
+    )
+    attracted &= (reference.left > now.left) & (then.lag > 0.0)
+    afresh = then.lag != reference.lag
+    marked = (then.impacts != reference.impacts) & (not attracted)
+    put_law(
+        lanes,
+        law_first,
+        count,
+        Law(
+            law.product,
+            0.0 if afresh else law.square,
+            1.0 if marked else law.area,
+            0.0 if afresh else law.last_phase,
+            0.0 if afresh else law.last_velocity,
+            0.0 if afresh else law.before_phase,
+            0.0 if afresh else law.before_velocity,
+        ),
+    )
+    lag = ATTRACTED if attracted else then.lag
+    lanes[first] = then.phase
+    lanes[first + count] = then.velocity
+    lanes[first + 2 * count] = reference.left if attracted else then.left
+    lanes[first + 3 * count] = reference.impacts if attracted else then.impacts
+    lanes[first + 4 * count] = lag
+    lanes[first + 5 * count] = then.widest
+    return (lag == PERIODIC) | (lag == ATTRACTED)
+
+
+@compiled
+def leapt(lanes: Floats, first: int, count: int, now: Passage) -> Passage:
+    """Return the state after all but the last whole period of a lane that repeats."""
+    reference = reference_of(lanes, first, count)
+    phase, velocity, left, impacts = now
+    attracted = reference.lag == ATTRACTED
+    if not attracted and reference.lag != PERIODIC:
+        return now
+    period = reference.left - left
+    times = max(np.floor(left / period) - 1.0, 0.0)
+    lanes[first + 4 * count] = LEAPT
+    if attracted:
+        law_first = first + REFERENCE_FIELDS * count
+        area = lanes[law_first + 2 * count]
+        further, faster = drawn_near(law_of(lanes, law_first, count, area), times)
+        phase += further
+        velocity += faster
+    since = impacts - reference.impacts
+    return Passage(phase, velocity, left - times * period, impacts + times * since)

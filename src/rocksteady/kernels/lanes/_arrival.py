@@ -5,11 +5,11 @@ import math
 import numpy as np
 
 from rocksteady.kernels.core.forcing import TWO_PI
+from rocksteady.kernels.core.law import after_return, law_of, put_law
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._exp_sincos import nearest_whole
 from rocksteady.kernels.lanes._fields import LANES
-from rocksteady.kernels.lanes._law import after_return, law_of, put_law
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats3
 from rocksteady.kernels.orbits.periodic import SMALLEST_SPEED
@@ -63,12 +63,12 @@ def watch(lanes: Floats) -> None:
         delta = lanes[lane.DELTA + j]
         area = lanes[lane.AREA + j] * (delta * delta if landed else 1.0)
         law, attracted = after_return(
-            law_of(lanes, j, area),
+            law_of(lanes, lane.PRODUCT + j, LANES, area),
             back,
             turned if back else 0.0,
             faster if back else 0.0,
         )
-        put_law(lanes, j, law)
+        put_law(lanes, lane.PRODUCT + j, LANES, law)
         lanes[lane.AREA + j] = 1.0 if back & (not attracted) else law.area
         lanes[KNOWN_LAW + j] = 1.0 if attracted else lanes[KNOWN_LAW + j]
         astray = back & (apart > LOST)

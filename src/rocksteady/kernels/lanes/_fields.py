@@ -9,6 +9,7 @@ LANES = side_by_side(48)
 # Stages of a lane, in the order in which the loops tell them apart.
 EMPTY = 0.0
 LAUNCH = 1.0  # at the start of a flight from the floor
+LIFTED = 2.0  # the same, from rest on the other side
 LANDED = 3.0  # the same, after an impact
 SPECIAL = 3.5  # the same, and slow or near the end of the run
 LEAVE = 4.0  # for the march: one flight
@@ -32,9 +33,8 @@ SHORTS_BITS = 16
 WAITING_BITS = 24
 SPECIALS_BITS = 32
 
-# Fields of the lanes, as offsets into one flat array.
+# Fields of the lanes, as offsets into one flat array: of the side that a block is on ...
 (
-    STAGE,
     AMPLITUDE,
     FREQUENCY,
     INVERSE,
@@ -51,6 +51,18 @@ SPECIALS_BITS = 32
     AHEAD,
     GROWTH_AHEAD,
     DECAY_AHEAD,
+    ACROSS,  # its unit of velocity over that of the other side
+) = range(0, 17 * LANES, LANES)
+SIDED = 17 * LANES
+DIFFERENCE = SIDED
+"""How much farther on stands what makes a field that of the other side: `core.other_side`."""
+# ... and of the lane.
+(
+    STAGE,
+    CHANGING,
+    SIDE,
+    APART,  # what is added to a phase on the one side, taken off it on the other; < 0 by a wall
+    OTHER_TIME,
     STOP,
     STOP_SINE,
     STOP_COSINE,
@@ -80,22 +92,25 @@ SPECIALS_BITS = 32
     NEXT_VELOCITY,
     NEXT_DOUBT,
     STEP,
-    LAG,
-    WIDEST,
-    REF_PHASE,
+    LIMIT,
+    REF_PHASE,  # the reference, and ...
     REF_VELOCITY,
     REF_LEFT,
     REF_IMPACTS,
-    LIMIT,
-    AREA,
-    PRODUCT,
+    LAG,
+    WIDEST,
+    PRODUCT,  # ... the law of the returns, as `core.returns` has them
     LAST_SQUARE,
+    AREA,
     LAST_PHASE,
     LAST_VELOCITY,
     BEFORE_PHASE,
     BEFORE_VELOCITY,
-) = range(0, 60 * LANES, LANES)
-FIELDS = 60
+) = range(2 * SIDED, 2 * SIDED + 48 * LANES, LANES)
+FIELDS = 2 * SIDED // LANES + 48
+
+OFFSETS = (1 << 20) - 1
+"""A mask by which the compiler sees that an offset is not negative."""
 
 LOSS = 2.0**-49  # sixteen roundings: what a computed number may be off, in units of its terms
 FARTHEST = 100.0  # further ahead nothing is known: squares of what has grown are to stay finite

@@ -1,11 +1,15 @@
 """Start of a flight in a lane: interval between nodes to search, rest, or end of run."""
 
+import math
+
 from rocksteady.kernels.core.clock import PI_HIGH
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._fields import LANES, weight
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.lanes._two_sides import other
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 WINDOW = 3.0  # times v / (pull (1 - delta)): how long chatter is given to die out
 
@@ -32,7 +36,8 @@ def launch(lanes: Floats) -> int:
         positive = (velocity == 0.0) | ((not early) & (phase < PI_HIGH - rising))
         start_phase = PI_HIGH - rising if positive else phase
         end_phase = rising if early & (not positive) else rising + TWO_PI
-        least = 1.0 - abs(swing)
+        # Here and on the other side.
+        least = min(1.0 - swing, 1.0 + other(lanes, j, lane.AMPLITUDE) * sine)
         slow = (max(velocity, speed) < 0.1 * (1.0 - swing)) | (
             (velocity < 0.2 * least)
             & (lanes[lane.AMPLITUDE + j] * speed < lanes[lane.CALMING + j] * least)
@@ -57,6 +62,18 @@ def launch(lanes: Floats) -> int:
 @compiled
 def begin_special(lanes: Floats) -> None:
     """Begin flights that may be short, come to rest, or outlast the run."""
+    begin_slow(lanes, FALSE)
+
+
+@compiled
+def begin_special_apart(lanes: Floats) -> None:
+    """Do what `begin_special` does, where blocks may be unlike or against a wall."""
+    begin_slow(lanes, TRUE)
+
+
+@inlined
+def begin_slow(lanes: Floats, two_sided: bool) -> None:
+    """Do what both do; inlined once for each."""
     for j in range(LANES):
         stage = lanes[lane.STAGE + j]
         special = stage == lane.SPECIAL
@@ -102,6 +119,20 @@ def begin_special(lanes: Floats) -> None:
             & (phase + x < left)
         )
         for_good = last | (amplitude <= 1.0)
+        crosses = phase > HALF_PI
+        turned, lifted = (1.0 if crosses else 0.0), lane.LAUNCH
+        if two_sided:
+            apart = lanes[lane.APART + j] != 0.0
+            dies, until, to_other = rests_apart(lanes, j)
+            calm = ((dies < left) & special) if apart else calm
+            crosses = to_other if apart else crosses
+            for_good = (until >= left) if apart else for_good
+            whole = 2.0 if phase >= rising else 0.0
+            turned = (1.0 if crosses else whole) if apart else turned
+            lifted = lane.LIFTED if apart & crosses else lifted
+            crosses &= apart
+            there = other(lanes, j, lane.RISING)
+            rising = there if crosses else rising
         lifting = calm & (not for_good)
         guess = lanes[lane.TIME + j]
         time = 2.0 * velocity / (pull if short else 1.0) if short else guess
@@ -109,14 +140,63 @@ def begin_special(lanes: Floats) -> None:
         direct = (guessed > start_phase) & (guessed < cut)
         following = lane.POLISH if direct else lane.DOWN
         following = lane.SHORT if short else following
-        resting = lane.RESTED if for_good else lane.LAUNCH
+        resting = lane.RESTED if for_good else lifted
         following = resting if calm else following
         lanes[lane.STAGE + j] = following if special else stage
         lanes[lane.END_PHASE + j] = cut if special else end_phase
         lanes[lane.ENDING + j] = 1.0 if special & last else lanes[lane.ENDING + j]
         lanes[lane.TIME + j] = time if special else guess
-        lanes[lane.LEFT + j] -= 1.0 if lifting & (phase > HALF_PI) else 0.0
+        lanes[lane.LEFT + j] -= turned if lifting else 0.0
         lanes[lane.PHASE + j] = rising if lifting else phase
         lanes[lane.VELOCITY + j] = 0.0 if lifting else velocity
-        lanes[lane.SINE + j] = lanes[lane.NODE_SINE + j] if lifting else sine
-        lanes[lane.COSINE + j] = lanes[lane.NODE_COSINE + j] if lifting else cosine
+        node_sine, node_cosine = lanes[lane.NODE_SINE + j], lanes[lane.NODE_COSINE + j]
+        if two_sided:
+            there_sine = other(lanes, j, lane.NODE_SINE)
+            there_cosine = other(lanes, j, lane.NODE_COSINE)
+            node_sine = there_sine if crosses else node_sine
+            node_cosine = there_cosine if crosses else node_cosine
+        lanes[lane.SINE + j] = node_sine if lifting else sine
+        lanes[lane.COSINE + j] = node_cosine if lifting else cosine
+
+
+@inlined
+def rests_apart(lanes: Floats, j: int) -> tuple[float, float, bool]:
+    """Return when unlike sides, or a wall, have let chatter die out, and what lifts the block next.
+
+    Returns
+    -------
+    tuple
+        Phase by which it has died out, infinite without proof; phase of the uplift after it, and
+        whether the other side lifts.
+    """
+    phase, sine, cosine = lanes[lane.PHASE + j], lanes[lane.SINE + j], lanes[lane.COSINE + j]
+    velocity, amplitude = lanes[lane.VELOCITY + j], lanes[lane.AMPLITUDE + j]
+    other_velocity = velocity * lanes[lane.ACROSS + j]
+    other_amplitude = other(lanes, j, lane.AMPLITUDE)
+    speed = lanes[lane.FREQUENCY + j] * velocity
+    other_speed = other(lanes, j, lane.FREQUENCY) * other_velocity
+    delta = max(lanes[lane.DELTA + j], other(lanes, j, lane.DELTA))
+    calming = 1.0 - delta
+    pull, other_pull = 1.0 - amplitude * sine, 1.0 + other_amplitude * sine
+    maybe = (velocity > 0.0) & (velocity < pull) & (other_velocity < other_pull) & (calming > 0.0)
+    longest = max(speed / (pull if maybe else 1.0), other_speed / (other_pull if maybe else 1.0))
+    x = WINDOW * longest / (calming if maybe else 1.0)
+    bend = x * x * (abs(sine) * 0.5 + x * (1.0 / 6.0))
+    highest = max(sine, min(sine + cosine * x + bend, 1.0))
+    lowest = max(-sine, min(bend - sine - cosine * x, 1.0))
+    room = 1.0 - amplitude * highest - velocity
+    other_room = 1.0 - other_amplitude * lowest - other_velocity
+    maybe &= (room > 0.0) & (other_room > 0.0)
+    room, other_room = room if maybe else 1.0, other_room if maybe else 1.0
+    gain = max(
+        amplitude * speed / (room * room), other_amplitude * other_speed / (other_room * other_room)
+    )
+    lasting = 2.0 * max(speed / room, other_speed / other_room)
+    calm = maybe & (lasting <= x * (calming - (2.0 / 3.0) * delta * gain))
+    here, there = lanes[lane.RISING + j], other(lanes, j, lane.RISING) + PI_HIGH
+    again = here + TWO_PI
+    here = again if phase >= here else here
+    here = here if amplitude > 1.0 else math.inf
+    there = there if other_amplitude > 1.0 else math.inf
+    dies = phase + x
+    return dies if calm else math.inf, min(here, there), there < here

@@ -2,42 +2,28 @@
 
 import math
 
-from rocksteady.kernels.core.clock import PI_HIGH, clock, side_phase
-from rocksteady.kernels.core.forcing import make_forcing
-from rocksteady.kernels.core.tables import Floats, March
+from rocksteady.kernels.core.clock import clock, side_phase
+from rocksteady.kernels.core.tables import LEAN, Floats, March
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.lanes import _fields as lane
-from rocksteady.kernels.lanes._exp_sincos import growth_and_decay
-from rocksteady.kernels.lanes._fields import FARTHEST
+from rocksteady.kernels.lanes._two_sides import leaving, load_sides, row_of, turn_to, unit_of
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats2
 
 
 @compiled
 def load(
-    lanes: Floats, j: int, cell: int, amplitude: float, frequency: float, delta: float, stop: float
+    lanes: Floats,
+    j: int,
+    cell: int,
+    amplitude: float,
+    frequency: float,
+    sides: Floats2,
+    stop: float,
 ) -> None:
     """Give a lane the constants of a cell; `stop` is the phase at which its run ends."""
-    forcing = make_forcing(-1.0, 0.0, amplitude, frequency)
+    load_sides(lanes, j, amplitude, frequency, sides)
     lanes[lane.CELL + j] = cell
-    lanes[lane.AMPLITUDE + j] = amplitude
-    lanes[lane.FREQUENCY + j] = frequency
-    lanes[lane.INVERSE + j] = 1.0 / frequency
-    lanes[lane.SQUARE + j] = frequency * frequency
-    lanes[lane.SWING_RATE + j] = amplitude * frequency
-    lanes[lane.BETA + j] = forcing.beta
-    lanes[lane.SIZE + j] = 1.0 + forcing.beta * (1.0 + frequency)
-    lanes[lane.DELTA + j] = delta
-    # From the bound of the rest with c = c_0, v << c: above it there is no need to ask.
-    lanes[lane.CALMING + j] = 1.5 * (1.0 - delta) / delta
-    lanes[lane.EXCESS + j] = forcing.swing - 1.0
-    lanes[lane.RISING + j] = forcing.rising
-    lanes[lane.NODE_SINE + j] = forcing.node_sine
-    lanes[lane.NODE_COSINE + j] = forcing.node_cosine
-    ahead = PI_HIGH - 2.0 * forcing.rising
-    lanes[lane.AHEAD + j] = ahead
-    lanes[lane.GROWTH_AHEAD + j], lanes[lane.DECAY_AHEAD + j] = growth_and_decay(
-        min(ahead / frequency, FARTHEST)
-    )
     lanes[lane.STOP + j] = stop
     lanes[lane.STOP_SINE + j], lanes[lane.STOP_COSINE + j] = sincos_near(stop)
     lanes[lane.REF_PHASE + j] = math.inf
@@ -47,13 +33,15 @@ def load(
 
 
 @compiled
-def put_lane(lanes: Floats, j: int, state: March, end_half: int) -> None:
+def put_lane(lanes: Floats, j: int, state: March, end_half: int, sides: Floats2) -> None:
     """Give a lane the state of a march that is in flight from the floor."""
+    turn_to(lanes, j, state.side)
     frequency = lanes[lane.FREQUENCY + j]
     phase, moved = side_phase(state.half_cycles, state.phase, state.side, frequency)
     lanes[lane.PHASE + j] = phase
     lanes[lane.LEFT + j] = end_half - (state.half_cycles - moved)
-    lanes[lane.VELOCITY + j] = state.side * state.velocity
+    velocity = state.side * state.velocity / unit_of(sides, row_of(state.side))
+    lanes[lane.VELOCITY + j] = leaving(velocity) if lanes[lane.APART + j] < 0.0 else velocity
     lanes[lane.IMPACTS + j] = state.impacts
     lanes[lane.SINE + j], lanes[lane.COSINE + j] = sincos_near(phase)
     lanes[lane.TIME + j] = 0.0
@@ -61,7 +49,7 @@ def put_lane(lanes: Floats, j: int, state: March, end_half: int) -> None:
 
 
 @compiled
-def taken(lanes: Floats, j: int, end_half: int) -> March:
+def taken(lanes: Floats, j: int, end_half: int, sides: Floats2) -> March:
     """Return the state of a lane at the start of its flight, as the march has it."""
     base = end_half - int(lanes[lane.LEFT + j])
     side = 1 if base % 2 == 0 else -1
@@ -69,7 +57,7 @@ def taken(lanes: Floats, j: int, end_half: int) -> March:
     return March(
         side,
         0.0,
-        side * lanes[lane.VELOCITY + j],
+        side * lanes[lane.VELOCITY + j] * unit_of(sides, row_of(side)),
         0,
         base + turned,
         phase,
@@ -79,13 +67,14 @@ def taken(lanes: Floats, j: int, end_half: int) -> March:
 
 
 @compiled
-def at_the_end(lanes: Floats, j: int, end_half: int) -> March:
+def at_the_end(lanes: Floats, j: int, end_half: int, sides: Floats2) -> March:
     """Return the state of a lane whose run has ended in mid flight."""
-    start = taken(lanes, j, end_half)
+    start = taken(lanes, j, end_half, sides)
+    row = row_of(start.side)
     return March(
         start.side,
-        start.side * lanes[lane.START_ANGLE + j],
-        start.side * lanes[lane.START_VELOCITY + j],
+        start.side * lanes[lane.START_ANGLE + j] * sides[row, LEAN],
+        start.side * lanes[lane.START_VELOCITY + j] * unit_of(sides, row),
         0,
         end_half,
         lanes[lane.STOP + j],

@@ -15,10 +15,11 @@ from rocksteady.kernels.lanes._fields import (
     WAITING_BITS,
     weight,
 )
-from rocksteady.kernels.lanes._launching import begin_special, launch
+from rocksteady.kernels.lanes._launching import begin_special, begin_special_apart, launch
 from rocksteady.kernels.lanes._loading import load
 from rocksteady.kernels.lanes._newton import approach, bounce, fly, land, shake
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats2
 
 # A loop over few lanes costs as much as over all: they are let gather ...
 GATHERED = 10
@@ -28,10 +29,10 @@ PATIENCE = 4  # ... but for no more than so many passes where others would go on
 
 
 @compiled
-def fill_empty(lanes: Floats) -> None:
+def fill_empty(lanes: Floats, sides: Floats2) -> None:
     """Fill lanes with a cell that has none: empty ones fly too, and come to no harm."""
     for j in range(LANES):
-        load(lanes, j, ZERO, 0.0, 1.0, 0.5, 0.0)
+        load(lanes, j, ZERO, 0.0, 1.0, sides, 0.0)
         lanes[lane.VELOCITY + j] = 1.0
 
 
@@ -77,12 +78,15 @@ def step(lanes: Floats, numbers: int, bounces: int) -> int:
 
 
 @compiled
-def begin(lanes: Floats, delays: int) -> tuple[int, int]:
+def begin(lanes: Floats, delays: int, two_sided: bool) -> tuple[int, int]:
     """Begin flights from the floor; return the census and passes since one at special flights."""
     numbers = together(launch(lanes))
     specials = numbers >> SPECIALS_BITS
     delays += 1
     if specials > 0 and (specials >= SPECIALS or specials >= numbers & MANY or delays >= PATIENCE):
-        begin_special(lanes)
+        if two_sided:
+            begin_special_apart(lanes)
+        else:
+            begin_special(lanes)
         return together(census(lanes)), 0
     return numbers, delays

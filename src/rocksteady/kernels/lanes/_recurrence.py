@@ -5,12 +5,13 @@ import math
 from rocksteady.kernels.batch.attractors import note_attractor
 from rocksteady.kernels.core.clock import clock, side_phase
 from rocksteady.kernels.core.forcing import TWO_PI
+from rocksteady.kernels.core.law import Law, put_law
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.tuples import Outcomes
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._arrival import KNOWN_LAW, LOOK, NEXT
-from rocksteady.kernels.lanes._law import Law, put_law
+from rocksteady.kernels.lanes._fields import LANES
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import (
     Floats2,
@@ -97,7 +98,7 @@ def returning(lanes: Floats, j: int, memory: Floats3, returns: Floats2, passed: 
         returns[j, PHASE_BEFORE], returns[j, VELOCITY_BEFORE] = earlier_phase, earlier_velocity
         lanes[lane.REF_PHASE + j], lanes[lane.REF_VELOCITY + j] = phase, velocity
         lanes[lane.LAG + j] = passages
-        put_law(lanes, j, Law(0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0))
+        put_law(lanes, lane.PRODUCT + j, LANES, Law(0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0))
         lanes[KNOWN_LAW + j] = 0.0
         lanes[NEXT + j] = count + passages
         lanes[lane.LIMIT + j] = count + MOST_RETURNS * passages

@@ -10,14 +10,7 @@ from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.queue import queue_of, take, together
 from rocksteady.kernels.core.returns import LEAPT
 from rocksteady.kernels.core.tables import Floats, March
-from rocksteady.kernels.core.tuples import (
-    Fates,
-    Kept,
-    Starts,
-    SymmetricCells,
-    Tables,
-    Until,
-)
+from rocksteady.kernels.core.tuples import Cells, Fates, Kept, Starts, Tables, Until
 from rocksteady.kernels.core.typed import ONE
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._fields import FIELDS, LANES
@@ -25,6 +18,7 @@ from rocksteady.kernels.lanes._loading import at_the_end, load, put_lane, taken
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._passes import at_nodes, begin, census, fill_empty, in_need, step
 from rocksteady.kernels.lanes._periods import compare, leap
+from rocksteady.kernels.lanes._two_sides import change_sides, row_of, unit_of
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Integers1
 from rocksteady.kernels.march.march import linear_march
@@ -35,9 +29,9 @@ ROUNDS = 4096  # passes from one look at the numbers of impacts to the next
 
 @allocating
 def lane_fates(
-    cells: SymmetricCells, starts: Starts, cycles: int, leaping: bool, most: int, fates: Fates
+    cells: Cells, starts: Starts, cycles: int, leaping: bool, most: int, fates: Fates
 ) -> None:
-    """March symmetric blocks under harmonic shaking and note how each ends.
+    """March blocks under harmonic shaking and note how each ends.
 
     Fates are those of `kernels.batch.harmonic.fates_of_sides`; impacts too but for those of
     chatter; final states agree to rounding, which a chaotic motion amplifies, and to 1e-9 after a
@@ -60,7 +54,7 @@ def lane_fates(
 @allocating
 def queued_lane_fates(
     queue: Integers1,
-    cells: SymmetricCells,
+    cells: Cells,
     starts: Starts,
     cycles: int,
     leaping: bool,
@@ -68,15 +62,14 @@ def queued_lane_fates(
     fates: Fates,
 ) -> None:
     """Do what `lane_fates` does, for the cells that this worker takes from a queue."""
-    amplitude, frequency_ratio, restitution = cells
+    amplitude, frequency_ratio, blocks = cells
     angle, velocity, phase = starts
     segments = np.zeros((1, columns.SEGMENT_COLUMNS))
-    sides = np.zeros((2, 3))
-    sides[:, columns.LEAN] = 1.0
-    sides[:, columns.RATE] = 1.0
-    tables = Tables(segments, sides)
+    if len(amplitude) == 0:
+        return
     lanes = np.zeros(FIELDS * LANES)
-    fill_empty(lanes)
+    fill_empty(lanes, blocks[0])
+    two_sided = False  # whether any lane has had an unlike block, or one against a wall
     fresh = True  # whether there may be cells to take
     busy = 0  # lanes that are not empty
     bounces = 0  # passes since the last look at short bounces ...
@@ -98,11 +91,11 @@ def queued_lane_fates(
                 if lane.LEAVE <= lanes[lane.STAGE + j] < lane.DOWN:
                     cell = int(lanes[lane.CELL + j])
                     harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
-                    sides[:, columns.RESTITUTION] = restitution[cell]
+                    tables = Tables(segments, blocks[cell])
                     end_half = clock(phase[cell])[0] + 2 * cycles
                     code, state = settled(lanes, j, tables, end_half, most)
                     if code == columns.UNDECIDED and not exhausted(lanes, j, most):
-                        put_lane(lanes, j, state, end_half)
+                        put_lane(lanes, j, state, end_half, blocks[cell])
                     else:
                         note_in_lanes(fates, cell, code, state, most)
                         lanes[lane.STAGE + j] = lane.EMPTY
@@ -112,17 +105,17 @@ def queued_lane_fates(
                     fresh = cell >= 0
                     if not fresh:
                         break
-                    a, w, r = amplitude[cell], frequency_ratio[cell], restitution[cell]
+                    a, w, sides = amplitude[cell], frequency_ratio[cell], blocks[cell]
                     harmonic_segment(segments, a, w, phase[cell])
-                    sides[:, columns.RESTITUTION] = r
                     start = start_of(angle[cell], velocity[cell], phase[cell])
                     end_half, stop = start.half_cycles + 2 * cycles, start.phase
-                    code, state = launched(tables, start, end_half, stop)
+                    code, state = launched(Tables(segments, sides), start, end_half, stop)
                     if code != columns.UNDECIDED:
                         note_in_lanes(fates, cell, code, state, most)
                         continue
-                    load(lanes, j, cell, a, w, r, stop)
-                    put_lane(lanes, j, state, end_half)
+                    load(lanes, j, cell, a, w, sides, stop)
+                    two_sided = two_sided or lanes[lane.APART + j] != 0.0
+                    put_lane(lanes, j, state, end_half, sides)
                     busy += 1
             if together(busy) == 0:
                 return
@@ -132,9 +125,11 @@ def queued_lane_fates(
             continue
         else:
             bounces = step(lanes, numbers, bounces)
+        if two_sided:
+            change_sides(lanes)
         if leaping and compare(lanes, most) > 0:
             leap(lanes)
-        numbers, delays = begin(lanes, delays)
+        numbers, delays = begin(lanes, delays, two_sided)
 
 
 @compiled
@@ -159,13 +154,14 @@ def launched(tables: Tables, start: March, end_half: int, end_phase: float) -> t
 def settled(lanes: Floats, j: int, tables: Tables, end_half: int, most: int) -> tuple[int, March]:
     """Return how the run of a waiting lane ended, or its next flight from the floor (UNDECIDED)."""
     stage = lanes[lane.STAGE + j]
-    state = taken(lanes, j, end_half)
+    sides = tables.sides
+    state = taken(lanes, j, end_half, sides)
     if exhausted(lanes, j, most):
         return columns.UNDECIDED, state
     if stage == lane.FALLEN:
         return columns.OVERTURNED, state
     if stage == lane.ENDED:
-        return columns.ROCKING, at_the_end(lanes, j, end_half)
+        return columns.ROCKING, at_the_end(lanes, j, end_half, sides)
     if stage == lane.RESTED:
         state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
     stop = lanes[lane.STOP + j]
@@ -174,7 +170,8 @@ def settled(lanes: Floats, j: int, tables: Tables, end_half: int, most: int) -> 
     code, state = linear_march(tables, state, until, kept)
     if code != columns.UNDECIDED:
         return code, state
-    if stage != lane.RESTED and state.angle == 0.0 and abs(state.velocity) < STILL:
+    still = STILL * unit_of(sides, row_of(state.side))
+    if stage != lane.RESTED and state.angle == 0.0 and abs(state.velocity) < still:
         # As the march has it, which would have come to this at the next flight.
         state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
     return launched(tables, state, end_half, stop)

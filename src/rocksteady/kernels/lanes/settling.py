@@ -15,17 +15,18 @@ import math
 import numpy as np
 
 from rocksteady.kernels.batch.attractors import OUTCOME, note_attractor, state_of
+from rocksteady.kernels.core.law import drawn_near, law_of
 from rocksteady.kernels.core.queue import LEFT_OVER, enter, queue_of, take, together
 from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats, March
 from rocksteady.kernels.core.tuples import Outcomes, States, SymmetricCells
-from rocksteady.kernels.core.typed import ONE, ZERO
+from rocksteady.kernels.core.typed import FALSE, ONE, ZERO
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._arrival import FAR, KNOWN_LAW, LOOK, NEXT, remember, watch
 from rocksteady.kernels.lanes._fields import FIELDS, LANES
-from rocksteady.kernels.lanes._law import draw_near
 from rocksteady.kernels.lanes._loading import load, put_lane, taken
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._passes import at_nodes, begin, census, fill_empty, in_need, step
+from rocksteady.kernels.lanes._periods import put_state
 from rocksteady.kernels.lanes._recurrence import RETURN_COLUMNS, computed, returning
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import (
@@ -97,7 +98,8 @@ def queued_lane_attractors(
     sides[:, RATE] = 1.0
     returns = np.empty((LANES, RETURN_COLUMNS))
     lanes = np.zeros(FIELDS * LANES)
-    fill_empty(lanes)
+    sides[:, RESTITUTION] = 0.5
+    fill_empty(lanes, sides)
     lanes[lane.REF_PHASE : lane.REF_PHASE + LANES] = 0.0
     lanes[lane.REF_VELOCITY : lane.REF_VELOCITY + LANES] = 1.0
     fresh = True  # whether there may be cells to take
@@ -118,17 +120,17 @@ def queued_lane_attractors(
                     fresh = cell >= 0
                     if not fresh:
                         break
-                    a, w, r = amplitude[cell], frequency_ratio[cell], restitution[cell]
-                    load(lanes, j, cell, a, w, r, 0.0)
+                    a, w = amplitude[cell], frequency_ratio[cell]
+                    sides[:, RESTITUTION] = restitution[cell]
+                    load(lanes, j, cell, a, w, sides, 0.0)
                     start = state_of(states, cell)
                     half = start.half_cycles
                     toward = start.side * start.velocity
                     if start.angle == 0.0 and toward > 0.0:
                         flight = Section(start.side, half, start.phase, toward)
-                        put_section(lanes, j, flight, half + FAR, ZERO)
+                        put_section(lanes, j, flight, half + FAR, ZERO, sides)
                         lanes[lane.STAGE + j] = lane.LAUNCH
                     else:
-                        sides[:, RESTITUTION] = r
                         system = make_system(a, w, sides)
                         first = first_passage(system, start)
                         after = (first.state.half_cycles - half) // 2
@@ -140,7 +142,7 @@ def queued_lane_attractors(
                         if first.kind not in (IMPACT, UPLIFT):
                             outcomes.whole[cell, OUTCOME] = LEFT_OVER
                             continue
-                        put_section(lanes, j, first.state, half + FAR, ONE)
+                        put_section(lanes, j, first.state, half + FAR, ONE, sides)
                     lanes[LOOK + j] = 2.0 * min(FIRST_LOOK, cycles)
                     lanes[NEXT + j] = math.inf
                     lanes[lane.LIMIT + j] = MOST_IMPACTS
@@ -156,15 +158,17 @@ def queued_lane_attractors(
             bounces = step(lanes, numbers, bounces)
         remember(lanes, memory)
         watch(lanes)
-        numbers, delays = begin(lanes, delays)
+        numbers, delays = begin(lanes, delays, FALSE)
 
 
 @compiled
-def put_section(lanes: Floats, j: int, state: Section, end_half: int, impacts: int) -> None:
+def put_section(
+    lanes: Floats, j: int, state: Section, end_half: int, impacts: int, sides: Floats2
+) -> None:
     """Give a lane a state after so many impacts."""
     side, half_cycles, phase, speed = state
     march = March(side, 0.0, side * speed, ZERO, half_cycles, phase, impacts, ZERO)
-    put_lane(lanes, j, march, end_half)
+    put_lane(lanes, j, march, end_half, sides)
     lanes[lane.STAGE + j] = lane.LANDED
 
 
@@ -184,8 +188,10 @@ def attended(
     stage = lanes[lane.STAGE + j]
     cell = int(lanes[lane.CELL + j])
     if stage == lane.SETTLED and lanes[KNOWN_LAW + j] > 0.0:
-        draw_near(lanes, j, math.inf)
-    taken_up = taken(lanes, j, start + FAR)
+        law = law_of(lanes, lane.PRODUCT + j, LANES, lanes[lane.AREA + j])
+        further, faster = drawn_near(law, math.inf)
+        put_state(lanes, j, lanes[lane.PHASE + j] + further, lanes[lane.VELOCITY + j] + faster)
+    taken_up = taken(lanes, j, start + FAR, sides)
     here = Section(taken_up.side, taken_up.half_cycles, taken_up.phase, abs(taken_up.velocity))
     passed = (here.half_cycles - start) // 2
     falls = stage == lane.FALLEN and lanes[lane.LAG + j] == 0.0
@@ -202,7 +208,7 @@ def attended(
     if stage == lane.LEAVE:
         after = next_passage(system, here, -1.0)
         if after.kind == IMPACT:
-            put_section(lanes, j, after.state, start + FAR, taken_up.impacts + 1)
+            put_section(lanes, j, after.state, start + FAR, taken_up.impacts + 1, sides)
             return False
         falls = after.kind == FALL and lanes[lane.LAG + j] == 0.0
     if stage == lane.SETTLED and computed(lanes, j, memory, returns, system, here, table, outcomes):

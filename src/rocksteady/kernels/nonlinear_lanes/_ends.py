@@ -12,6 +12,7 @@ from rocksteady.kernels.nonlinear_lanes import _layout as lane
 from rocksteady.kernels.nonlinear_lanes._layout import HIGHEST, LANES, OFFSETS
 from rocksteady.kernels.nonlinear_lanes._signs import approach
 from rocksteady.kernels.nonlinear_lanes._steps import LONGEST
+from rocksteady.kernels.nonlinear_lanes._two_sides import other
 
 CLOSE = 1e-12
 """Newton's step, over the place, after which the next would be below rounding."""
@@ -148,14 +149,12 @@ def finish(lanes: Floats, most: int) -> int:
         # What holds the block down, on the side that it has left and on that which it is on now.
         calming = lanes[lane.CALMING + k]
         behind = lanes[lane.FOOT_SINE + k] + lanes[lane.FOOT_SWING + k] * sine
-        pull = (
-            lanes[lane.OTHER + lane.FOOT_SINE + k] - lanes[lane.OTHER + lane.FOOT_SWING + k] * sine
-        )
+        pull = other(lanes, k, lane.FOOT_SINE) - other(lanes, k, lane.FOOT_SWING) * sine
         calm_behind = (rebound < behind) & (
             lanes[lane.DRIFT + k] * rebound <= calming * (behind * behind)
         )
         calm = (velocity < pull) & (
-            lanes[lane.OTHER + lane.DRIFT + k] * velocity <= calming * (pull * pull)
+            other(lanes, k, lane.DRIFT) * velocity <= calming * (pull * pull)
         )
         slow = lands & ((velocity < STILL) | (calm_behind & calm))
         impacts = lanes[lane.IMPACTS + k] + (1.0 if lands else 0.0)

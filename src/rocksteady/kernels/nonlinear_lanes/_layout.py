@@ -41,8 +41,8 @@ GIVEN_UP = 7.0
     DRIFT,
 ) = range(0, 16 * LANES, LANES)
 SIDED = 16 * LANES
-OTHER = SIDED
-"""How much farther on the fields of the other side are."""
+DIFFERENCE = SIDED
+"""How much farther on stands what makes a field that of the other side: `core.other_side`."""
 
 # Fields of a lane.
 (
@@ -50,6 +50,7 @@ OTHER = SIDED
     BY_COSINE,  # ... of y' C ...
     BY_SINE,  # ... and of y' S
     STAGE,
+    CHANGING,
     CELL,
     SIDE,
     APART,  # what is added to a phase on the one side, taken off it on the other, to tell them
@@ -79,14 +80,21 @@ OTHER = SIDED
     OPEN,
     VALUE,
     SLOPE,
-    LAG,
-    WIDEST,
-    REF_PHASE,
+    REF_PHASE,  # the reference, and ...
     REF_VELOCITY,
     REF_LEFT,
     REF_IMPACTS,
-) = range(2 * SIDED, 2 * SIDED + 39 * LANES, LANES)
-FIELDS = 2 * SIDED // LANES + 39
+    LAG,
+    WIDEST,
+    PRODUCT,  # ... the law of the returns, as `core.returns` has them
+    LAST_SQUARE,
+    AREA,
+    LAST_PHASE,
+    LAST_VELOCITY,
+    BEFORE_PHASE,
+    BEFORE_VELOCITY,
+) = range(2 * SIDED, 2 * SIDED + 47 * LANES, LANES)
+FIELDS = 2 * SIDED // LANES + 47
 
 # Rows of Taylor coefficients, one for each power of time.
 SHAKING = FIELDS * LANES  # of h

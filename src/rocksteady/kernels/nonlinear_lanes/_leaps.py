@@ -1,23 +1,11 @@
 """Detection of periodic motions in lanes, whose whole periods are then skipped."""
 
-from rocksteady.kernels.core.returns import PERIODIC, Reference, compared, leapt
+from rocksteady.kernels.core.returns import Passage, leapt, watched
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear_lanes import _layout as lane
 from rocksteady.kernels.nonlinear_lanes._layout import LANES
-
-
-@inlined
-def reference_of(lanes: Floats, j: int) -> Reference:
-    """Return the reference of a lane."""
-    return Reference(
-        lanes[lane.REF_PHASE + j],
-        lanes[lane.REF_VELOCITY + j],
-        lanes[lane.REF_LEFT + j],
-        lanes[lane.REF_IMPACTS + j],
-        lanes[lane.LAG + j],
-        lanes[lane.WIDEST + j],
-    )
+from rocksteady.kernels.nonlinear_lanes._two_sides import other
 
 
 @compiled
@@ -31,24 +19,17 @@ def compare(lanes: Floats, most: int) -> int:
     count = 0
     for j in range(LANES):
         stage = lanes[lane.STAGE + j]
-        reference = reference_of(lanes, j)
-        impacts = lanes[lane.IMPACTS + j]
         landed = (stage >= lane.LANDED) & (stage <= lane.SLOW)
-        then = compared(
-            reference,
-            landed & (reference.lag >= 0.0) & (impacts <= most),
+        now = Passage(
             lanes[lane.PHASE + j] + lanes[lane.APART + j] * lanes[lane.SIDE + j],
             lanes[lane.VELOCITY + j],
             lanes[lane.LEFT + j],
-            impacts,
+            lanes[lane.IMPACTS + j],
         )
-        lanes[lane.REF_PHASE + j] = then.phase
-        lanes[lane.REF_VELOCITY + j] = then.velocity
-        lanes[lane.REF_LEFT + j] = then.left
-        lanes[lane.REF_IMPACTS + j] = then.impacts
-        lanes[lane.LAG + j] = then.lag
-        lanes[lane.WIDEST + j] = then.widest
-        count += 1 if then.lag == PERIODIC else 0
+        compares = landed & (lanes[lane.LAG + j] >= 0.0) & (now.impacts <= most)
+        delta = other(lanes, j, lane.DELTA)  # of the side that has been left
+        area = lanes[lane.AREA + j] * (delta * delta if landed else 1.0)
+        count += 1 if watched(lanes, lane.REF_PHASE + j, LANES, compares, area, now) else 0
     return count
 
 
@@ -56,9 +37,15 @@ def compare(lanes: Floats, most: int) -> int:
 def leap(lanes: Floats) -> None:
     """Leap over all but the last whole period of the lanes that have become periodic."""
     for j in range(LANES):
-        before, side = lanes[lane.LEFT + j], lanes[lane.SIDE + j]
-        left, impacts, lag = leapt(reference_of(lanes, j), before, lanes[lane.IMPACTS + j])
-        lanes[lane.SIDE + j] = -side if (before - left) % 2.0 == 1.0 else side
-        lanes[lane.LEFT + j] = left
-        lanes[lane.IMPACTS + j] = impacts
-        lanes[lane.LAG + j] = lag
+        before = Passage(
+            lanes[lane.PHASE + j],
+            lanes[lane.VELOCITY + j],
+            lanes[lane.LEFT + j],
+            lanes[lane.IMPACTS + j],
+        )
+        after = leapt(lanes, lane.REF_PHASE + j, LANES, before)
+        if after.left < before.left:
+            lanes[lane.SIDE + j] *= 1.0 - 2.0 * ((before.left - after.left) % 2.0)
+            lanes[lane.PHASE + j] = after.phase
+            lanes[lane.VELOCITY + j] = lanes[lane.SPEED + j] = after.velocity
+            lanes[lane.LEFT + j], lanes[lane.IMPACTS + j] = after.left, after.impacts

@@ -3,6 +3,7 @@
 import math
 
 from rocksteady.kernels.core.clock import clock, side_phase
+from rocksteady.kernels.core.law import UNKNOWN
 from rocksteady.kernels.core.tables import LEFT_OUT, RESTITUTION, Floats, March
 from rocksteady.kernels.elementary.logarithm import LN2, log
 from rocksteady.kernels.machine_code.compilation import compiled
@@ -48,6 +49,8 @@ def put_lane(lanes: Floats, k: int, state: March, end_half: int) -> None:
     lanes[lane.IMPACTS + k] = state.impacts
     lanes[lane.LIMIT + k] = NO_LIMIT
     lanes[lane.HALVINGS + k] = 0.0
+    if state.flights > 0:  # of the march, whose areas are not counted
+        lanes[lane.AREA + k] = UNKNOWN
     lanes[lane.STAGE + k] = lane.LANDED if angle == 0.0 else lane.FLYING
     if angle >= HALF_PI / lanes[lane.ALPHA + k] or (
         angle > lanes[lane.LOST + k] and velocity >= 0.0

@@ -2,10 +2,18 @@
 
 import math
 
+from rocksteady.kernels.core.other_side import (
+    difference,
+    exchanged,
+    mask_of,
+    put_differences,
+    turn_over,
+    unlike,
+)
 from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION, Floats
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.elementary.inverse import atan2
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear.proofs import HALF_PI
 from rocksteady.kernels.nonlinear_lanes import _layout as lane
 from rocksteady.kernels.nonlinear_lanes._layout import LANES, OFFSETS, SIDED
@@ -15,19 +23,11 @@ FAR = 8.0
 
 
 @compiled
-def unlike(sides: Floats) -> bool:
-    """Return whether the two sides of a block differ."""
-    found = False
-    for column in range(sides.shape[1]):
-        found = found or sides[0, column] != sides[1, column]
-    return found
-
-
-@compiled
 def load_sides(lanes: Floats, k: int, amplitude: float, frequency: float, sides: Floats) -> None:
     """Give a lane the constants of both sides, the positive one first."""
     load_side(lanes, k, amplitude, frequency, sides, 0)
-    load_side(lanes, k + lane.OTHER, amplitude, frequency, sides, 1)
+    load_side(lanes, k + lane.DIFFERENCE, amplitude, frequency, sides, 1)
+    put_differences(lanes, SIDED, LANES, k)
     lanes[lane.SIDE + k] = 1.0
     lanes[lane.APART + k] = FAR if unlike(sides) else 0.0
 
@@ -65,17 +65,25 @@ def load_side(
     lanes[lane.DRIFT + k] = 4.0 * drift * (delta * delta)
 
 
+@inlined
+def other(lanes: Floats, k: int, field: int) -> float:
+    """Return a field of the side that a lane's block is not on."""
+    return difference(lanes[field + k], lanes[lane.DIFFERENCE + field + k])
+
+
 @compiled
 def change_sides(lanes: Floats) -> None:
     """Give the lanes that have just landed the constants of the side that they are on now."""
+    for k in range(LANES):
+        stage = lanes[lane.STAGE + k]
+        landed = (stage == lane.LANDED) | (stage == lane.SLOW)
+        lanes[lane.CHANGING + k] = mask_of(landed)
     for field in range(0, SIDED, LANES):
         here = field & OFFSETS
         for k in range(LANES):
-            stage = lanes[lane.STAGE + k]
-            landed = (stage == lane.LANDED) | (stage == lane.SLOW)
-            left, reached = lanes[here + k], lanes[lane.OTHER + here + k]
-            lanes[here + k] = reached if landed else left
-            lanes[lane.OTHER + here + k] = left if landed else reached
+            lanes[here + k] = exchanged(
+                lanes[here + k], lanes[lane.DIFFERENCE + here + k], lanes[lane.CHANGING + k]
+            )
 
 
 @compiled
@@ -83,5 +91,4 @@ def turn_to(lanes: Floats, k: int, side: int) -> None:
     """Give a lane the constants of this side."""
     if side != lanes[lane.SIDE + k]:
         lanes[lane.SIDE + k] = side
-        for field in range(k, SIDED, LANES):
-            lanes[field], lanes[lane.OTHER + field] = lanes[lane.OTHER + field], lanes[field]
+        turn_over(lanes, SIDED, LANES, k)

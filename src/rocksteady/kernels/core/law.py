@@ -4,14 +4,13 @@ import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.elementary.circular import sincos_near
-from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 CLOSE = 1e-5  # returns as close are held against the law ...
 EXACT = 1e-12  # ... which is to foretell them to this part of 1 + D - |T| ...
 BENT = 1e-4  # ... and to this part of them
 ROOM = 0.05  # between 1 + D and |T|, and between D and 1
+UNKNOWN = 1e140  # an area that has not been counted; its square is finite
 NEGLIGIBLE = 1e-11  # part of such differences that adds nothing to a state
 
 
@@ -28,29 +27,29 @@ class Law(NamedTuple):
 
 
 @inlined
-def law_of(lanes: Floats, j: int, area: float) -> Law:
-    """Return the law of a lane, with what an area has shrunk to by now."""
+def law_of(lanes: Floats, first: int, count: int, area: float) -> Law:
+    """Return the law that begins at a place, with what an area has shrunk to by now."""
     return Law(
-        lanes[lane.PRODUCT + j],
-        lanes[lane.LAST_SQUARE + j],
+        lanes[first],
+        lanes[first + count],
         area,
-        lanes[lane.LAST_PHASE + j],
-        lanes[lane.LAST_VELOCITY + j],
-        lanes[lane.BEFORE_PHASE + j],
-        lanes[lane.BEFORE_VELOCITY + j],
+        lanes[first + 3 * count],
+        lanes[first + 4 * count],
+        lanes[first + 5 * count],
+        lanes[first + 6 * count],
     )
 
 
 @inlined
-def put_law(lanes: Floats, j: int, law: Law) -> None:
-    """Give a lane its law."""
-    lanes[lane.PRODUCT + j] = law.product
-    lanes[lane.LAST_SQUARE + j] = law.square
-    lanes[lane.AREA + j] = law.area
-    lanes[lane.LAST_PHASE + j] = law.last_phase
-    lanes[lane.LAST_VELOCITY + j] = law.last_velocity
-    lanes[lane.BEFORE_PHASE + j] = law.before_phase
-    lanes[lane.BEFORE_VELOCITY + j] = law.before_velocity
+def put_law(lanes: Floats, first: int, count: int, law: Law) -> None:
+    """Put a law in the fields of one of so many lanes, from a place on."""
+    lanes[first] = law.product
+    lanes[first + count] = law.square
+    lanes[first + 2 * count] = law.area
+    lanes[first + 3 * count] = law.last_phase
+    lanes[first + 4 * count] = law.last_velocity
+    lanes[first + 5 * count] = law.before_phase
+    lanes[first + 6 * count] = law.before_velocity
 
 
 @inlined
@@ -93,11 +92,11 @@ def after_return(law: Law, back: bool, further: float, faster: float) -> tuple[L
 
 
 @compiled
-def draw_near(lanes: Floats, j: int, times: float) -> None:
-    """Bring a lane as near to its orbit as so many returns would, by the linear law of them."""
-    trace, area = lanes[lane.PRODUCT + j] / lanes[lane.LAST_SQUARE + j], lanes[lane.AREA + j]
-    phase, velocity = lanes[lane.LAST_PHASE + j], lanes[lane.LAST_VELOCITY + j]
-    before_phase, before_velocity = lanes[lane.BEFORE_PHASE + j], lanes[lane.BEFORE_VELOCITY + j]
+def drawn_near(law: Law, times: float) -> tuple[float, float]:
+    """Return by how much so many returns bring phase and velocity nearer to the orbit."""
+    trace, area = law.product / law.square, law.area
+    phase, velocity = law.last_phase, law.last_velocity
+    before_phase, before_velocity = law.before_phase, law.before_velocity
     further = faster = 0.0
     if fades(trace, area, times):
         # The sum of all differences to come.
@@ -113,9 +112,7 @@ def draw_near(lanes: Floats, j: int, times: float) -> None:
         further += phase
         faster += velocity
         times -= 1.0
-    lanes[lane.PHASE + j] += further
-    lanes[lane.VELOCITY + j] += faster
-    lanes[lane.SINE + j], lanes[lane.COSINE + j] = sincos_near(lanes[lane.PHASE + j])
+    return further, faster
 
 
 @compiled
