@@ -25,16 +25,13 @@ from rocksteady.kernels.core.tuples import (
     Fates,
     Kept,
     PeakFates,
-    Starts,
-    SymmetricCells,
     Tables,
     Until,
 )
-from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.march.march import march
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
-from tests.kernels.fates import NO_LIMIT, harmonic_fates
+from tests.kernels.fates import fates_in_lanes, harmonic_fates
 from tests.records import synthetic
 
 UNITS = {"B1": 0.3, "B2": 0.0}
@@ -86,14 +83,9 @@ def run_kernel(unit: Cells) -> None:
 
 
 def run_lanes(unit: Cells, leaping: bool) -> None:
-    lane_fates(
-        SymmetricCells(unit.amplitude, unit.frequency_ratio, unit.restitution),
-        Starts(unit.zeros, unit.velocity, unit.zeros),
-        CYCLES,
-        leaping,
-        NO_LIMIT,
-        Fates(unit.status, unit.impacts, np.empty((unit.amplitude.size, 3))),
-    )
+    amplitude, frequency, restitution, zeros, velocity, status, impacts = unit
+    columns = np.array([amplitude, frequency, restitution, zeros, velocity, zeros])
+    fates_in_lanes(columns, CYCLES, leaping, Fates(status, impacts, np.empty((len(zeros), 3))))
 
 
 def run_sampling(unit: Cells) -> None:

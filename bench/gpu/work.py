@@ -40,8 +40,6 @@ Floats = NDArray[np.float64]
 SECONDS = {
     "lane_fates": 3e-6,
     "nonlinear_lane_fates": 6e-5,
-    "fates_of_sides": 3e-5,
-    "nonlinear_fates_of_sides": 8e-4,
     "lane_attractors": 5e-6,
     "settle_cells": 1e-4,
     "nonlinear_settle_cells": 3e-3,
@@ -76,12 +74,8 @@ def work(name: str, count: int, seed: int = 0) -> Arguments:
     begin = Starts(zeros, np.full(count, VELOCITY), zeros.copy())
     blocks = Cells(amplitude, frequency, sides)
     alike = SymmetricCells(amplitude, frequency, ratio)
-    if name == "lane_fates":
-        return alike, begin, CYCLES, True, MOST, fates
-    if name == "nonlinear_lane_fates":
+    if name.endswith("lane_fates"):
         return blocks, begin, CYCLES, True, MOST, fates
-    if name.endswith("fates_of_sides"):
-        return blocks, begin, CYCLES, MOST, fates
     side, half = np.ones(count, np.int64), np.zeros(count, np.int64)
     states = States(side, begin.angle, begin.velocity, half, begin.phase)
     table = np.empty((count, WHOLE_COLUMNS), np.int64)

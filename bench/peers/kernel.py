@@ -3,8 +3,9 @@
 import math
 import time
 from collections.abc import Callable
+from functools import partial
 from importlib.metadata import version
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,10 +34,9 @@ from rocksteady.kernels.core.tables import (
     March,
 )
 from rocksteady.kernels.core.tables import RESTITUTION as SIDE_RESTITUTION
-from rocksteady.kernels.core.tuples import Kept, Tables, Until
-from rocksteady.kernels.lanes.driver import lane_fates
+from rocksteady.kernels.core.tuples import Fates, Kept, Tables, Until
 from rocksteady.kernels.march.march import march
-from tests.kernels.fates import NO_LIMIT, harmonic_fates
+from tests.kernels.fates import NO_LIMIT, fates_in_lanes, harmonic_fates
 
 
 def peers() -> list[Peer]:
@@ -60,12 +60,12 @@ def peers() -> list[Peer]:
 
 def run(cells: Cells) -> Outcome:
     """March the cells in lanes, each to its end: what all others are compared with."""
-    return timed(lane_fates, cells, False, NO_LIMIT)
+    return timed(partial(_in_lanes, False), cells)
 
 
 def leaping(cells: Cells) -> Outcome:
     """March the cells in lanes, over the periods of those that have become periodic."""
-    return timed(lane_fates, cells, True, NO_LIMIT)
+    return timed(partial(_in_lanes, True), cells)
 
 
 def scalar(cells: Cells) -> Outcome:
@@ -73,7 +73,13 @@ def scalar(cells: Cells) -> Outcome:
     return timed(harmonic_fates, cells)
 
 
-def timed(fates: Callable[..., None], cells: Cells, *options: int) -> Outcome:
+def _in_lanes(leaping: bool, *given: Any) -> None:
+    """Call `fates_in_lanes` with the arguments of `harmonic_fates`."""
+    *columns, cycles, status, impacts, final = given
+    fates_in_lanes(np.array(columns), cycles, leaping, Fates(status, impacts, final))
+
+
+def timed(fates: Callable[..., None], cells: Cells) -> Outcome:
     """Run a kernel."""
     count = len(cells.amplitude)
     status, impacts = np.zeros(count, np.int64), np.zeros(count, np.int64)
@@ -82,7 +88,7 @@ def timed(fates: Callable[..., None], cells: Cells, *options: int) -> Outcome:
     start = (zeros, velocity, zeros)
     shaken = (cells.amplitude, cells.frequency_ratio, restitution)
     began = time.process_time()
-    fates(*shaken, *start, CYCLES, *options, status, impacts, final)
+    fates(*shaken, *start, CYCLES, status, impacts, final)
     seconds = time.process_time() - began
     return Outcome(status=status, impacts=impacts, last_phase=None, seconds=seconds, final=final)
 

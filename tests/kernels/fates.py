@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS, Floats
 from rocksteady.kernels.core.tuples import Cells, Fates, Starts
+from rocksteady.kernels.lanes.driver import lane_fates
 
 NO_LIMIT = 2**62
 """Flights: no motion is given up."""
@@ -38,3 +39,15 @@ def harmonic_fates(
         NO_LIMIT,
         Fates(status, impacts, final),
     )
+
+
+def fates_in_lanes(
+    columns: Floats, cycles: int, leaping: bool, found: Fates, most: int = NO_LIMIT
+) -> None:
+    """Call `lane_fates` with symmetric blocks.
+
+    `columns` has shape (6, cells): amplitude, frequency ratio, restitution; angle, velocity, phase.
+    """
+    amplitude, frequency_ratio, restitution, angle, velocity, phase = columns
+    shaken = Cells(amplitude, frequency_ratio, like_sides(restitution))
+    lane_fates(shaken, Starts(angle, velocity, phase), cycles, leaping, most, found)

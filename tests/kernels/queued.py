@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.batch.attractors import REAL_COLUMNS, WHOLE_COLUMNS, settle_cells
-from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.queue import queue_of
 from rocksteady.kernels.core.tables import (
@@ -67,17 +66,8 @@ def ends() -> Fates:
     return Fates(np.zeros(CELLS, np.int64), np.zeros(CELLS, np.int64), np.zeros((CELLS, 3)))
 
 
-def of_fates(*, nonlinear: bool) -> tuple[Any, ...]:
-    return Cells(*FORCED, sides(nonlinear=nonlinear)), Starts(*START), CYCLES, MOST, ends()
-
-
-def of_lanes() -> tuple[Any, ...]:
-    ratios = np.linspace(0.6, 0.9, CELLS)
-    return SymmetricCells(*FORCED, ratios), Starts(*START), CYCLES, True, MOST, ends()
-
-
-def of_nonlinear_lanes() -> tuple[Any, ...]:
-    return Cells(*FORCED, sides(nonlinear=True)), Starts(*START), CYCLES, True, MOST, ends()
+def of_lanes(*, nonlinear: bool) -> tuple[Any, ...]:
+    return Cells(*FORCED, sides(nonlinear=nonlinear)), Starts(*START), CYCLES, True, MOST, ends()
 
 
 def settling(cells: Cells | SymmetricCells, cycles: int) -> tuple[Any, ...]:
@@ -116,10 +106,8 @@ def of_records(*, nonlinear: bool) -> tuple[Any, ...]:
 
 
 CASES: dict[str, tuple[Any, Callable[[], tuple[Any, ...]]]] = {
-    "lane_fates": (lane_fates, of_lanes),
-    "nonlinear_lane_fates": (nonlinear_lane_fates, of_nonlinear_lanes),
-    "fates_of_sides": (fates_of_sides, lambda: of_fates(nonlinear=False)),
-    "nonlinear_fates_of_sides": (fates_of_sides, lambda: of_fates(nonlinear=True)),
+    "lane_fates": (lane_fates, lambda: of_lanes(nonlinear=False)),
+    "nonlinear_lane_fates": (nonlinear_lane_fates, lambda: of_lanes(nonlinear=True)),
     "lane_attractors": (lane_attractors, of_lane_attractors),
     "settle_cells": (settle_cells, lambda: of_settle(nonlinear=False)),
     "nonlinear_settle_cells": (settle_cells, lambda: of_settle(nonlinear=True)),

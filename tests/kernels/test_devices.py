@@ -12,7 +12,7 @@ import pytest
 import rocksteady.kernels
 from rocksteady.kernels import devices
 from rocksteady.kernels.batch.attractors import OUTCOME, settle_cells
-from rocksteady.kernels.batch.harmonic import fates_of_sides, series_fates
+from rocksteady.kernels.batch.harmonic import series_fates
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.queue import HEAD, LEFT_OVER, queue_of
 from rocksteady.kernels.core.tables import OVERTURNED
@@ -23,7 +23,7 @@ from rocksteady.kernels.machine_code.device import on_device
 from rocksteady.kernels.machine_code.types import signature_of
 from rocksteady.kernels.orbits.settle import MEMORY, PERIODIC
 from tests.every import every
-from tests.kernels.queued import CASES, CELLS, Workers, bits, of_fates, of_lanes, room_of
+from tests.kernels.queued import CASES, CELLS, Workers, bits, of_lanes, of_settle, room_of
 
 # Empty lanes divide by zero, of which kernels warn where nothing compiles them.
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")
@@ -98,7 +98,7 @@ def test_lengths_are_numbers_of_each_cell_and_none_takes_less_than_nothing(name:
 def test_a_block_that_never_lifts_is_expected_to_take_no_time() -> None:
     lengths = FORMS["lane_fates"].length
     assert lengths is not None
-    found = lengths(*of_lanes())
+    found = lengths(*of_lanes(nonlinear=False))
     # The first alone is at rest, under an amplitude below 1.
     np.testing.assert_array_equal(found == 0.0, [True, *[False] * (CELLS - 1)])
     of_record = FORMS["record_fates"].length
@@ -111,13 +111,13 @@ def test_a_block_that_never_lifts_is_expected_to_take_no_time() -> None:
 
 
 def test_without_a_device_and_without_cells_the_host_runs_kernels() -> None:
-    wanted, found = of_lanes(), of_lanes()
+    wanted, found = of_lanes(nonlinear=False), of_lanes(nonlinear=False)
     lane_fates(*wanted)
     run_cells(lane_fates, *found)
     assert bits(found) == bits(wanted)
-    device, cells = Workers(), of_fates(nonlinear=False)
+    device = Workers()
     with on_device(device):
-        run_cells(fates_of_sides, *(without_cells(each) for each in cells))
+        run_cells(lane_fates, *(without_cells(each) for each in found))
     assert device.ran == []
 
 
@@ -129,7 +129,8 @@ def without_cells(argument: Any) -> Any:
 
 
 def test_a_kernel_without_a_form_runs_on_the_host() -> None:
-    (a, w, sides), *rest = of_fates(nonlinear=False)
+    (a, w, sides), starts, cycles, _, most, fates = of_lanes(nonlinear=False)
+    rest = starts, cycles, most, fates
     device, cells = Workers(), SeriesCells(a, w, np.array([0.7, 0.3]), sides)
     with on_device(device):
         run_cells(series_fates, cells, *rest)
@@ -140,8 +141,8 @@ def test_a_kernel_without_a_form_runs_on_the_host() -> None:
 
 @pytest.mark.parametrize("nonlinear", [False, True])
 def test_the_model_of_the_sides_chooses_the_form(nonlinear: bool) -> None:
-    form = form_of(fates_of_sides, of_fates(nonlinear=nonlinear))
-    assert form is FORMS["nonlinear_fates_of_sides" if nonlinear else "fates_of_sides"]
+    form = form_of(settle_cells, of_settle(nonlinear=nonlinear))
+    assert form is FORMS["nonlinear_settle_cells" if nonlinear else "settle_cells"]
 
 
 def test_what_is_never_inlined_are_names_of_kernels() -> None:

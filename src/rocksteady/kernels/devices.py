@@ -17,11 +17,6 @@ from rocksteady.kernels.batch.attractors import (
     queued_settle_cells,
     settle_cells,
 )
-from rocksteady.kernels.batch.harmonic import (
-    fates_of_sides,
-    queued_fates_of_sides,
-    queued_nonlinear_fates_of_sides,
-)
 from rocksteady.kernels.batch.records import (
     FEW,
     queued_nonlinear_record_fates,
@@ -156,10 +151,6 @@ _SETTLE_ROOM = ((MEMORY, GROWN + 1), (LONGEST_ORBIT, ORBIT_COLUMNS))
 FORMS: dict[str, Form] = {
     lane_fates.__name__: Form(queued_lane_fates, length=_shaken_length),
     nonlinear_lane_fates.__name__: Form(queued_nonlinear_lane_fates, length=_shaken_length),
-    fates_of_sides.__name__: Form(queued_fates_of_sides, length=_shaken_length),
-    f"nonlinear_{fates_of_sides.__name__}": Form(
-        queued_nonlinear_fates_of_sides, length=_shaken_length
-    ),
     lane_attractors.__name__: Form(
         queued_lane_attractors,
         room=((1, MEMORY, STATE_COLUMNS), (MEMORY, ORBIT_COLUMNS)),
@@ -176,5 +167,5 @@ FORMS: dict[str, Form] = {
 }
 """By the name of the host kernel; where its sides are nonlinear, by that after `nonlinear_`."""
 
-_BOTH = {fates_of_sides.__name__, settle_cells.__name__, record_fates.__name__}
+_BOTH = {settle_cells.__name__, record_fates.__name__}
 """Names of host kernels with a form for each model."""

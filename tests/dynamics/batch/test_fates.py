@@ -56,8 +56,7 @@ def test_a_device_runs_the_kernels_of_the_model_and_gives_the_same_ends(model: M
     with on_device(device):
         found = ended(cells, 5)
     np.testing.assert_array_equal(found, ended(cells, 5))
-    linear = ["lane_fates", "fates_of_sides"]
-    assert device.ran == (linear if model == Linear() else ["nonlinear_lane_fates"])
+    assert device.ran == ["lane_fates" if model == Linear() else "nonlinear_lane_fates"]
 
 
 @models

@@ -25,18 +25,20 @@ from rocksteady.kernels.lanes._launching import launch
 from rocksteady.kernels.lanes._loading import load, put_lane
 from rocksteady.kernels.lanes._nodes import node_state, passes_over
 from tests.every import every
+from tests.kernels.fates import like_sides
 from tests.oracles import ExactFlight, mp
 from tests.strategies import sample_size
 
 
 def lanes_in_flight(rng: np.random.Generator) -> np.ndarray:
     """Return lanes that have just been launched from the floor."""
-    lanes = np.zeros(FIELDS * LANES)
+    lanes, sides = np.zeros(FIELDS * LANES), like_sides(np.array([0.8]))[0]
     for j in range(LANES):
         amplitude, frequency = 1.0 + 10.0 ** rng.uniform(-3, 1), 10.0 ** rng.uniform(-1, 2)
-        load(lanes, j, j, amplitude, frequency, 0.8, 0.5)
+        load(lanes, j, j, amplitude, frequency, sides, 0.5)
         velocity = 10.0 ** rng.uniform(-3, 0)
-        put_lane(lanes, j, March(1, 0.0, velocity, 0, 0, rng.uniform(0.0, 3.1), 0, 0), 100)
+        state = March(1, 0.0, velocity, 0, 0, rng.uniform(0.0, 3.1), 0, 0)
+        put_lane(lanes, j, state, 100, sides)
     launch(lanes)
     return lanes
 

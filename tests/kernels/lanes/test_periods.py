@@ -8,11 +8,10 @@ import pytest
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.kernels.core.tables import OVERTURNED, ROCKING, UNDECIDED
-from rocksteady.kernels.core.tuples import Cells, Fates, Starts
-from rocksteady.kernels.lanes.driver import lane_fates
+from rocksteady.kernels.core.tuples import Fates
 from rocksteady.kernels.orbits.closed_form import half_cycle_jacobian, symmetric_orbit
 from tests.every import every
-from tests.kernels.fates import NO_LIMIT, harmonic_fates, like_sides
+from tests.kernels.fates import fates_in_lanes, harmonic_fates
 from tests.strategies import PLAIN
 
 pytestmark = pytest.mark.skipif(PLAIN, reason="many cycles need compiled code")
@@ -56,9 +55,7 @@ def filled(
 def run(columns: Floats, cycles: int, leaping: bool) -> tuple[Integers, Integers, Floats]:
     count = columns.shape[1]
     found = Fates(np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3)))
-    cells = Cells(*columns[:2], like_sides(columns[2]))
-    starts = Starts(*columns[3:])
-    lane_fates(cells, starts, cycles, leaping, NO_LIMIT, found)
+    fates_in_lanes(columns, cycles, leaping, found)
     return found
 
 
@@ -126,9 +123,7 @@ def test_a_motion_is_leapt_long_before_it_repeats() -> None:
     cells = filled(2.0, 4.0, 0.8, 0.3, 0.0)
     for most, ending in ((9 * impacts_per_digit, ROCKING), (4 * impacts_per_digit, UNDECIDED)):
         found = Fates(np.zeros(1, np.int64), np.zeros(1, np.int64), np.zeros((1, 3)))
-        shaken = Cells(*cells[:2], like_sides(cells[2]))
-        starts = Starts(*cells[3:])
-        lane_fates(shaken, starts, 10**6, True, int(most), found)
+        fates_in_lanes(cells, 10**6, True, found, int(most))
         assert found[0][0] == ending
 
 

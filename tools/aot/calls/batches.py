@@ -43,11 +43,8 @@ def record_fates(call: Recorder, name: str, count: int, *, nonlinear: bool, leap
     cycles = int(drawn.between(20, 60))
     call("fates_of_sides", a, w, sides, angle, velocity, phase, cycles, MOST, *_fates(count))
     start = angle, velocity, phase, cycles, leaping, MOST
-    if nonlinear:
-        call("nonlinear_lane_fates", a, w, sides, *start, *_fates(count))
-        return
-    r = sides[:, 0, RESTITUTION].copy()
-    call("lane_fates", a, w, r, *start, *_fates(count))
+    lanes = "nonlinear_lane_fates" if nonlinear else "lane_fates"
+    call(lanes, a, w, sides, *start, *_fates(count))
 
 
 def record_attractors(

@@ -5,9 +5,9 @@ const Cells = { amplitude: 'f1', frequency_ratio: 'f1', sides: 'f3' };
 const Starts = { angle: 'f1', velocity: 'f1', phase: 'f1' };
 const Fates = { status: 'i1', impacts: 'i1', final: 'f2' };
 const SeriesCells = { amplitude: 'f1', frequency_ratio: 'f1', shares: 'f1', sides: 'f3' };
-const SymmetricCells = { amplitude: 'f1', frequency_ratio: 'f1', restitution: 'f1' };
 const States = { side: 'i1', angle: 'f1', velocity: 'f1', half_cycles: 'i1', phase: 'f1' };
 const Outcomes = { whole: 'i2', real: 'f2' };
+const SymmetricCells = { amplitude: 'f1', frequency_ratio: 'f1', restitution: 'f1' };
 const Blocks = { sides: 'f3', afterwards: 'f1' };
 const PeakFates = { status: 'i1', impacts: 'i1', peaks: 'f2' };
 const Tables = { segments: 'f2', sides: 'f2' };
@@ -37,7 +37,7 @@ const SeriesSystem = { positive: Forcing, negative: Forcing, frequency: 'f', res
 export const signatures = {
   fates_of_sides: { takes: [Cells, Starts, 'i', 'i', Fates], gives: null },
   series_fates: { takes: [SeriesCells, Starts, 'i', 'i', Fates], gives: null },
-  lane_fates: { takes: [SymmetricCells, Starts, 'i', 'b', 'i', Fates], gives: null },
+  lane_fates: { takes: [Cells, Starts, 'i', 'b', 'i', Fates], gives: null },
   nonlinear_lane_fates: { takes: [Cells, Starts, 'i', 'b', 'i', Fates], gives: null },
   settle_cells: { takes: [Cells, States, 'i', Outcomes], gives: null },
   settle_series_cells: { takes: [SeriesCells, States, 'i', Outcomes], gives: null },

@@ -14,6 +14,7 @@ from rocksteady.show.export.files import json_text, save_whole
 if TYPE_CHECKING:
     import typer
 
+    from rocksteady.model.equations import Model
     from rocksteady.show.film.animation import Film
 
 NEGATIVE = 1
@@ -45,6 +46,11 @@ def command_line() -> str:
         elif word not in NO_PART:
             kept.append(word)
     return command_of(kept)
+
+
+def fates_kernel(equations: "Model") -> str:
+    """Return the kernel by which fates under harmonic shaking are found, as "march.march"."""
+    return "driver.lane_fates" if equations.name == "linear" else "loop.nonlinear_lane_fates"
 
 
 def announce_compilation(kernel: str) -> None:

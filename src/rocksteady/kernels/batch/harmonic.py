@@ -10,7 +10,6 @@ import numpy as np
 
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.queue import queue_of, take
 from rocksteady.kernels.core.tables import March, is_nonlinear
 from rocksteady.kernels.core.tuples import (
     Cells,
@@ -27,7 +26,7 @@ from rocksteady.kernels.machine_code.compilation import (
     compiled,
     inlined_allocating,
 )
-from rocksteady.kernels.machine_code.types import Floats2, Integers1
+from rocksteady.kernels.machine_code.types import Floats2
 from rocksteady.kernels.march.march import linear_march, march, nonlinear_march
 
 
@@ -55,34 +54,17 @@ def fates_of_sides(cells: Cells, starts: Starts, cycles: int, most: int, fates: 
     most
         Flights after which a motion is given up as UNDECIDED.
     """
-    queue = queue_of(len(cells.amplitude))
     if len(cells.sides) > 0 and is_nonlinear(cells.sides[0]):
-        queued_nonlinear_fates_of_sides(queue, cells, starts, cycles, most, fates)
+        # On a base without vertical motion.
+        segments = np.zeros((1, columns.NONLINEAR_SEGMENT_COLUMNS))
+        _fates(cells, starts, cycles, most, fates, segments, TRUE)
     else:
-        queued_fates_of_sides(queue, cells, starts, cycles, most, fates)
-
-
-@allocating
-def queued_fates_of_sides(
-    queue: Integers1, cells: Cells, starts: Starts, cycles: int, most: int, fates: Fates
-) -> None:
-    """Do what `fates_of_sides` does in the linear model, for the cells taken from a queue."""
-    _fates(queue, cells, starts, cycles, most, fates, np.zeros((1, columns.SEGMENT_COLUMNS)), FALSE)
-
-
-@allocating
-def queued_nonlinear_fates_of_sides(
-    queue: Integers1, cells: Cells, starts: Starts, cycles: int, most: int, fates: Fates
-) -> None:
-    """Do what `fates_of_sides` does in the nonlinear model, for the cells taken from a queue."""
-    # On a base without vertical motion.
-    segments = np.zeros((1, columns.NONLINEAR_SEGMENT_COLUMNS))
-    _fates(queue, cells, starts, cycles, most, fates, segments, TRUE)
+        segments = np.zeros((1, columns.SEGMENT_COLUMNS))
+        _fates(cells, starts, cycles, most, fates, segments, FALSE)
 
 
 @inlined_allocating
 def _fates(
-    queue: Integers1,
     cells: Cells,
     starts: Starts,
     cycles: int,
@@ -91,12 +73,9 @@ def _fates(
     segments: Floats2,
     nonlinear: bool,
 ) -> None:
-    """Fill the fates of the cells of a queue; inlined once for each model."""
+    """Fill the fates of the cells; inlined once for each model."""
     kept = Kept(np.zeros((0, columns.ROW_COLUMNS)), np.zeros(0))
-    while True:
-        i = take(queue)
-        if i < 0:
-            return
+    for i in range(len(cells.amplitude)):
         harmonic_segment(segments, cells.amplitude[i], cells.frequency_ratio[i], starts.phase[i])
         tables = Tables(segments, cells.sides[i])
         start, until = run_of(starts, cycles, most, i)

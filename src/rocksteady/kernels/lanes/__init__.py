@@ -1,4 +1,4 @@
-"""Harmonic sweeps of symmetric blocks, several trajectories at once in vector registers.
+"""Harmonic sweeps in the linear model, several trajectories at once in vector registers.
 
 `driver.lane_fates` does what `rocksteady.kernels.batch.harmonic.fates_of_sides` does, several times
 as fast.  Every lane carries one trajectory at its own stage; a pass is a chain
@@ -6,11 +6,11 @@ of short loops over all lanes, written with selects in place of branches, which 
 into vector instructions.  A lane whose trajectory has ended is given the next.  What a lane does
 never depends on the lanes beside it, so neither does the result, to the last bit.
 
-The parts: `_fields` the fields and stages of a lane, `_exp_sincos` exponential and sine, `_newton`
-steps towards an impact, `_launching` what a flight begins with, `_nodes` whether a piece has an
-impact, `_passes` the order of these loops, `_periods` motions that have become periodic, `_law` how
-these are known early, `driver` the loop that drives them; `_arrival`, `_recurrence` and `settling`
-motions that are followed to their orbits.
+The parts: `_fields` the fields and stages of a lane, `_two_sides` the constants of the two sides,
+`_exp_sincos` exponential and sine, `_newton` steps towards an impact, `_launching` what a flight
+begins with, `_nodes` whether a piece has an impact, `_passes` the order of these loops, `_periods`
+motions that have become periodic, `driver` the loop that drives them; `_arrival`, `_recurrence` and
+`settling` motions that are followed to their orbits.
 
 **No impact can be missed.**  A lane decides only what the argument of `kernels.linear.zeros`
 settles with room to spare; any other flight is left to the scalar `march`, and the lane goes on
@@ -60,6 +60,14 @@ all bounces are over within T if ``2 v/(w (1 - kappa)) <= T``, that is if::
 Over x the largest |sin| is at most that of now or ``|sin psi + x cos psi| + x^2 |sin psi|/2 +
 x^3/6``, by Taylor.  Uplift follows at the next node, exactly, and the past is forgotten.  Ending
 chatter elsewhere than the march does changes the number of impacts and nothing else.
+
+**Two sides.**  A lane flies in the units of the side that its block is on: y in that side's alpha,
+time by its p.  It holds the constants of both sides, those of the other as differences of bits
+(`core.other_side`), and `_two_sides.change_sides` exchanges them in the lanes that have just landed
+or lifted off on the other side.  A block by a wall keeps its side: the change of side that a landing
+makes is taken back.  While all blocks are symmetric nothing is exchanged.  Rest is proved as above,
+on both sides at once: the longer of ``v/c_0``, the larger delta, the larger gain of a bounce, the
+side whose base lifts the block first.
 
 **Periods.**  The states after impacts, phase and velocity as seen from the side of the flight, are
 those of a map of the plane that shrinks areas, and a motion and its mirror image are the same

@@ -38,8 +38,8 @@ such an end, it decides.  So it does where a block that lies on its side may not
 before (``alpha + atan(alpha A) >= pi/2``), and of all of a run on a still base.
 
 **Two sides.**  A lane flies in the units of the side that its block is on: y in that side's alpha,
-time by its p.  It holds the constants of both sides, and `_two_sides.change_sides` exchanges them
-in the lanes that have just landed; phase and half cycles count alike on both.  While all blocks are
+time by its p.  It holds the constants of both sides, those of the other as differences of bits
+(`core.other_side`), and `_two_sides.change_sides` exchanges them in the lanes that have just landed; phase and half cycles count alike on both.  While all blocks are
 symmetric nothing is exchanged.
 
 **Rest.**  After an impact the proof of `rocksteady.kernels.nonlinear.proofs` looks at both sides,
@@ -59,4 +59,7 @@ apart, an even number of half cycles, and all that follows repeats.  On differen
 nothing: of sides that differ in restitution alone both lift off in equal states, and bounce on in
 ways of their own.  So the phases of the two sides of an unlike block are set apart by more than any
 two phases differ, 2 pi, and a state is compared with those on its own side alone.
+
+Most are known to settle before that, by the law of their returns: flights of this model conserve
+the area ``v dv dpsi`` too.
 """

@@ -284,7 +284,7 @@ def test_an_interval_is_that_of_drawn_states_alone() -> None:
     ("shape", "kernel"),
     [
         ("-r 0.9", "driver.lane_fates"),
-        ("--left-m 0.15 --right-m 0.25 --height-m 1.2", "harmonic.fates_of_sides"),
+        ("--left-m 0.15 --right-m 0.25 --height-m 1.2", "driver.lane_fates"),
         ("--width-m 0.4 --height-m 1.2 --model nonlinear", "loop.nonlinear_lane_fates"),
         (
             "--left-m 0.15 --right-m 0.25 --height-m 1.2 --model nonlinear",
@@ -297,7 +297,7 @@ def test_what_an_erosion_compiles_first_is_what_it_calls(
 ) -> None:
     asked: list[str] = []
     called: list[str] = []
-    for name in ("lane_fates", "nonlinear_lane_fates", "fates_of_sides"):
+    for name in ("lane_fates", "nonlinear_lane_fates"):
         function = getattr(fates, name)
 
         def noted(*arguments: Any, function: Any = function, name: str = name) -> None:

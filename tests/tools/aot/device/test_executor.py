@@ -82,7 +82,6 @@ def ensemble(model: Any) -> Callable[[Execution], Any]:
 CASES = {
     "queued_lane_fates": fates(ALIKE, None),
     "queued_nonlinear_lane_fates": fates(BODY, Nonlinear()),
-    "queued_fates_of_sides": fates(UNLIKE, Linear()),
     "queued_lane_attractors": attractors(ALIKE, None, 200),
     "queued_settle_cells": attractors(UNLIKE, Linear(), 100),
     "queued_nonlinear_settle_cells": attractors(BODY, Nonlinear(), 30),
