@@ -64,10 +64,10 @@ chatter elsewhere than the march does changes the number of impacts and nothing 
 **Two sides.**  A lane flies in the units of the side that its block is on: y in that side's alpha,
 time by its p.  It holds the constants of both sides, those of the other as differences of bits
 (`core.other_side`), and `_two_sides.change_sides` exchanges them in the lanes that have just landed
-or lifted off on the other side.  A block by a wall keeps its side: the change of side that a landing
-makes is taken back.  While all blocks are symmetric nothing is exchanged.  Rest is proved as above,
-on both sides at once: the longer of ``v/c_0``, the larger delta, the larger gain of a bounce, the
-side whose base lifts the block first.
+or lifted off on the other side.  A block by a wall keeps its side: the change of side that a
+landing makes is taken back.  While all blocks are symmetric nothing is exchanged.  Rest is proved
+as above, on both sides at once: with the longer ``v/c_0``, the larger delta, the larger gain of a
+bounce; the side whose base lifts the block first lifts it.
 
 **Periods.**  The states after impacts, phase and velocity as seen from the side of the flight, are
 those of a map of the plane that shrinks areas, and a motion and its mirror image are the same

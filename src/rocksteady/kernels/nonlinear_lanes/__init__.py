@@ -39,8 +39,9 @@ before (``alpha + atan(alpha A) >= pi/2``), and of all of a run on a still base.
 
 **Two sides.**  A lane flies in the units of the side that its block is on: y in that side's alpha,
 time by its p.  It holds the constants of both sides, those of the other as differences of bits
-(`core.other_side`), and `_two_sides.change_sides` exchanges them in the lanes that have just landed; phase and half cycles count alike on both.  While all blocks are
-symmetric nothing is exchanged.
+(`core.other_side`), and `_two_sides.change_sides` exchanges them in the lanes that have just
+landed; phase and half cycles count alike on both.  While all blocks are symmetric nothing is
+exchanged.
 
 **Rest.**  After an impact the proof of `rocksteady.kernels.nonlinear.proofs` looks at both sides,
 each in its own units: velocity v, pull of now c_0, largest drift D, rate p; delta is the larger
