@@ -25,15 +25,19 @@ ELSEWHERE = re.compile(r"^(?:paper|study) |--json|--animate")
 """Those that take minutes, whose own tests look at their screens, and those without a screen."""
 ROWS = re.compile(r"^(?:screens|facade|record|restitution|assess) ")
 """Commands whose rows are the answer."""
-LINES = [
-    pytest.param(line, id=line, marks=[pytest.mark.slow] * bool(LONG.search(line)))
-    for line in dict.fromkeys(map(shortened, examples()))
-    if not ELSEWHERE.search(line)
-]
+LINES = [line for line in dict.fromkeys(map(shortened, examples())) if not ELSEWHERE.search(line)]
+QUICK = {line.split()[0]: line for line in reversed(LINES) if not LONG.search(line)}
+"""The first example of each command that is not long; the others are slow tests."""
 
 
 @pytest.mark.filterwarnings("ignore")
-@pytest.mark.parametrize("line", LINES)
+@pytest.mark.parametrize(
+    "line",
+    [
+        pytest.param(line, id=line, marks=[pytest.mark.slow] * (line not in QUICK.values()))
+        for line in LINES
+    ],
+)
 def test_a_screen_is_eight_lines_and_what_follows_it_runs(
     line: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -162,6 +162,7 @@ def test_time_that_is_up_ends_it_with_what_there_is(tmp_path: Path) -> None:
     assert set(data) == {"device", "emulated", "device after"}
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("emulation")
 def test_an_interruption_writes_what_there_is(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -23,7 +23,7 @@ from rocksteady.show.assessment._assessment_pictures import tornado_rows
 from rocksteady.show.assessment._assessment_tables import answer_rows
 from rocksteady.show.assessment.object_report import report_html, write_assessment_page
 from rocksteady.show.export.manifest import make_manifest
-from tests.show.assessment.pages import Page, check_alone
+from tests.show.assessment.pages import Page, check_alone, drawn_once
 
 HOSTILE = "<script>alert('1')</script> & \u202eevil \"q\" $\\frac{x}$ {{ 7*7 }} </style>\\"
 SUITE = make_synthetic_suite(12)
@@ -47,6 +47,12 @@ def statue(name: str = "statue", **keys: Any) -> DescribedObject:
 
 
 def page_of(assessment: Assessment, command: str = COMMAND) -> str:
+    with drawn_once():
+        return whole(assessment, command)
+
+
+def whole(assessment: Assessment, command: str = COMMAND) -> str:
+    """Return the page with its pictures for dark screens and phones."""
     return report_html(assessment, make_manifest(assessment.motions, command=command))
 
 
@@ -62,7 +68,7 @@ def _found() -> Assessment:
 
 @pytest.fixture(scope="module", name="html")
 def _html(found: Assessment) -> str:
-    return page_of(found)
+    return whole(found)
 
 
 @pytest.fixture(scope="module", name="page")
@@ -159,7 +165,7 @@ def test_the_median_is_given_as_a_peak_velocity(found: Assessment, page: Page) -
 
 @pytest.mark.slow
 def test_the_same_assessment_gives_the_same_bytes(found: Assessment, html: str) -> None:
-    assert page_of(replace(found, seconds=found.seconds + 1.0)) == html
+    assert whole(replace(found, seconds=found.seconds + 1.0)) == html
 
 
 def test_hashes_versions_seed_and_command_stand_on_it(found: Assessment, page: Page) -> None:

@@ -12,7 +12,7 @@ from rocksteady.results.numbers import number
 from rocksteady.show.calibration._calibration_report import calibration_html
 from rocksteady.show.export.manifest import make_manifest
 from tests.every import every
-from tests.show.assessment.pages import Page, check_alone
+from tests.show.assessment.pages import Page, check_alone, drawn_once
 from tests.show.calibrated import HOSTILE, calibrated, hostile, unscored
 
 SECTIONS = [
@@ -35,7 +35,8 @@ def page(kind: str) -> str:
     made: dict[str, Calibration] = {
         "usual": calibrated(), "hostile": hostile(), "unscored": unscored()
     }  # fmt: skip
-    return calibration_html(made[kind], make_manifest(command="rocksteady calibrate --tests x"))
+    with drawn_once():
+        return calibration_html(made[kind], make_manifest(command="rocksteady calibrate --tests x"))
 
 
 @pytest.mark.slow

@@ -12,7 +12,7 @@ from rocksteady.show.facade._facade_page import facade_html
 from rocksteady.show.facade._facade_tables import _restitution
 from rocksteady.show.plots.facades.languages import TABLES, language_of
 from tests.every import every
-from tests.show.assessment.pages import Page, check_alone
+from tests.show.assessment.pages import Page, check_alone, drawn_once
 from tests.show.facade.checked_facades import SUITE, alone, thin, tied
 
 CHECKS = {"tied": tied, "thin": thin, "alone": alone}
@@ -22,7 +22,8 @@ NAMES = {"fronte", "timpano", "copertura", "volta", "catene", "puntoni", "synthe
 
 @functools.cache
 def page_of(name: str, language: str) -> tuple[Page, str]:
-    html = facade_html(CHECKS[name](), make_manifest(SUITE), language_of(language))
+    with drawn_once():
+        html = facade_html(CHECKS[name](), make_manifest(SUITE), language_of(language))
     return Page(html), html
 
 

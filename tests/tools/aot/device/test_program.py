@@ -75,6 +75,7 @@ def test_workers_that_run_in_step_add_up_both_halves_of_a_number() -> None:
 
 
 @pytest.mark.skipif(PLAIN, reason="kernels are not lowered")
+@pytest.mark.slow
 def test_the_program_holds_every_queued_kernel_and_one_atomic_addition_of_each() -> None:
     program = device_program()
     entries = re.findall(rf"^define [^@]*@{ENTRY}(\w+)\(", program, flags=re.MULTILINE)
