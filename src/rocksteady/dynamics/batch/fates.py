@@ -40,8 +40,8 @@ def ends_of(
 ) -> Integers:
     """Return how motions end.
 
-    Motions are followed side by side, but for those of blocks against a wall in the nonlinear
-    model, and all under a Fourier series: a cell's answer depends on nothing but the cell.
+    Motions are followed side by side, except all under a Fourier series and, in the nonlinear
+    model, those of blocks against a wall: a cell's answer depends on nothing but the cell.
 
     Parameters
     ----------
