@@ -1,5 +1,6 @@
 """Calibrate: from tests that fell or stood to posteriors, scores and verdicts."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -12,12 +13,18 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.results.doubts import FEWEST_DRAWS
-from rocksteady.risk.calibration._draw_runs import DrawRuns, log_likelihood, run_draws
+from rocksteady.risk.calibration._draw_runs import (
+    DrawRuns,
+    log_likelihood,
+    run_draws,
+    shared_runs,
+)
 from rocksteady.risk.calibration._flips import count_flips
 from rocksteady.risk.calibration._identified import LIMIT, parameters_of
 from rocksteady.risk.calibration._importance import Proposal, base_weights, refine
 from rocksteady.risk.calibration._predicting import error_warnings
-from rocksteady.risk.calibration._shares import pooled_shares
+from rocksteady.risk.calibration._sessions import make_sessions, session_nodes
+from rocksteady.risk.calibration._shares import Curves, fit_curves
 from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.calibration import (
     Calibration,
@@ -36,6 +43,7 @@ from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import DrawOptions
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.prior import Prior
+from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.sweep.run import Execution
 
 PRIOR_DRAWS = 4096
@@ -44,6 +52,8 @@ PRIOR_DRAWS = 4096
 
 TOLERANCE = 1e-8
 """Default of the full equations here."""
+SURE = 500
+"""Runs of a test in the first round that, all alike, settle its fate in the others."""
 
 
 @checked
@@ -121,9 +131,10 @@ def calibrate(
     objects = {name: known.object_prior(given) for name, given in tests.objects.items()}
     given = replace(tests, objects=objects)
     names, codes = codes_of(given.tests, folds)
+    _refuse_alone(given.tests)
     fits = [
         _fit(
-            Space(block=block, noise=known.noise),
+            Space(block=block, noise=known.noise, sessions=_in_sessions(given.of(name).tests)),
             given,
             np.array([k for k, test in enumerate(given.tests) if test.object == name]),
             codes,
@@ -183,12 +194,15 @@ class _Fit:
     space: Space
     values: Floats
     runs: DrawRuns
+    motion: Integers
     evidence: Evidence
 
 
 def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, plan: _Plan) -> _Fit:
     """Return the draws of an object, in rounds."""
     picked = [tests.tests[place] for place in places]
+    shaken, motion, shift = shared_runs(picked)
+    known: Floats | None = None
     sampling, seed = plan.sampling, (plan.sampling.seed, plan.number)
     proposals: list[Proposal] = []
     scores = np.empty((0, space.size))
@@ -199,25 +213,36 @@ def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, p
         if fit is None:
             proposal = Proposal(draws=draws)
         else:
-            total = fit.evidence.log_likelihood.sum(axis=1)
-            proposal = refine(scores, fit.evidence.base, total, draws)
+            proposal = refine(scores, fit.evidence.base, fit.evidence.joint, draws)
         proposals.append(proposal)
         added = proposal.sample(space.size, (*seed, place))
         scores = np.concatenate([scores, added])
         more = run_draws(
             space,
             space.values_of(added),
-            picked,
+            shaken,
             gains=sampling.gains,
             seed=(*seed, place, 1),
             model=plan.model,
             run=plan.run,
+            known=known,
         )
         runs = more if runs is None else runs.beside(more)
         values = space.values_of(scores)
-        share = pooled_shares(runs.fell, runs.gain, runs.sigma, space.features(values))
+        if known is None and runs.fell[0].size >= SURE:
+            alike = (runs.fell == runs.fell[:, :1, :1]).all(axis=(1, 2))
+            alike &= [test.peak_rad is None for test in shaken]
+            known = np.where(alike, runs.fell[:, 0, 0], np.nan)
+        curves = fit_curves(runs.fell, runs.gain, runs.sigma, space.features(values))
+        share = _shares_of(curves, motion, shift, runs.sigma)
         outliers = space.outliers(values)
-        likelihood = log_likelihood(picked, runs, share, outliers, outline)
+        likelihood = log_likelihood(picked, runs, motion, share, outliers, outline)
+        sessions = None
+        if space.sessions:
+            ratio = space.noise.session_restitution.middle
+            nodes = session_nodes(space.between(values), ratio)
+            alone = space.sigma(values, picked)
+            sessions = make_sessions(picked, curves, motion, shift, alone, nodes, outliers)
         if space.size == 0:  # all draws are one block: what differs is noise
             likelihood = np.zeros_like(likelihood)
         evidence = Evidence(
@@ -225,15 +250,32 @@ def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, p
             log_likelihood=likelihood,
             share=(1.0 - outliers)[:, np.newaxis] * share + 0.5 * outliers[:, np.newaxis],
             tests=places,
+            total=None if sessions is None else sessions.total(likelihood),
+            sessions=sessions,
         )
-        fit = _Fit(space=space, values=values, runs=runs, evidence=evidence)
-        alone = replace(evidence, tests=np.arange(len(places)))
+        fit = _Fit(space=space, values=values, runs=runs, motion=motion, evidence=evidence)
         grouped = np.unique(codes[places], return_inverse=True)[1]
+        alone = replace(evidence, tests=np.arange(len(places))).by_groups(grouped)
         held = hold_out([alone], grouped, 1.0, ends=False)
         if float(held.error.max()) < sampling.error and float(held.effective.min()) > FEWEST_DRAWS:
             break
     assert fit is not None
     return fit
+
+
+def _shares_of(curves: Curves, motion: Integers, shift: Floats, sigma: Floats) -> Floats:
+    """Return the probability of a fall of each test, its session unknown, shape (draws, tests)."""
+    shares = curves.shares[:, motion]
+    for place in np.flatnonzero(shift).tolist():
+        number = motion[place]
+        moved = np.full((len(shares), 1), shift[place])
+        shares[:, place] = curves.at(number, moved, np.zeros((1, 1)), sigma[number])[:, 0]
+    return shares
+
+
+def _in_sessions(tests: Sequence[ShakingTest]) -> bool:
+    """Return whether tests of an object come in two sessions or more."""
+    return len({test.session for test in tests if test.session is not None}) > 1
 
 
 def _posterior(name: str, fit: _Fit, temper: float) -> Posterior:
@@ -245,7 +287,7 @@ def _posterior(name: str, fit: _Fit, temper: float) -> Posterior:
         weights=fit.evidence.weights(temper),
         untempered_weights=fit.evidence.weights(),
         prior_weights=normalised(fit.evidence.base[:, np.newaxis])[:, 0],
-        fates=fit.runs.fell.mean(axis=2).T,
+        fates=fit.runs.fell.mean(axis=2).T[:, fit.motion],
     )
 
 
@@ -256,6 +298,25 @@ def _prior_columns(posterior: Posterior) -> dict[str, Floats]:
     values = space.values_of(scores)
     columns = {name: values[:, place] for place, name in enumerate(space.names)}
     return columns | space.derived(values)
+
+
+def _refuse_alone(tests: Sequence[ShakingTest]) -> None:
+    """Refuse a session of one test, which has no gain of its own, and tests that are all one.
+
+    Raises
+    ------
+    InputError
+        With the name of the first.
+    """
+    counts = Counter(test.session for test in tests if test.session is not None)
+    lone = [name for name, count in counts.items() if count == 1]
+    if lone and len(counts) > 1:
+        raise InputError(
+            "session",
+            lone[0],
+            "a session has two tests or more: of one alone its gain cannot be told from its error",
+            "put the test in the session it belongs to, or leave its session empty",
+        )
 
 
 def _temper(value: object) -> float | None:

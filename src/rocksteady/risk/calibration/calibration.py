@@ -350,7 +350,8 @@ def make_trial(
     """Return all that scores need."""
     names = list(tests.objects)
     return Trial(
-        evidence=evidence,
+        evidence=[each.by_groups(codes) for each in evidence],
+        marginal=evidence,
         codes=codes,
         objects=np.array([names.index(test.object) for test in tests.tests]),
         fell=tests.fell,
