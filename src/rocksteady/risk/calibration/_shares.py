@@ -37,7 +37,9 @@ def normal_strata(draws: int, tests: int, count: int, rng: np.random.Generator) 
     return strata
 
 
-def pooled_shares(fell: Bools, gain: Floats, sigma: Floats, features: Floats) -> Floats:
+def pooled_shares(
+    fell: Bools, gain: Floats, sigma: Floats, features: Floats, mean: Floats | None = None
+) -> Floats:
     """Return the probability of a fall at each draw, shrunk to a curve fitted to all draws.
 
     The runs of a draw are few, so that the share of them that fell is noise to a good part, and
@@ -64,6 +66,8 @@ def pooled_shares(fell: Bools, gain: Floats, sigma: Floats, features: Floats) ->
         Standard deviation of it, shape (tests, draws).
     features
         ln tan alpha, then others, shape (draws, features).
+    mean
+        Mean of the gains, shape (tests, draws); default 0.
 
     Returns
     -------
@@ -75,7 +79,7 @@ def pooled_shares(fell: Bools, gain: Floats, sigma: Floats, features: Floats) ->
     .. [1] D. J. C. MacKay, Neural Computation 4, 720-736 (1992).
     .. [2] B. Efron and C. Morris, J. Am. Stat. Assoc. 70, 311-319 (1975).
     """
-    return fit_curves(fell, gain, sigma, features).shares
+    return fit_curves(fell, gain, sigma, features, mean).shares
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -93,8 +97,8 @@ class Curves:
     ratio
         Column of it in `others`.
     fits
-        Of each motion middle and width of the load, coefficients and the residual of each draw;
-        None where all runs are alike.
+        Of each motion middle and width of the load, and coefficients; None where all runs are
+        alike.
     """
 
     shares: Floats
@@ -102,10 +106,13 @@ class Curves:
     others: Floats
     scale: float
     ratio: int
-    fits: Sequence[tuple[float, float, Floats, Floats] | None]
+    fits: Sequence[tuple[float, float, Floats] | None]
 
     def at(self, motion: int, shift: Floats, ratio: Floats, sigma: Floats) -> Floats:
         """Return the probability of a fall of a motion that is moved, shape (draws, nodes).
+
+        It is the curve alone: what few runs of a draw have beside it is noise to the likelihood of
+        a session, which would leave the luckiest draw all of the weight.
 
         Parameters
         ----------
@@ -120,11 +127,8 @@ class Curves:
         if fit is None:
             wide = np.broadcast_shapes(shift.shape, ratio.shape)
             return np.broadcast_to(self.shares[:, motion, np.newaxis], wide)
-        *curve, residual = fit
         moved = ratio / self.scale if self.scale else 0.0 * ratio
-        p = self._expected(*curve, shift, moved, sigma)
-        clipped: Floats = np.clip(p + residual[:, np.newaxis], 0.0, 1.0)
-        return clipped
+        return self._expected(*fit, shift, moved, sigma)
 
     def _expected(
         self, middle: float, width: float, at: Floats, shift: Floats, moved: Floats, sigma: Floats
@@ -149,7 +153,9 @@ class Curves:
         return np.asarray(total)
 
 
-def fit_curves(fell: Bools, gain: Floats, sigma: Floats, features: Floats) -> Curves:
+def fit_curves(
+    fell: Bools, gain: Floats, sigma: Floats, features: Floats, mean: Floats | None = None
+) -> Curves:
     """Return the curves of `pooled_shares`, which has the arguments and the equations."""
     tests, draws, count = fell.shape
     shares: Floats = fell.mean(axis=2).T
@@ -166,6 +172,7 @@ def fit_curves(fell: Bools, gain: Floats, sigma: Floats, features: Floats) -> Cu
     row = np.arange(draws)[:, np.newaxis]
     wide = np.repeat(others, picked, axis=0).T
     none, fits = np.zeros((draws, 1)), []
+    middles = np.zeros((tests, draws, 1)) if mean is None else mean[..., np.newaxis]
     for test in range(tests):
         if (fell[test] == fell[test, 0, 0]).all():
             fits.append(None)
@@ -177,14 +184,14 @@ def fit_curves(fell: Bools, gain: Floats, sigma: Floats, features: Floats) -> Cu
         x = ((load[row, column] - middle) / width).ravel()
         design = np.vstack([np.ones_like(x), x, 0.5 * (x * x - 1.0), wide, x * wide])
         at = _logistic(design, fell[test, row, column].ravel())
-        fitted = curves._expected(middle, width, at, none, none, sigma[test])[:, 0]
+        fitted = curves._expected(middle, width, at, middles[test], none, sigma[test])[:, 0]
         strata = count if sigma[test].any() else 1  # without an error of the gain all runs are one
         part = (strata * fitted) % 1.0
         explained = float((part * (1.0 - part)).mean()) / strata**2
         apart = float(np.square(shares[:, test] - fitted).mean())
         weight = min(1.0, explained / apart) if apart > 0.0 else 1.0
         shares[:, test] += weight * (fitted - shares[:, test])
-        fits.append((middle, width, at, shares[:, test] - fitted))
+        fits.append((middle, width, at))
     return replace(curves, fits=fits)
 
 

@@ -40,6 +40,8 @@ class Trial:
         Intensity measures, shape (tests, measures).
     temper
         A number, or None for that with the best score among the training tests.
+    recalibrate
+        Whether predictions are recalibrated; None where that helps.
     """
 
     evidence: Sequence[Evidence]
@@ -49,6 +51,7 @@ class Trial:
     fell: Floats
     measures: Floats
     temper: float | None
+    recalibrate: bool | None = None
 
 
 def best_temper(evidence: Sequence[Evidence], codes: Integers, fell: Floats) -> float:

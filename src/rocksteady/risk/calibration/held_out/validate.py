@@ -1,7 +1,7 @@
 """Validation: scores of each group's tests from the others, beside those of simpler rules."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,12 @@ from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.folds import LADDER, choose_tempers, hold_out
 from rocksteady.risk.calibration.held_out.learning import Trial, best_temper, learning_curve
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
+from rocksteady.risk.calibration.held_out.recalibration import (
+    Platt,
+    fit_platt,
+    it_helps,
+    recalibrated,
+)
 from rocksteady.risk.calibration.held_out.rivals import out_of_group
 from rocksteady.risk.calibration.held_out.scores import BINS, NAMES, Scores, bin_of, scores_of
 from rocksteady.risk.observations.shaking_test import ShakingTest
@@ -50,6 +56,9 @@ class Validation(Result):
     learning
         By the number of training `groups` the `Scores` of "calibrated", "logistic" and
         "base rate", with `tests`, the mean number of the training.
+    recalibration
+        Line over log odds by all held-out predictions, for tests that were not in the training;
+        held-out predictions have that of the other groups.
     warnings
         Sentences on what limits the scores.
 
@@ -74,6 +83,7 @@ class Validation(Result):
     reliability: tuple[Row, ...]
     residuals: Mapping[str, tuple[Row, ...]]
     learning: tuple[Row, ...]
+    recalibration: Platt = Platt()
     warnings: tuple[str, ...] = ()
 
     def describe(self) -> Description:
@@ -152,6 +162,14 @@ def validate_trial(
     else:
         tempers = np.full(len(names), trial.temper)
     held = hold_out(trial.evidence, trial.codes, tempers)
+    line = Platt()
+    helps = trial.recalibrate
+    if helps is None:
+        helps = it_helps(held.p, trial.fell, trial.codes)
+    if helps:
+        line = fit_platt(held.p[known], fell)
+        mended = recalibrated(held.p, trial.fell, trial.codes, held.low, held.high)
+        held = replace(held, **dict(zip(("p", "low", "high"), mended, strict=True)))
     rates, curves = out_of_group(trial.measures, trial.fell, trial.objects, trial.codes)
     at_tempers = {
         temper: hold_out(trial.evidence, trial.codes, temper, ends=False).p for temper in LADDER
@@ -163,20 +181,28 @@ def validate_trial(
     if len(low):
         few = sorted({groups[place] for place in low.tolist()})
         warnings.append(
-            f"{len(few)} of {len(names)} folds rest on fewer than 50 effective draws, "
+            f"{len(few)} of {len(names)} folds rest on fewer than {FEWEST_DRAWS:g} effective draws, "
             f"{held.effective.min():.0f} at least: make more draws"
+        )
+    scores = {name: scored(p) for name, p in zip(ROWS, rules, strict=True)}
+    if scores["calibrated"].brier[0] >= scores["base rate"].brier[0]:
+        warnings.append(
+            f"held-out predictions are no better than the base rate: Brier score "
+            f"{number(scores['calibrated'].brier[0])}, by the base rate "
+            f"{number(scores['base rate'].brier[0])}: doubt the prior of the outline, or the model"
         )
     if len(names) < 10:
         warnings.append(f"with {len(names)} groups the intervals of the scores are rough")
     return Validation(
         folds=folds,
-        rows={name: scored(p) for name, p in zip(ROWS, rules, strict=True)},
+        rows=scores,
         tempers=dict(zip(names, tempers.tolist(), strict=True)),
         temper_scores={temper: scored(p) for temper, p in at_tempers.items()},
         predictions=predictions_of(tests, held, groups, held_out=[True] * len(tests)),
         reliability=tuple(_reliability(held.p[known], fell)),
         residuals=_residuals(held.p, trial.fell, tests),
         learning=tuple(learning_curve(trial, seed=seed)),
+        recalibration=line,
         warnings=tuple(warnings),
     )
 
