@@ -14,6 +14,7 @@ WIDER = 1.4
 """Its scale over that of the posterior."""
 LEAST_TAIL = 5
 """Weights of a tail that a law is fitted to."""
+MOST_SHAPE = 0.7
 LEAST_EFFECTIVE = 40.0
 """Draws that a round is fitted to: with fewer the likelihood is tempered until there are."""
 
@@ -111,7 +112,7 @@ def smoothed(weights: Floats) -> tuple[Floats, float]:
 
     The largest 3 sqrt(draws) weights, a fifth of all at most, become quantiles of a generalised
     Pareto law that is fitted to them [2].  Above a k of 0.7 no estimate from the weights is to be
-    trusted.  With too few weights, or equal ones, they stay, and k is nan.
+    trusted, and they stay.  With too few weights, or equal ones, they stay, and k is nan.
 
     References
     ----------
@@ -136,6 +137,8 @@ def smoothed(weights: Floats) -> tuple[Floats, float]:
     raw = float(np.log1p(-b_mean * x).mean())
     scale, shape = -raw / b_mean, (count * raw + 5.0) / (count + 10.0)
     p = (np.arange(count) + 0.5) / count
+    if shape > MOST_SHAPE:
+        return weights, shape
     made = weights.copy()
     law = scale * np.expm1(-shape * np.log1p(-p)) / shape
     made[tail] = np.minimum(cut + law, weights.max())
