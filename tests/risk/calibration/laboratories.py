@@ -1,8 +1,10 @@
 """Laboratories with a known truth: shaking tests in sessions, as two specimens of stone have them.
 
-``python -m tests.risk.calibration.laboratories 3`` prints held-out scores of three of them.
+``python -m tests.risk.calibration.laboratories scores 0 10`` prints held-out scores of ten of them,
+and ``coverage 0 200`` how often 90 % intervals of small ones hold what is true.
 """
 
+import math
 import sys
 import time
 from collections.abc import Mapping, Sequence
@@ -13,12 +15,13 @@ import numpy as np
 
 from rocksteady import Block, Linear, Record, Status, calibrate, read_record
 from rocksteady.calibration import (
-    DrawOptions,
     ObjectPrior,
     Observations,
+    Prior,
     ShakingTest,
     compute_test_fates,
 )
+from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.observations.fates import Scatter
 from rocksteady.seismic.measures.scalar import compute_measure
 from tests.records import FOLDER
@@ -26,6 +29,8 @@ from tests.records import FOLDER
 OUTLINES = {"specimen 1": (0.25, 1.0), "specimen 2": (0.17, 0.5)}
 """Width and height [m]."""
 SESSION_GAIN, SESSION_RESTITUTION, TEST_GAIN, FLIPPED = 0.15, 0.02, 0.03, 0.05
+STRANGE, SCATTERED = 9, 0.2
+"""Laboratory whose law is not ours, and how much its restitution scatters."""
 LEVELS = (0.35, 0.5, 0.65, 0.8, 1.0)
 """p PGV/(g tan alpha) of the outline at the gains of the table."""
 
@@ -96,7 +101,7 @@ def make_laboratory(
                     object=name,
                     gain=level / unit,
                     session=f"day {session + 1}",
-                )  # fmt: skip
+                )
             )
             truth.append(replace(given[-1], object=f"day {session + 1}"))
             error.append(shift + TEST_GAIN * float(rng.normal()))
@@ -129,27 +134,68 @@ def make_laboratory(
     )
 
 
-def scores_of(laboratory: Laboratory, **options: Any) -> dict[str, tuple[float, float]]:
-    """Return accuracy and Brier score of each rule, held out by record."""
-    found = calibrate(laboratory.tests, folds="record", model=Linear(), **options)
-    return {
-        name: (row.accuracy[0], row.brier[0]) for name, row in found.validation.rows.items()
-    } | {"draws": (min(p.effective_draws for p in found.posteriors.values()), found.temper)}
+def scores_of(found: Calibration) -> tuple[float, float]:
+    """Return accuracy and Brier score, held out by record."""
+    row = found.validation.rows["calibrated"]
+    return row.accuracy[0], row.brier[0]
+
+
+def table_of(seed: int) -> dict[str, tuple[float, float]]:
+    """Return the scores of a laboratory with each cure switched off in turn, and of its rivals."""
+    tests = make_laboratory(seed, scatter=SCATTERED if seed == STRANGE else 0.0).tests
+    alone = replace(tests, tests=[replace(test, session=None) for test in tests.tests])
+    found = fit(tests)
+    rows = {"all cures": scores_of(found)}
+    for rule in ("logistic", "base rate"):
+        row = found.validation.rows[rule]
+        rows[rule] = row.accuracy[0], row.brier[0]
+    for recalibrate in (False, True):
+        other = replace(found, recalibrate=recalibrate)
+        rows[f"recalibrate {recalibrate}"] = scores_of(
+            replace(found, validation=other.validate("record"))
+        )
+    rows["without sessions"] = scores_of(fit(alone))
+    rows["base 0.6 to 1"] = scores_of(fit(tests, Prior(defaults={"base": "0.6:1.0"})))
+    return rows
+
+
+def fit(tests: Observations, prior: Prior | None = None) -> Calibration:
+    """Return a calibration by the linear equations, held out by record."""
+    return calibrate(tests, prior, folds="record", model=Linear())
+
+
+def covered(seed: int) -> dict[str, list[bool]]:
+    """Return whether 90 % intervals of 60 tests on 12 records hold what is true."""
+    name = tuple(OUTLINES)[seed % 2]
+    made = make_laboratory(seed, tests=60, records=12, sessions=6, outlines=(name,))
+    posterior = fit(made.tests).posteriors[name]
+    truth = {
+        "alpha_rad": made.alpha_rad[name],
+        "housner_factor": made.restitution[name],
+        "session_ln": SESSION_GAIN,
+    }
+    held = {}
+    for key, value in truth.items():
+        _, low, high = posterior.interval(key)
+        held[key] = [low <= value <= high]
+    gains = [(math.exp(gain), *posterior.session_gain(day)) for day, gain in
+             made.session_gain.items()]  # fmt: skip
+    return held | {"gain of a session": [low <= gain <= high for gain, _, low, high in gains]}
+
+
+def main(kind: str, first: int, last: int) -> None:
+    """Print scores, or coverage, of laboratories."""
+    kept: dict[str, list[Any]] = {}
+    began = time.perf_counter()
+    for seed in range(first, last):
+        rows: Mapping[str, Any] = table_of(seed) if kind == "scores" else covered(seed)
+        for name, values in rows.items():
+            kept.setdefault(name, []).extend([values] if kind == "scores" else values)
+        means = {name: np.mean(values, axis=0).round(4).tolist() for name, values in kept.items()}
+        words = f"{seed - first + 1} in {time.perf_counter() - began:.0f} s: {means}\n"
+        sys.stdout.write(words)
+        sys.stdout.flush()
 
 
 if __name__ == "__main__":
-    for number in range(int(sys.argv[1])):
-        began = time.perf_counter()
-        scattered = 0.2 if number == 9 else 0.0
-        made = make_laboratory(number, scatter=scattered)
-        fell = np.nanmean(made.tests.fell)
-        ready = time.perf_counter()
-        words = {
-            name: tuple(round(each, 4) for each in pair)
-            for name, pair in scores_of(made, sampling=DrawOptions()).items()
-        }
-        seconds = time.perf_counter() - ready
-        sys.stdout.write(
-            f"{number}: {fell:.2f} fell, {words}, {ready - began:.0f} + {seconds:.0f} s\n"
-        )
-        sys.stdout.flush()
+    main(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]))

@@ -4,7 +4,13 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from rocksteady.risk.calibration._importance import FREEDOM, Proposal, base_weights, refine, smoothed
+from rocksteady.risk.calibration._importance import (
+    FREEDOM,
+    Proposal,
+    base_weights,
+    refine,
+    smoothed,
+)
 from rocksteady.risk.calibration.held_out.folds import effective, normalised
 
 CENTRE, ROOT = np.array([0.5, -1.0, 0.2]), np.array([[0.6, 0, 0], [0.2, 0.9, 0], [0.0, 0.3, 0.4]])
@@ -78,4 +84,5 @@ def test_shape_of_a_pareto_law_is_found(shape: float) -> None:
 def test_equal_weights_have_no_tail() -> None:
     equal = np.full(400, 1 / 400)
     made, found = smoothed(equal)
-    assert made is equal and np.isnan(found)
+    assert made is equal
+    assert np.isnan(found)

@@ -75,7 +75,8 @@ def test_tests_of_one_motion_share_runs_and_others_do_not() -> None:
         replace(first, name="5", fell=False, peak_rad=0.01, sigma_rad=0.01),
     ]
     made, motion, shift = shared_runs(tests)
-    assert motion.tolist() == [0, 0, 1, 2, 3] and len(made) == 4
+    assert motion.tolist() == [0, 0, 1, 2, 3]
+    assert len(made) == 4
     gains = [made[k].gain * math.exp(s) for k, s in zip(motion, shift, strict=True)]
     assert gains == pytest.approx([test.gain for test in tests], rel=1e-12)
 

@@ -88,7 +88,10 @@ def run_draws(
     if known is not None and np.isfinite(known).any():
         left = np.flatnonzero(~np.isfinite(known))
         shape = (len(tests), len(values), gains)
-        fell, peaks = np.broadcast_to((known > 0.0)[:, None, None], shape).copy(), np.full(shape, np.nan)
+        fell, peaks = (
+            np.broadcast_to((known > 0.0)[:, None, None], shape).copy(),
+            np.full(shape, np.nan),
+        )
         unknown = 0
         if len(left):
             part = run_draws(
@@ -161,9 +164,9 @@ def log_likelihood(
 ) -> Floats:
     """Return ln of the likelihood of each test at each draw, shape (draws, tests).
 
-    `motion` is the number of each test's runs, and `share` is Q, the probability of a fall without outliers.  The likelihood is (1 - eps) Q + eps/2
-    of a test that fell, and that with 1 - Q of a test that stood.  With a measured peak, a run that
-    stood counts with the normal density of the peak about its own, and an outlier with a uniform
+    `motion` is the number of each test's runs, and `share` is Q, the probability of a fall without
+    outliers.  The likelihood is (1 - eps) Q + eps/2 of a test that fell, and that with 1 - Q of a
+    test that stood.  With a measured peak, a run that stood counts with the normal density of the peak about its own, and an outlier with a uniform
     density up to the alpha of the outline.
     """
     total = np.zeros(share.shape)

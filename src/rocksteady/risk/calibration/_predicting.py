@@ -14,7 +14,7 @@ from rocksteady.risk.calibration._draw_runs import run_draws
 from rocksteady.risk.calibration._shares import pooled_shares
 from rocksteady.risk.calibration.held_out.folds import HeldOut, predict_with
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
-from rocksteady.risk.calibration.held_out.recalibration import Platt
+from rocksteady.risk.calibration.held_out.recalibration import PLAIN, Platt
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import DrawOptions
 from rocksteady.risk.observations.observations import Observations
@@ -46,7 +46,7 @@ class Source:
     posteriors: Mapping[str, Posterior]
     sampling: DrawOptions
     model: Model
-    recalibration: Platt = Platt()
+    recalibration: Platt = PLAIN
 
 
 def predict_all(

@@ -150,6 +150,7 @@ def make_sessions(
     motion: Integers,
     shift: Floats,
     sigma: Floats,
+    *,
     nodes: tuple[Floats, Floats, Floats],
     outliers: Floats,
 ) -> Sessions:
@@ -178,14 +179,15 @@ def make_sessions(
         key = (int(motion[place]), float(shift[place]), test.sigma_ln)
         if key not in keys:
             keys[key] = len(falls)
-            falls.append(
-                curves.at(key[0], key[1] + gains, ratios, sigma[place]).astype(np.float32)
-            )
+            falls.append(curves.at(key[0], key[1] + gains, ratios, sigma[place]).astype(np.float32))
         column.append(keys[key])
     return Sessions(
         names=names,
         member=np.array(
-            [-1 if t.session is None or t.peak_rad is not None else names.index(t.session) for t in tests]
+            [
+                -1 if t.session is None or t.peak_rad is not None else names.index(t.session)
+                for t in tests
+            ]
         ),
         column=np.array(column),
         falls=np.array(falls),

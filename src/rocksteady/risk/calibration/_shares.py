@@ -137,7 +137,10 @@ class Curves:
         nodes, weights = np.polynomial.hermite_e.hermegauss(NODES)
         nodes, weights = np.sqrt(1.0 - BETWEEN**2) * nodes, weights / weights.sum()
         size, column = self.others.shape[1], self.ratio
-        constant, slope = at[0] + self.others @ at[3 : 3 + size], at[1] + self.others @ at[3 + size :]
+        constant, slope = (
+            at[0] + self.others @ at[3 : 3 + size],
+            at[1] + self.others @ at[3 + size :],
+        )
         constant, slope = (each[:, np.newaxis] for each in (constant, slope))
         if self.scale:
             constant = constant + at[3 + column] * moved

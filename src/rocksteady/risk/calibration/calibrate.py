@@ -92,8 +92,8 @@ def calibrate(
     temper
         "auto" (default), or a number in (0, 1]; 1 is Bayes' rule, and no other is.
     recalibrate
-        Whether a line over the log odds of held-out predictions [3], fitted without the group, mends
-        them: True, False, or None (default) where the log score gains by it.
+        Whether a line over the log odds of held-out predictions [3], fitted without the group,
+        mends them: True, False, or None (default) where the log score gains by it.
     model
         `Nonlinear(tolerance=1e-8)` (default), which takes a third less time than a tolerance of
         1e-10 and changes fewer fates than any amplitude error, or `Linear()`.
@@ -248,7 +248,9 @@ def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, p
             ratio = space.noise.session_restitution.middle
             nodes = session_nodes(space.between(values), ratio)
             alone = space.sigma(values, picked)
-            sessions = make_sessions(picked, curves, motion, shift, alone, nodes, outliers)
+            sessions = make_sessions(
+                picked, curves, motion, shift, alone, nodes=nodes, outliers=outliers
+            )
         if space.size == 0:  # all draws are one block: what differs is noise
             likelihood = np.zeros_like(likelihood)
         evidence = Evidence(

@@ -216,9 +216,7 @@ class Calibration(Result):
                         name: {key: str(spread) for key, spread in each.space.block.spreads.items()}
                         for name, each in self.posteriors.items()
                     },
-                    "noise": {
-                        key: str(getattr(self.prior.noise, key)) for key in NOISE
-                    },
+                    "noise": {key: str(getattr(self.prior.noise, key)) for key in NOISE},
                 },
             ),
             Fact("trained", {test.name: digest_of(test) for test in self.tests.tests}),

@@ -23,7 +23,7 @@ from rocksteady.risk.calibration._predicting import Source, listed, predict_all
 from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.predictions import OUTCOMES, Predictions
-from rocksteady.risk.calibration.held_out.recalibration import Platt
+from rocksteady.risk.calibration.held_out.recalibration import PLAIN, Platt
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import DrawOptions
 from rocksteady.risk.observations.files.small_files import content_of, text_of
@@ -91,7 +91,7 @@ class StoredPosterior(Result):
     trained: Mapping[str, str]
     sampling: DrawOptions
     model: Model
-    recalibration: Platt = Platt()
+    recalibration: Platt = PLAIN
 
     def predict(
         self, tests: Observations | Sequence[ShakingTest], *, run: Execution | None = None

@@ -51,7 +51,7 @@ class Evidence:
 
     @property
     def joint(self) -> Floats:
-        """ln of the probability of all outcomes at each draw, shape (draws,)."""
+        """Logarithm of the probability of all outcomes at each draw, shape (draws,)."""
         return self.log_likelihood.sum(axis=1) if self.total is None else self.total
 
     def by_groups(self, codes: Integers) -> "Evidence":

@@ -28,10 +28,14 @@ class Platt:
 
     def of(self, p: Floats) -> Floats:
         """Return recalibrated probabilities."""
-        if (self.intercept, self.slope) == (0.0, 1.0):
+        if self == PLAIN:
             return p
         found: Floats = 1.0 / (1.0 + np.exp(-(self.intercept + self.slope * _log_odds(p))))
         return found
+
+
+PLAIN = Platt()
+"""No change."""
 
 
 def fit_platt(p: Floats, fell: Floats) -> Platt:
