@@ -63,7 +63,7 @@ def run_draws(
     seed: Sequence[int],
     model: Model | None,
     run: Execution | None,
-    known: Bools | None = None,
+    known: Floats | None = None,
     shift: tuple[Floats, Floats] | None = None,
 ) -> DrawRuns:
     """Run draws of an object on tests at gains of their own.
@@ -88,19 +88,17 @@ def run_draws(
     if known is not None and np.isfinite(known).any():
         left = np.flatnonzero(~np.isfinite(known))
         shape = (len(tests), len(values), gains)
-        fell, peaks = (
-            np.broadcast_to((known > 0.0)[:, None, None], shape).copy(),
-            np.full(shape, np.nan),
-        )
-        unknown = 0
+        fell = np.broadcast_to((known > 0.0)[:, np.newaxis, np.newaxis], shape).copy()
+        peaks = np.full(shape, np.nan)
+        lost = 0
         if len(left):
             part = run_draws(
-                space, values, [tests[place] for place in left], gains=gains, seed=(*seed, 2),
+                space, values, [tests[place] for place in left.tolist()], gains=gains, seed=(*seed, 2),
                 model=model, run=run,
             )  # fmt: skip
             fell[left], peaks[left], gain[left] = part.fell, part.peak_rad, part.gain
-            unknown = part.unknown
-        return DrawRuns(fell=fell, peak_rad=peaks, gain=gain, sigma=sigma, unknown=unknown)
+            lost = part.unknown
+        return DrawRuns(fell=fell, peak_rad=peaks, gain=gain, sigma=sigma, unknown=lost)
     block_values = space.block_values(values)
     deviation = space.block.scatter_of(block_values)
     scatter = None
@@ -166,8 +164,8 @@ def log_likelihood(
 
     `motion` is the number of each test's runs, and `share` is Q, the probability of a fall without
     outliers.  The likelihood is (1 - eps) Q + eps/2 of a test that fell, and that with 1 - Q of a
-    test that stood.  With a measured peak, a run that stood counts with the normal density of the peak about its own, and an outlier with a uniform
-    density up to the alpha of the outline.
+    test that stood.  With a measured peak, a run that stood counts with the normal density of the
+    peak about its own, and an outlier with a uniform density up to the alpha of the outline.
     """
     total = np.zeros(share.shape)
     for place, test in enumerate(tests):

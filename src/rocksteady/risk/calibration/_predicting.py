@@ -201,10 +201,8 @@ def _session_gains(
     unknown = np.column_stack([np.zeros(len(kept)), between])
     pairs = np.array(
         [
-            posterior.sessions[test.session][kept]
-            if test.session in posterior.sessions
-            else unknown
-            for test in tests
+            unknown if known is None else known[kept]
+            for known in (posterior.sessions.get(test.session or "") for test in tests)
         ]
     )
     return pairs[..., 0], pairs[..., 1]

@@ -263,8 +263,8 @@ def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, p
         )
         fit = _Fit(space=space, values=values, runs=runs, motion=motion, evidence=evidence)
         grouped = np.unique(codes[places], return_inverse=True)[1]
-        alone = replace(evidence, tests=np.arange(len(places))).by_groups(grouped)
-        held = hold_out([alone], grouped, 1.0, ends=False)
+        within = replace(evidence, tests=np.arange(len(places))).by_groups(grouped)
+        held = hold_out([within], grouped, 1.0, ends=False)
         few = min(float(held.effective.min()), float(effective(evidence.weights())))
         if float(held.error.max()) < sampling.error and few >= ENOUGH_DRAWS:
             break
