@@ -93,9 +93,14 @@ def run_draws(
         lost = 0
         if len(left):
             part = run_draws(
-                space, values, [tests[place] for place in left.tolist()], gains=gains, seed=(*seed, 2),
-                model=model, run=run,
-            )  # fmt: skip
+                space,
+                values,
+                [tests[place] for place in left.tolist()],
+                gains=gains,
+                seed=(*seed, 2),
+                model=model,
+                run=run,
+            )
             fell[left], peaks[left], gain[left] = part.fell, part.peak_rad, part.gain
             lost = part.unknown
         return DrawRuns(fell=fell, peak_rad=peaks, gain=gain, sigma=sigma, unknown=lost)

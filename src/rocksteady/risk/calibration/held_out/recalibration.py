@@ -73,18 +73,20 @@ def recalibrated(p: Floats, fell: Floats, codes: Integers, *others: Floats) -> l
 def it_helps(p: Floats, fell: Floats, codes: Integers) -> bool:
     """Return whether lines of other groups make held-out predictions better.
 
-    The log score has to gain more than the standard error of the gain from group to group.
+    The log score has to gain more than the standard error of the gain from group to group, and the
+    Brier score too has to gain.
     """
     known = np.isfinite(fell)
     groups = np.unique(codes[known], return_inverse=True)[1]
     if known.sum() < FEWEST_TESTS or groups.max() + 1 < LEAST_GROUPS:
         return False
-    scores = []
+    scores, squares = [], []
     for each in (p, *recalibrated(p, fell, codes)):
+        squares.append(np.square(each - fell)[known].sum())
         happened = np.where(fell > 0.0, each, 1.0 - each)[known]
         scores.append(np.bincount(groups, np.log(np.maximum(happened, LEAST))))
     gain = scores[1] - scores[0]
-    return bool(gain.sum() > gain.std(ddof=1) * np.sqrt(len(gain)))
+    return bool(squares[1] < squares[0] and gain.sum() > gain.std(ddof=1) * np.sqrt(len(gain)))
 
 
 def _log_odds(p: Floats) -> Floats:

@@ -89,8 +89,8 @@ def fit_logistic(measures: Floats, fell: Floats) -> tuple[Floats, Floats, Floats
     """Return centre, scale and coefficients of a logistic curve with a ridge on its slopes.
 
     Measures are taken in standard deviations, as in [1], and each slope has a normal prior of scale
-    0.5: measures are many, and hang together.  The constant has none except a tenth of a trial of each kind, so
-    that outcomes of one kind have a fit.
+    0.5: measures are many, and hang together.  The constant has none except a tenth of a trial of
+    each kind, so that outcomes of one kind have a fit.
 
     References
     ----------
