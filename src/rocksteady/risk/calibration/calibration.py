@@ -230,6 +230,7 @@ class Calibration(Result):
             *others,
         ]
         notes = [*self.warnings, *self._remarks()]
+        tables += self._sessions()
         few = min(self.posteriors.values(), key=lambda each: each.effective_draws)
         if not few.identified:
             scored = (
@@ -311,6 +312,25 @@ class Calibration(Result):
             Column("verdict", "verdict", left=True),
         ]
         return Table("parameters", self.parameters, columns)
+
+    def _sessions(self) -> list[Table]:
+        """Return the gain of each session of each object, with its interval of 90 %."""
+        ends = ("gain", "low", "high")
+        rows = [
+            {"object": name, "session": session}
+            | dict(zip(ends, posterior.session_gain(session), strict=True))
+            for name, posterior in self.posteriors.items()
+            for session in posterior.sessions
+        ]
+        columns = (
+            Column("object", "object", _shortened, left=True),
+            Column("session", "session", left=True),
+            *(
+                Column(key, words, number)
+                for key, words in zip(ends, ("gain", "5 %", "95 %"), strict=True)
+            ),
+        )
+        return [Table("sessions", rows, columns, title="gains of sessions")] if rows else []
 
     def _remarks(self) -> list[str]:
         """Return what the verdicts and the temper mean."""
