@@ -15,6 +15,8 @@ TOO_FEW: Final = "too few"
 """Word in place of an estimate or an interval of too small a sample."""
 FEWEST_DRAWS: Final = 50.0
 """Effective draws of a posterior, below which no interval of it is stated."""
+ENOUGH_DRAWS: Final = 100.0
+"""Effective draws that a calibration goes on for, and below which no number is identified."""
 FEWEST_RECORDS: Final = 11
 """Records below which a curve has no confidence band."""
 FEW_RECORDS: Final = 22

@@ -1,5 +1,6 @@
 """`back_analyse` with blocks and records: mirror images, workers, limits and refusals."""
 
+import importlib
 import math
 from collections.abc import Callable
 from dataclasses import replace
@@ -15,6 +16,7 @@ from rocksteady.risk.observations.prior import OutcomeErrors
 from rocksteady.risk.observations.spread import PriorRange
 from tests.seismic.grounds import ground
 
+back_analysis_module = importlib.import_module("rocksteady.risk.back_analysis.back_analyse")
 RECORDS = [
     Record(
         acceleration_m_s2=ground(seed).acceleration_m_s2,
@@ -171,3 +173,16 @@ def test_what_people_read_has_numbers_and_caveats(found: BackAnalysis) -> None:
     rows = found.grid_rows()
     assert len(rows) == found.density.size
     assert sum(row[3] for row in rows) == found.region.sum()
+
+
+def test_limits_widen_until_the_interval_is_inside(monkeypatch: pytest.MonkeyPatch) -> None:
+    """From limits far too narrow to those of the default, or three doublings."""
+    narrow = (0.3, 0.5)
+    monkeypatch.setattr(back_analysis_module, "_limits", lambda *_: narrow)
+    found = back_analyse(SURVEY, RECORDS, scan=replace(FEW, trials=0, temper=1.0))
+    low, high = (end / start for end, start in zip(found.limits, narrow, strict=True))
+    assert low < 1.0 or high > 1.0
+    for factor in (1.0 / low, high):
+        assert round(math.log2(factor), 9) in (0.0, 1.0, 2.0, 3.0)
+    given = back_analyse(SURVEY, RECORDS, scan=replace(FEW, trials=0, temper=1.0, limits=narrow))
+    assert given.limits == pytest.approx(narrow)

@@ -63,15 +63,17 @@ def row(values: np.ndarray, fell: np.ndarray = BOTH, name: str = "alpha_rad", **
     return found
 
 
-@every(("part", "narrow"), [(0.69, True), (0.71, False), (1.0, False)])
-def test_alpha_is_identified_and_others_are_narrowed_below_seven_tenths(
-    part: float, narrow: bool
-) -> None:
+@every(
+    ("part", "verdict"),
+    [(0.49, IDENTIFIED), (0.51, NARROWED), (0.69, NARROWED), (0.71, RETURNED), (1.0, RETURNED)],
+)
+def test_a_number_is_identified_below_half_of_its_prior(part: float, verdict: str) -> None:
     values = 0.5 + part * (PRIOR - 0.5)
     found = row(values)
     assert found["sd_ratio"] == pytest.approx(part)
-    assert found["verdict"] == (IDENTIFIED if narrow else RETURNED)
-    assert row(values, name="p_rad_s")["verdict"] == (NARROWED if narrow else RETURNED)
+    assert found["verdict"] == row(values, name="p_rad_s")["verdict"] == verdict
+    few = row(values[:: len(values) // 60])
+    assert few["verdict"] == (NARROWED if verdict == IDENTIFIED else verdict)
     assert (found["prior_low"], found["prior_high"]) == pytest.approx((0.05, 0.95))
     assert found["median"] == pytest.approx(0.5, abs=1e-3)
     assert (found["low"], found["high"]) == pytest.approx(

@@ -4,7 +4,13 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from rocksteady.risk.calibration._importance import FREEDOM, Proposal, base_weights, refine
+from rocksteady.risk.calibration._importance import (
+    FREEDOM,
+    Proposal,
+    base_weights,
+    refine,
+    smoothed,
+)
 from rocksteady.risk.calibration.held_out.folds import effective, normalised
 
 CENTRE, ROOT = np.array([0.5, -1.0, 0.2]), np.array([[0.6, 0, 0], [0.2, 0.9, 0], [0.0, 0.3, 0.4]])
@@ -60,3 +66,23 @@ def test_an_object_without_free_numbers_has_draws_of_equal_weight() -> None:
     scores = proposal.sample(0, (0,))
     assert scores.shape == (16, 0)
     assert base_weights(scores, [proposal]).tolist() == [0.0] * 16
+
+
+@pytest.mark.parametrize("shape", [0.2, 0.5, 1.0])
+def test_shape_of_a_pareto_law_is_found(shape: float) -> None:
+    """Weights u^-k of uniform u; the prior of Zhang and Stephens pulls k towards a half."""
+    count = 100_000
+    weights = np.random.default_rng(1).random(count) ** -shape
+    weights /= weights.sum()
+    made, found = smoothed(weights)
+    assert found == pytest.approx(shape, abs=0.2)
+    assert made.sum() == pytest.approx(1.0)
+    assert (made is weights) == (shape > 0.7)
+    assert effective(made) >= 0.99 * effective(weights)
+
+
+def test_equal_weights_have_no_tail() -> None:
+    equal = np.full(400, 1 / 400)
+    made, found = smoothed(equal)
+    assert made is equal
+    assert np.isnan(found)

@@ -148,7 +148,7 @@ def test_what_is_not_given_is_a_default_that_others_replace() -> None:
     prior = ObjectPrior(name="a", width_m=0.2, height_m=0.9)
     assert prior.defaults == ("base", "offset", "housner_factor", "scatter")
     assert [str(prior.spreads[key]) for key in prior.defaults] == [
-        "0.6:1.0", "0.0", "0.85:1.1", "0.0:0.1",
+        "0.75+-0.2", "0.0", "0.85:1.1", "0.0:0.1",
     ]  # fmt: skip
     spreads = ObjectPrior(name="b", alpha_rad=0.2, p_rad_s=3, restitution="0.8:0.9").spreads
     assert "base" not in spreads  # there is no outline

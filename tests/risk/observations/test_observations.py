@@ -84,7 +84,7 @@ def test_usual_tests_have_no_warnings_and_defaults_are_named() -> None:
     shaken = made()
     assert shaken.warnings == ()
     notes = shaken.describe().notes
-    assert "base of column is not given: default 0.6:1.0, or that of the prior." in notes
+    assert "base of column is not given: default 0.75+-0.2, or that of the prior." in notes
     assert "scatter of 2 objects is not given: default 0.0:0.1, or that of the prior." in notes
 
 

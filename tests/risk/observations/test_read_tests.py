@@ -319,3 +319,17 @@ def test_whatever_a_table_holds_it_is_read_or_refused(content: bytes, folder: Pa
             read_tests(folder / "tests.csv")
         except RocksteadyError as error:
             assert "\n" not in str(error)  # noqa: PT017
+
+
+def test_motions_are_read_as_laboratories_leave_them(folder: Path) -> None:
+    """Units in brackets before the plot's number, a chosen column, a baseline taken off."""
+    rows = "0,9,0.1\n0.01,9,0.3\n0.02,9,-0.1\n0.03,9,0.1\n"
+    head = "Time [s] - Plot 0,command,table east [g] - Plot 0\n"
+    (folder / "lab.csv").write_text(head + rows, "utf-8")
+    table = f"{HEAD}\n1,lab,column,fell\n"
+    made = read(folder, table, column="table east [g] - Plot 0", baseline="mean")
+    samples = made.tests[0].record.acceleration_m_s2
+    assert samples == pytest.approx([0.0, 0.2 * G, -0.2 * G, 0.0], abs=1e-12)
+    words = refusal(folder, table, column="west")
+    assert "no such column" in words
+    assert len(words.splitlines()) == 1

@@ -40,6 +40,28 @@ dt_s_flag = partial(
     "--dt-s DT",
     "Set the interval between samples \\[s] in files that do not state it.",
 )
+format_flag = partial(
+    reading_flag,
+    "--format NAME",
+    "Set the format of the files; default: recognised from their content.",
+)
+column_flag = partial(
+    reading_flag,
+    "--column NAME",
+    "Choose the column of a table with the acceleration: its number from 1, or its name.",
+)
+resample_flag = partial(
+    reading_flag,
+    "--resample",
+    "Interpolate a table with uneven times to even ones.",
+    default=False,
+)
+baseline_flag = partial(
+    reading_flag,
+    "--baseline NAME",
+    "Subtract a baseline from the accelerations: none, mean, linear or polynomial:N.",
+    default="none",
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,23 +72,12 @@ class ReadingFlags:
         "--channel NAME",
         "Choose the channel of a file with several: its component, or its number from 1.",
     )
-    format: str | None = reading_flag(
-        "--format NAME", "Set the format of the files; default: recognised from their content."
-    )
+    format: str | None = format_flag()
     units: str | None = units_flag()
     dt_s: float | None = dt_s_flag()
-    column: str | None = reading_flag(
-        "--column NAME",
-        "Choose the column of a table with the acceleration: its number from 1, or its name.",
-    )
-    resample: bool = reading_flag(
-        "--resample", "Interpolate a table with uneven times to even ones.", default=False
-    )
-    baseline: str = reading_flag(
-        "--baseline NAME",
-        "Subtract a baseline from the accelerations: none, mean, linear or polynomial:N.",
-        default="none",
-    )
+    column: str | None = column_flag()
+    resample: bool = resample_flag()
+    baseline: str = baseline_flag()
 
     @property
     def given(self) -> dict[str, object]:

@@ -8,7 +8,14 @@ from typing import TYPE_CHECKING, Literal, cast
 from rocksteady.cli.console.refusals import FlagError, flags_of, missing
 from rocksteady.cli.flags.options import Panel, given_in
 from rocksteady.cli.flags.parsing import number
-from rocksteady.cli.flags.record_files import dt_s_flag, units_flag
+from rocksteady.cli.flags.record_files import (
+    baseline_flag,
+    column_flag,
+    dt_s_flag,
+    format_flag,
+    resample_flag,
+    units_flag,
+)
 from rocksteady.errors import InputError
 
 if TYPE_CHECKING:
@@ -55,6 +62,10 @@ class TableFlags:
     records: Path | None = records_flag()
     units: str | None = units_flag()
     dt_s: float | None = dt_s_flag()
+    format: str | None = format_flag()
+    column: str | None = column_flag()
+    resample: bool = resample_flag()
+    baseline: str = baseline_flag()
 
     @property
     def given(self) -> dict[str, object]:
@@ -101,6 +112,10 @@ class TableFlags:
                 objects=self.objects,
                 units=self.units,
                 dt_s=self.dt_s,
+                format=self.format,
+                column=self.column,
+                resample=self.resample,
+                baseline=self.baseline,
             )
 
 

@@ -41,6 +41,11 @@ _OTHER: Final = re.compile(
 )
 """Words of quantities that are no acceleration against time."""
 
+_PLOT: Final = re.compile(
+    r"(?<=[)\]])\s*[-:,]?\s*(?:plot|graph|chart|trace|series|run|sheet)\s*\d+\s*$", re.IGNORECASE
+)
+"""What programs of laboratories write after the unit: where a column was drawn."""
+
 _UNCERTAIN: Final = re.compile(
     r"[*^|²³⁻%=<>]|\d\s*[x×]|(?<![a-z])[x×]\s*\d|/\s*[\d(]|\d\s*/|10\s*-\s*\d|^\s*-|(?<![a-z])(?:"
     r"milli|micro|centi|kilo|nano|percent|thousand\w*|hundred\w*|per|times|multipl\w*|scal(?:e|ed|ing)"
@@ -131,6 +136,7 @@ def column_name(name: str) -> ColumnName:
     >>> column_name("time (min)").seconds, column_name("1000*acc (g)").uncertain
     (60.0, '1000*acc')
     """
+    name = _PLOT.sub("", name)
     brackets = [_OF_UNITS.sub("", text.strip()) for text in _BRACKETS.findall(name)]
     if len(brackets) == 1 and not _BRACKETS.sub("", name).strip():
         name, brackets = brackets[0], []

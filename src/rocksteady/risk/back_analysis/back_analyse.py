@@ -37,6 +37,9 @@ NO_UPLIFT = 0.9
 ALL_FALL = 2.0
 """Over uplift in PGA and in p PGV: nearly all objects fall under half of the records."""
 
+WIDER, MOST_WIDER, NEAR = 2.0, 3, 0.1
+"""Factor on a limit that the interval reaches, how often, and how near is to reach it."""
+
 
 @checked
 def back_analyse(
@@ -63,6 +66,9 @@ def back_analyse(
     real one, and analysed with the other records.  The temper is that of the best mean logarithm of
     the density at the truth, and the region is the smallest one with that posterior probability
     which covers 90 % of these truths.  Intervals of the measures are found likewise.
+
+    Limits that are not given double, three times at most, while the interval of the first measure
+    ends near one of them: so it does not hang on them.
 
     Parameters
     ----------
@@ -130,28 +136,52 @@ def back_analyse(
     equations = model_of(survey, grounds, model)
     draws = options.draws_of(len(survey))
     pools = draw_objects(survey, equations, count=max(POOL, draws), seed=options.seed)
-    low, high = options.limits or _limits(pools, grounds, at_one[:, 0])
-    levels = Levels.between(low, high, options.levels, known.noise)
     begun = time.perf_counter()
-    shares = fall_shares(
-        pools,
-        grounds,
-        names,
-        np.exp(levels.simulated) / at_one[:, :1],
-        draws=draws,
-        model=equations,
-        run=run,
-    )
-    tried = Tried(
-        names=tuple(names),
-        measures=words,
-        at_one=at_one,
-        levels=levels,
-        shares=shares,
-        draws=draws,
-        seconds=time.perf_counter() - begun,
-    )
-    return analyse(survey, tried, known.noise, options)
+
+    def tried(low: float, high: float) -> BackAnalysis:
+        levels = Levels.between(low, high, options.levels, known.noise)
+        shares = fall_shares(
+            pools,
+            grounds,
+            names,
+            np.exp(levels.simulated) / at_one[:, :1],
+            draws=draws,
+            model=equations,
+            run=run,
+        )
+        made = Tried(
+            names=tuple(names),
+            measures=words,
+            at_one=at_one,
+            levels=levels,
+            shares=shares,
+            draws=draws,
+            seconds=time.perf_counter() - begun,
+        )
+        return analyse(survey, made, known.noise, options)
+
+    low, high = options.limits or _limits(pools, grounds, at_one[:, 0])
+    analysis = tried(low, high)
+    for _ in range(0 if options.limits else MOST_WIDER):
+        below, above = _open_ends(analysis)
+        if not (below or above):
+            break
+        low, high = low / WIDER**below, high * WIDER**above
+        analysis = tried(low, high)
+    return analysis
+
+
+def _open_ends(analysis: BackAnalysis) -> tuple[bool, bool]:
+    """Return whether the interval of the first measure reaches the limits, below and above.
+
+    It does where it ends within a tenth of their ratio, in logarithms.
+    """
+    if analysis.bound != "interval":
+        return False, False
+    low, high = np.log(analysis.limits)
+    near = NEAR * (high - low)
+    below, above = np.log(analysis.lows[0]) < low + near, np.log(analysis.highs[0]) > high - near
+    return bool(below), bool(above)
 
 
 def _measures(given: Sequence[Measure | str]) -> tuple[Measure, ...]:

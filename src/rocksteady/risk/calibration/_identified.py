@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.results.doubts import FEWEST_DRAWS, NOT_IDENTIFIED, TOO_FEW
+from rocksteady.results.doubts import ENOUGH_DRAWS, FEWEST_DRAWS, NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import number_or_none
 from rocksteady.risk.calibration.held_out.folds import weighted_quantiles
 from rocksteady.risk.calibration.posterior import Posterior
@@ -15,15 +15,17 @@ IDENTIFIED, BOUND, RETURNED = "identified", "bound", "prior returned"
 LIMIT, NARROWED = "at the prior's limit", "narrowed"
 NARROW = 0.7
 """Standard deviation over that of the prior below which outcomes are informative."""
+HALF = 0.5
+"""Interval of 90 % over that of the prior below which a number is identified."""
 EDGE, CROWD = 0.05, 0.3
 """Share of the prior at one of its ends, and the share of the posterior there that is too much."""
 MEANINGS: Mapping[str, str] = {
-    IDENTIFIED: "outcomes fix it within its prior",
+    IDENTIFIED: "outcomes fix it: its interval of 90 % is under half of the prior's",
     BOUND: "outcomes of one kind bound it on one side, at 90 %",
     RETURNED: "outcomes do not inform it: its prior comes back",
     LIMIT: "outcomes push it to an end of its prior: widen the prior, or doubt the model",
     NOT_IDENTIFIED: f"fewer than {FEWEST_DRAWS:g} effective draws, {TOO_FEW} for an estimate",
-    NARROWED: "narrower than its prior, but only alpha is identified by outcomes",
+    NARROWED: "narrower than its prior, but not to half of it, or by too few draws: not identified",
 }
 
 
@@ -32,8 +34,8 @@ def parameters_of(
 ) -> list[dict[str, Any]]:
     """Return a row for each parameter and derived number of an object.
 
-    Only alpha is ever called identified: outcomes hang on it above all, and p, restitution and
-    scatter come back as their prior or little narrower.  With outcomes of one kind alpha has one
+    A number is identified if its interval of 90 % is under half of the prior's; of most tests that
+    is alpha alone.  With outcomes of one kind alpha has one
     bound: `bound` and `bound_side` hold the 10 % or the 90 % quantile of the posterior.
 
     Parameters
@@ -97,4 +99,6 @@ def _verdict(name: str, posterior: Posterior, values: Floats, before: Floats, ra
         return LIMIT
     if ratio >= NARROW:
         return RETURNED
-    return IDENTIFIED if name == "alpha_rad" else NARROWED
+    _, low, high = posterior.interval(name)
+    narrow = high - low < HALF * (ends[1] - ends[0])
+    return IDENTIFIED if narrow and posterior.effective_draws >= ENOUGH_DRAWS else NARROWED

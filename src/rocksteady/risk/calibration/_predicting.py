@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rocksteady.arrays import Floats
+from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, Words
 from rocksteady.model.equations import Model
 from rocksteady.results.numbers import number, plural
@@ -14,6 +14,7 @@ from rocksteady.risk.calibration._draw_runs import run_draws
 from rocksteady.risk.calibration._shares import pooled_shares
 from rocksteady.risk.calibration.held_out.folds import HeldOut, predict_with
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
+from rocksteady.risk.calibration.held_out.recalibration import PLAIN, Platt
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import DrawOptions
 from rocksteady.risk.observations.observations import Observations
@@ -38,11 +39,14 @@ class Source:
         Gains, seed, and the Monte Carlo error that is small enough.
     model
         The equations of motion.
+    recalibration
+        Line over the log odds.
     """
 
     posteriors: Mapping[str, Posterior]
     sampling: DrawOptions
     model: Model
+    recalibration: Platt = PLAIN
 
 
 def predict_all(
@@ -163,18 +167,42 @@ def _predict_new(tests: Sequence[ShakingTest], source: Source, run: Execution | 
         heavy = int(np.searchsorted(np.cumsum(posterior.weights[order]), KEPT)) + 1
         kept = np.sort(order[:heavy])
         weights, values = posterior.weights[kept], posterior.values[kept]
+        picked = [tests[row] for row in rows]
+        shift = _session_gains(posterior, picked, kept)
         runs = run_draws(
             posterior.space,
             values,
-            [tests[row] for row in rows],
+            picked,
             gains=sampling.gains,
             seed=(sampling.seed, place, STREAM),
             model=source.model,
             run=run,
+            shift=shift,
         )
-        share = pooled_shares(runs.fell, runs.gain, runs.sigma, posterior.space.features(values))
+        share = pooled_shares(
+            runs.fell, runs.gain, runs.sigma, posterior.space.features(values), shift[0]
+        )
         outliers = posterior.space.outliers(values)[:, np.newaxis]
         share = (1.0 - outliers) * share + 0.5 * outliers
         for key, column in predict_with((weights / weights.sum())[:, np.newaxis], share).items():
-            columns[key][rows] = column
+            ends = key in ("p", "low", "high")
+            columns[key][rows] = source.recalibration.of(column) if ends else column
     return HeldOut(**columns)
+
+
+def _session_gains(
+    posterior: Posterior, tests: Sequence[ShakingTest], kept: Integers
+) -> tuple[Floats, Floats]:
+    """Return mean and deviation of ln(gain) of each test's session, shape (tests, draws).
+
+    Of a session that was not in the training they are 0 and the spread between sessions.
+    """
+    between = posterior.space.between(posterior.values[kept])
+    unknown = np.column_stack([np.zeros(len(kept)), between])
+    pairs = np.array(
+        [
+            unknown if known is None else known[kept]
+            for known in (posterior.sessions.get(test.session or "") for test in tests)
+        ]
+    )
+    return pairs[..., 0], pairs[..., 1]

@@ -1,5 +1,8 @@
 """Probabilities of a fall from few runs each: gains in strata, and shrinkage to a fitted curve."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
 import numpy as np
 
 from rocksteady.arrays import Bools, Floats
@@ -12,6 +15,8 @@ nodes of a steep curve alone the integral is a staircase."""
 RIDGE = 0.05
 """Precision of the prior of each coefficient; columns have a standard deviation of about 1."""
 STEPS = 25
+RATIO = 2
+"""Column of the restitution after ln tan alpha among the features."""
 MOST_RUNS = 3000
 """Runs that a curve of one test is fitted to: of more, a part of the gains of each draw."""
 MOST_LOG_ODDS = 30.0
@@ -32,7 +37,9 @@ def normal_strata(draws: int, tests: int, count: int, rng: np.random.Generator) 
     return strata
 
 
-def pooled_shares(fell: Bools, gain: Floats, sigma: Floats, features: Floats) -> Floats:
+def pooled_shares(
+    fell: Bools, gain: Floats, sigma: Floats, features: Floats, mean: Floats | None = None
+) -> Floats:
     """Return the probability of a fall at each draw, shrunk to a curve fitted to all draws.
 
     The runs of a draw are few, so that the share of them that fell is noise to a good part, and
@@ -59,6 +66,8 @@ def pooled_shares(fell: Bools, gain: Floats, sigma: Floats, features: Floats) ->
         Standard deviation of it, shape (tests, draws).
     features
         ln tan alpha, then others, shape (draws, features).
+    mean
+        Mean of the gains, shape (tests, draws); default 0.
 
     Returns
     -------
@@ -70,20 +79,106 @@ def pooled_shares(fell: Bools, gain: Floats, sigma: Floats, features: Floats) ->
     .. [1] D. J. C. MacKay, Neural Computation 4, 720-736 (1992).
     .. [2] B. Efron and C. Morris, J. Am. Stat. Assoc. 70, 311-319 (1975).
     """
+    return fit_curves(fell, gain, sigma, features, mean).shares
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Curves:
+    """Curves of the probability of a fall, one for each motion, fitted to the runs of all draws.
+
+    Attributes
+    ----------
+    shares
+        Probability of a fall at each draw, its runs counted, shape (draws, motions).
+    lean, others
+        ln tan alpha, shape (draws,), and the other properties in standard deviations.
+    scale
+        Standard deviation of the ratio that `at` moves; 0 where all draws have one.
+    ratio
+        Column of it in `others`.
+    fits
+        Of each motion middle and width of the load, and coefficients; None where all runs are
+        alike.
+    """
+
+    shares: Floats
+    lean: Floats
+    others: Floats
+    scale: float
+    ratio: int
+    fits: Sequence[tuple[float, float, Floats] | None]
+
+    def at(self, motion: int, shift: Floats, ratio: Floats, sigma: Floats) -> Floats:
+        """Return the probability of a fall of a motion that is moved, shape (draws, nodes).
+
+        It is the curve alone: what few runs of a draw have beside it is noise to the likelihood of
+        a session, which would leave the luckiest draw all of the weight.
+
+        Parameters
+        ----------
+        motion
+            Its number.
+        shift, ratio
+            Added to ln(gain) and to the restitution, shape (draws, nodes) or one that fits it.
+        sigma
+            Standard deviation of ln(gain), shape (draws,).
+        """
+        fit = self.fits[motion]
+        if fit is None:
+            wide = np.broadcast_shapes(shift.shape, ratio.shape)
+            return np.broadcast_to(self.shares[:, motion, np.newaxis], wide)
+        moved = ratio / self.scale if self.scale else 0.0 * ratio
+        return self._expected(*fit, shift, moved, sigma)
+
+    def _expected(
+        self, middle: float, width: float, at: Floats, shift: Floats, moved: Floats, sigma: Floats
+    ) -> Floats:
+        """Return the curve's own probability, integrated over the gain."""
+        nodes, weights = np.polynomial.hermite_e.hermegauss(NODES)
+        nodes, weights = np.sqrt(1.0 - BETWEEN**2) * nodes, weights / weights.sum()
+        size, column = self.others.shape[1], self.ratio
+        constant, slope = (
+            at[0] + self.others @ at[3 : 3 + size],
+            at[1] + self.others @ at[3 + size :],
+        )
+        constant, slope = (each[:, np.newaxis] for each in (constant, slope))
+        if self.scale:
+            constant = constant + at[3 + column] * moved
+            slope = slope + at[3 + size + column] * moved
+        deviation, total = sigma[:, np.newaxis], 0.0
+        start = (shift - self.lean[:, np.newaxis] - middle) / width
+        for node, weight in zip(nodes.tolist(), weights.tolist(), strict=True):
+            y = start + deviation * (node / width)
+            odds = constant + slope * y + 0.5 * at[2] * (y * y - 1.0)
+            steep = (slope + at[2] * y) * (BETWEEN / width) * deviation
+            odds /= np.sqrt(1.0 + 0.125 * np.pi * steep * steep)
+            total = total + weight / (1.0 + np.exp(-np.clip(odds, -MOST_LOG_ODDS, MOST_LOG_ODDS)))
+        return np.asarray(total)
+
+
+def fit_curves(
+    fell: Bools, gain: Floats, sigma: Floats, features: Floats, mean: Floats | None = None
+) -> Curves:
+    """Return the curves of `pooled_shares`, which has the arguments and the equations."""
     tests, draws, count = fell.shape
     shares: Floats = fell.mean(axis=2).T
     lean, others = features[:, 0], features[:, 1:]
-    others = others[:, others.std(axis=0) > 1e-9]
+    varied = others.std(axis=0) > 1e-9
+    ratio = int(varied[:RATIO].sum())
+    scale = float(others[:, RATIO].std()) if varied[RATIO : RATIO + 1].any() else 0.0
+    others = others[:, varied]
     others = (others - others.mean(axis=0)) / others.std(axis=0)
+    curves = Curves(shares=shares, lean=lean, others=others, scale=scale, ratio=ratio, fits=())
     picked = min(count, max(1, MOST_RUNS // draws))
     # Other strata at each draw, so that all of them occur evenly.
     column = (np.arange(draws)[:, np.newaxis] + (count * np.arange(picked)) // picked) % count
     row = np.arange(draws)[:, np.newaxis]
     wide = np.repeat(others, picked, axis=0).T
-    nodes, weights = np.polynomial.hermite_e.hermegauss(NODES)
-    nodes, weights = np.sqrt(1.0 - BETWEEN**2) * nodes, weights / weights.sum()
+    none, fits = np.zeros((draws, 1)), []
+    middles = np.zeros((tests, draws, 1)) if mean is None else mean[..., np.newaxis]
     for test in range(tests):
         if (fell[test] == fell[test, 0, 0]).all():
+            fits.append(None)
             continue
         load = gain[test] - lean[:, np.newaxis]
         middle, width = float(load.mean()), float(load.std())
@@ -92,20 +187,15 @@ def pooled_shares(fell: Bools, gain: Floats, sigma: Floats, features: Floats) ->
         x = ((load[row, column] - middle) / width).ravel()
         design = np.vstack([np.ones_like(x), x, 0.5 * (x * x - 1.0), wide, x * wide])
         at = _logistic(design, fell[test, row, column].ravel())
-        size = others.shape[1]
-        constant, slope = at[0] + others @ at[3 : 3 + size], at[1] + others @ at[3 + size :]
-        y = (sigma[test][:, np.newaxis] * nodes - lean[:, np.newaxis] - middle) / width
-        odds = constant[:, np.newaxis] + slope[:, np.newaxis] * y + 0.5 * at[2] * (y * y - 1.0)
-        steep = (slope[:, np.newaxis] + at[2] * y) * (BETWEEN * sigma[test] / width)[:, np.newaxis]
-        odds /= np.sqrt(1.0 + 0.125 * np.pi * steep * steep)
-        fitted = (1.0 / (1.0 + np.exp(-np.clip(odds, -MOST_LOG_ODDS, MOST_LOG_ODDS)))) @ weights
+        fitted = curves._expected(middle, width, at, middles[test], none, sigma[test])[:, 0]
         strata = count if sigma[test].any() else 1  # without an error of the gain all runs are one
         part = (strata * fitted) % 1.0
         explained = float((part * (1.0 - part)).mean()) / strata**2
         apart = float(np.square(shares[:, test] - fitted).mean())
         weight = min(1.0, explained / apart) if apart > 0.0 else 1.0
         shares[:, test] += weight * (fitted - shares[:, test])
-    return shares
+        fits.append((middle, width, at))
+    return replace(curves, fits=fits)
 
 
 def _logistic(design: Floats, fell: Bools) -> Floats:

@@ -26,14 +26,17 @@ class Space:
         What is known of the object.
     noise
         What is known of the errors of its tests.
+    sessions
+        Whether its tests come in sessions, each with a gain of its own.
     """
 
     block: ObjectPrior
     noise: OutcomeErrors
+    sessions: bool = False
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the parameters: of the block, then `sigma_ln` and `outliers` if not exact."""
+        """Names of the parameters: of the block, then those of the errors that are not exact."""
         return (*self.block.parameters, *(name for name, _ in self._free_noise()))
 
     @property
@@ -71,6 +74,10 @@ class Space:
         ]
         return np.array(rows)
 
+    def between(self, values: Floats) -> Floats:
+        """Return the deviation of ln(gain) between sessions of each draw, shape (draws,)."""
+        return self._noise("session_ln", values) if self.sessions else np.zeros(len(values))
+
     def outliers(self, values: Floats) -> Floats:
         """Return the share of outliers of each draw, shape (draws,)."""
         return self._noise("outliers", values)
@@ -101,6 +108,8 @@ class Space:
 
     def _free_noise(self) -> list[tuple[str, PriorRange]]:
         pairs = [("sigma_ln", self.noise.sigma_ln), ("outliers", self.noise.outliers)]
+        if self.sessions:
+            pairs.append(("session_ln", self.noise.session_ln))
         return [(name, spread) for name, spread in pairs if not spread.fixed]
 
     def _noise(self, name: str, values: Floats) -> Floats:

@@ -1,5 +1,6 @@
 """Calibrate: from tests that fell or stood to posteriors, scores and verdicts."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -11,13 +12,19 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Model, Nonlinear
-from rocksteady.results.doubts import FEWEST_DRAWS
-from rocksteady.risk.calibration._draw_runs import DrawRuns, log_likelihood, run_draws
+from rocksteady.results.doubts import ENOUGH_DRAWS, FEWEST_DRAWS
+from rocksteady.risk.calibration._draw_runs import (
+    DrawRuns,
+    log_likelihood,
+    run_draws,
+    shared_runs,
+)
 from rocksteady.risk.calibration._flips import count_flips
 from rocksteady.risk.calibration._identified import LIMIT, parameters_of
-from rocksteady.risk.calibration._importance import Proposal, base_weights, refine
+from rocksteady.risk.calibration._importance import Proposal, base_weights, refine, smoothed
 from rocksteady.risk.calibration._predicting import error_warnings
-from rocksteady.risk.calibration._shares import pooled_shares
+from rocksteady.risk.calibration._sessions import make_sessions, session_nodes
+from rocksteady.risk.calibration._shares import Curves, fit_curves
 from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.calibration import (
     Calibration,
@@ -26,7 +33,7 @@ from rocksteady.risk.calibration.calibration import (
     make_trial,
     why_not,
 )
-from rocksteady.risk.calibration.held_out.folds import Evidence, hold_out, normalised
+from rocksteady.risk.calibration.held_out.folds import Evidence, effective, hold_out, normalised
 from rocksteady.risk.calibration.held_out.validate import (
     temper_of,
     validate_trial,
@@ -36,6 +43,7 @@ from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import DrawOptions
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.prior import Prior
+from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.sweep.run import Execution
 
 PRIOR_DRAWS = 4096
@@ -44,6 +52,8 @@ PRIOR_DRAWS = 4096
 
 TOLERANCE = 1e-8
 """Default of the full equations here."""
+SURE = 500
+"""Runs of a test in the first round that, all alike, settle its fate in the others."""
 
 
 @checked
@@ -54,6 +64,7 @@ def calibrate(
     sampling: DrawOptions | None = None,
     folds: Folds = "group",
     temper: float | Literal["auto"] = "auto",
+    recalibrate: bool | None = None,
     model: Model | None = None,
     run: Execution | None = None,
 ) -> Calibration:
@@ -80,6 +91,9 @@ def calibrate(
         their own), "record", "test" or "session".
     temper
         "auto" (default), or a number in (0, 1]; 1 is Bayes' rule, and no other is.
+    recalibrate
+        Whether a line over the log odds of held-out predictions [3], fitted without the group,
+        mends them: True, False, or None (default) where the log score gains by it.
     model
         `Nonlinear(tolerance=1e-8)` (default), which takes a third less time than a tolerance of
         1e-10 and changes fewer fates than any amplitude error, or `Linear()`.
@@ -100,6 +114,7 @@ def calibrate(
     ----------
     .. [1] P. Grünwald, The Safe Bayesian, Algorithmic Learning Theory (2012), on tempers.
     .. [2] J.-M. Cornuet, J.-M. Marin, A. Mira and C. P. Robert, Scand. J. Stat. 39, 798-812 (2012).
+    .. [3] J. Platt, Advances in Large Margin Classifiers, 61-74 (1999).
 
     Examples
     --------
@@ -121,9 +136,10 @@ def calibrate(
     objects = {name: known.object_prior(given) for name, given in tests.objects.items()}
     given = replace(tests, objects=objects)
     names, codes = codes_of(given.tests, folds)
+    _refuse_alone(given.tests)
     fits = [
         _fit(
-            Space(block=block, noise=known.noise),
+            Space(block=block, noise=known.noise, sessions=_in_sessions(given.of(name).tests)),
             given,
             np.array([k for k, test in enumerate(given.tests) if test.object == name]),
             codes,
@@ -132,7 +148,7 @@ def calibrate(
         for number, (name, block) in enumerate(objects.items())
     ]
     evidence = tuple(fit.evidence for fit in fits)
-    trial = make_trial(given, evidence, codes, chosen)
+    trial = make_trial(given, evidence, codes, chosen, recalibrate)
     reason = why_not(given.fell, codes, folds)
     power = (1.0 if chosen is None else chosen) if reason else temper_of(trial)
     if reason:
@@ -162,6 +178,7 @@ def calibrate(
         flips=flips,
         warnings=(),
         evidence=evidence,
+        recalibrate=recalibrate,
     )
     return replace(calibration, warnings=_warnings(calibration, fits))
 
@@ -183,12 +200,15 @@ class _Fit:
     space: Space
     values: Floats
     runs: DrawRuns
+    motion: Integers
     evidence: Evidence
 
 
 def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, plan: _Plan) -> _Fit:
     """Return the draws of an object, in rounds."""
     picked = [tests.tests[place] for place in places]
+    shaken, motion, shift = shared_runs(picked)
+    known: Floats | None = None
     sampling, seed = plan.sampling, (plan.sampling.seed, plan.number)
     proposals: list[Proposal] = []
     scores = np.empty((0, space.size))
@@ -199,25 +219,38 @@ def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, p
         if fit is None:
             proposal = Proposal(draws=draws)
         else:
-            total = fit.evidence.log_likelihood.sum(axis=1)
-            proposal = refine(scores, fit.evidence.base, total, draws)
+            proposal = refine(scores, fit.evidence.base, fit.evidence.joint, draws)
         proposals.append(proposal)
         added = proposal.sample(space.size, (*seed, place))
         scores = np.concatenate([scores, added])
         more = run_draws(
             space,
             space.values_of(added),
-            picked,
+            shaken,
             gains=sampling.gains,
             seed=(*seed, place, 1),
             model=plan.model,
             run=plan.run,
+            known=known,
         )
         runs = more if runs is None else runs.beside(more)
         values = space.values_of(scores)
-        share = pooled_shares(runs.fell, runs.gain, runs.sigma, space.features(values))
+        if known is None and runs.fell[0].size >= SURE:
+            alike = (runs.fell == runs.fell[:, :1, :1]).all(axis=(1, 2))
+            alike &= [test.peak_rad is None for test in shaken]
+            known = np.where(alike, runs.fell[:, 0, 0], np.nan)
+        curves = fit_curves(runs.fell, runs.gain, runs.sigma, space.features(values))
+        share = _shares_of(curves, motion, shift, runs.sigma)
         outliers = space.outliers(values)
-        likelihood = log_likelihood(picked, runs, share, outliers, outline)
+        likelihood = log_likelihood(picked, runs, motion, share, outliers, outline)
+        sessions = None
+        if space.sessions:
+            ratio = space.noise.session_restitution.middle
+            nodes = session_nodes(space.between(values), ratio)
+            alone = space.sigma(values, picked)
+            sessions = make_sessions(
+                picked, curves, motion, shift, alone, nodes=nodes, outliers=outliers
+            )
         if space.size == 0:  # all draws are one block: what differs is noise
             likelihood = np.zeros_like(likelihood)
         evidence = Evidence(
@@ -225,15 +258,33 @@ def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, p
             log_likelihood=likelihood,
             share=(1.0 - outliers)[:, np.newaxis] * share + 0.5 * outliers[:, np.newaxis],
             tests=places,
+            total=None if sessions is None else sessions.total(likelihood),
+            sessions=sessions,
         )
-        fit = _Fit(space=space, values=values, runs=runs, evidence=evidence)
-        alone = replace(evidence, tests=np.arange(len(places)))
+        fit = _Fit(space=space, values=values, runs=runs, motion=motion, evidence=evidence)
         grouped = np.unique(codes[places], return_inverse=True)[1]
-        held = hold_out([alone], grouped, 1.0, ends=False)
-        if float(held.error.max()) < sampling.error and float(held.effective.min()) > FEWEST_DRAWS:
+        within = replace(evidence, tests=np.arange(len(places))).by_groups(grouped)
+        held = hold_out([within], grouped, 1.0, ends=False)
+        few = min(float(held.effective.min()), float(effective(evidence.weights())))
+        if float(held.error.max()) < sampling.error and few >= ENOUGH_DRAWS:
             break
     assert fit is not None
     return fit
+
+
+def _shares_of(curves: Curves, motion: Integers, shift: Floats, sigma: Floats) -> Floats:
+    """Return the probability of a fall of each test, its session unknown, shape (draws, tests)."""
+    shares = curves.shares[:, motion]
+    for place in np.flatnonzero(shift).tolist():
+        number = motion[place]
+        moved = np.full((len(shares), 1), shift[place])
+        shares[:, place] = curves.at(number, moved, np.zeros((1, 1)), sigma[number])[:, 0]
+    return shares
+
+
+def _in_sessions(tests: Sequence[ShakingTest]) -> bool:
+    """Return whether tests of an object come in two sessions or more."""
+    return len({test.session for test in tests if test.session is not None}) > 1
 
 
 def _posterior(name: str, fit: _Fit, temper: float) -> Posterior:
@@ -242,10 +293,11 @@ def _posterior(name: str, fit: _Fit, temper: float) -> Posterior:
         object=name,
         space=fit.space,
         values=fit.values,
-        weights=fit.evidence.weights(temper),
+        weights=smoothed(fit.evidence.weights(temper))[0],
         untempered_weights=fit.evidence.weights(),
         prior_weights=normalised(fit.evidence.base[:, np.newaxis])[:, 0],
-        fates=fit.runs.fell.mean(axis=2).T,
+        fates=fit.runs.fell.mean(axis=2).T[:, fit.motion],
+        sessions={} if fit.evidence.sessions is None else fit.evidence.sessions.gains(),
     )
 
 
@@ -256,6 +308,25 @@ def _prior_columns(posterior: Posterior) -> dict[str, Floats]:
     values = space.values_of(scores)
     columns = {name: values[:, place] for place, name in enumerate(space.names)}
     return columns | space.derived(values)
+
+
+def _refuse_alone(tests: Sequence[ShakingTest]) -> None:
+    """Refuse a session of one test, which has no gain of its own, and tests that are all one.
+
+    Raises
+    ------
+    InputError
+        With the name of the first.
+    """
+    counts = Counter(test.session for test in tests if test.session is not None)
+    lone = [name for name, count in counts.items() if count == 1]
+    if lone and len(counts) > 1:
+        raise InputError(
+            "session",
+            lone[0],
+            "a session has two tests or more: of one alone its gain cannot be told from its error",
+            "put the test in the session it belongs to, or leave its session empty",
+        )
 
 
 def _temper(value: object) -> float | None:

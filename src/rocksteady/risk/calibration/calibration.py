@@ -13,20 +13,21 @@ from rocksteady.model.equations import Model
 from rocksteady.results.answer import Answer, doubt, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
-from rocksteady.results.numbers import chance, interval, number, plural
+from rocksteady.results.numbers import chance, interval, number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration._identified import LIMIT, MEANINGS
 from rocksteady.risk.calibration._predicting import Source, digest_of, listed, predict_all
 from rocksteady.risk.calibration.held_out.folds import Evidence
 from rocksteady.risk.calibration.held_out.learning import Trial
 from rocksteady.risk.calibration.held_out.predictions import Predictions
+from rocksteady.risk.calibration.held_out.recalibration import Platt
 from rocksteady.risk.calibration.held_out.rivals import measures_of
 from rocksteady.risk.calibration.held_out.scores import Scores
 from rocksteady.risk.calibration.held_out.validate import Validation, validate_trial
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import DrawOptions
 from rocksteady.risk.observations.observations import Observations
-from rocksteady.risk.observations.prior import Prior
+from rocksteady.risk.observations.prior import NOISE, Prior
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.sweep.run import Execution
 
@@ -67,6 +68,8 @@ class Calibration(Result):
         Sentences on what limits the answer.
     evidence
         What the draws make of the tests, for other folds.
+    recalibrate
+        Whether held-out predictions are recalibrated; None where that helps.
     """
 
     tests: Observations
@@ -82,6 +85,7 @@ class Calibration(Result):
     flips: Mapping[str, int]
     warnings: tuple[str, ...]
     evidence: tuple[Evidence, ...]
+    recalibrate: bool | None = None
 
     @property
     def temper_scores(self) -> Mapping[float, Scores]:
@@ -121,7 +125,12 @@ class Calibration(Result):
             listed(tests),
             {test.name: digest_of(test) for test in self.tests.tests},
             self.validation.predictions,
-            Source(posteriors=self.posteriors, sampling=self.sampling, model=self.model),
+            Source(
+                posteriors=self.posteriors,
+                sampling=self.sampling,
+                model=self.model,
+                recalibration=self.validation.recalibration,
+            ),
             run,
         )
 
@@ -145,7 +154,7 @@ class Calibration(Result):
                 "folds", Words(f"are by {folds}"), reason, "give tests of several groups"
             )
         temper = None if self.tempered_by_choice else self.temper
-        trial = make_trial(self.tests, self.evidence, codes, temper)
+        trial = make_trial(self.tests, self.evidence, codes, temper, self.recalibrate)
         return validate_trial(trial, self.tests.tests, names, folds=folds, seed=self.sampling.seed)
 
     def describe(self) -> Description:
@@ -182,6 +191,22 @@ class Calibration(Result):
             Fact("gains", self.sampling.gains),
             Fact("error", self.sampling.error),
             Fact("effective_draws", effective, "effective draws", _words(effective)),
+            Fact(
+                "pareto_k",
+                {name: number_or_none(each.pareto_k) for name, each in self.posteriors.items()},
+                "Pareto k of the weights",
+                _words({name: each.pareto_k for name, each in self.posteriors.items()}),
+            ),
+            Fact(
+                "recalibration",
+                {"intercept": self._line.intercept, "slope": self._line.slope},
+                "recalibration of the log odds",
+                f"{number(self._line.intercept)} + {number(self._line.slope)} logit p",
+            ),
+            Fact(
+                "sessions",
+                {name: list(each.sessions) for name, each in self.posteriors.items()},
+            ),
             Fact("mc_error", self.mc_error, "largest Monte Carlo error"),
             Fact("flips", dict(self.flips), "flips", _words(self.flips)),
             Fact(
@@ -191,9 +216,7 @@ class Calibration(Result):
                         name: {key: str(spread) for key, spread in each.space.block.spreads.items()}
                         for name, each in self.posteriors.items()
                     },
-                    "noise": {
-                        key: str(getattr(self.prior.noise, key)) for key in ("sigma_ln", "outliers")
-                    },
+                    "noise": {key: str(getattr(self.prior.noise, key)) for key in NOISE},
                 },
             ),
             Fact("trained", {test.name: digest_of(test) for test in self.tests.tests}),
@@ -207,6 +230,7 @@ class Calibration(Result):
             *others,
         ]
         notes = [*self.warnings, *self._remarks()]
+        tables += self._sessions()
         few = min(self.posteriors.values(), key=lambda each: each.effective_draws)
         if not few.identified:
             scored = (
@@ -221,6 +245,10 @@ class Calibration(Result):
             notes=notes,
             answer=self._answer(few),
         )
+
+    @property
+    def _line(self) -> Platt:
+        return self.validation.recalibration
 
     def _answer(self, few: Posterior) -> Answer:
         """Return how well held-out tests are predicted, and what outcomes show of each parameter.
@@ -285,6 +313,25 @@ class Calibration(Result):
         ]
         return Table("parameters", self.parameters, columns)
 
+    def _sessions(self) -> list[Table]:
+        """Return the gain of each session of each object, with its interval of 90 %."""
+        ends = ("gain", "low", "high")
+        rows = [
+            {"object": name, "session": session}
+            | dict(zip(ends, posterior.session_gain(session), strict=True))
+            for name, posterior in self.posteriors.items()
+            for session in posterior.sessions
+        ]
+        columns = (
+            Column("object", "object", _shortened, left=True),
+            Column("session", "session", left=True),
+            *(
+                Column(key, words, number)
+                for key, words in zip(ends, ("gain", "5 %", "95 %"), strict=True)
+            ),
+        )
+        return [Table("sessions", rows, columns, title="gains of sessions")] if rows else []
+
     def _remarks(self) -> list[str]:
         """Return what the verdicts and the temper mean."""
         used = dict.fromkeys(row["verdict"] for row in self.parameters)
@@ -345,17 +392,23 @@ def why_not(fell: Floats, codes: Integers, folds: str) -> str:
 
 
 def make_trial(
-    tests: Observations, evidence: Sequence[Evidence], codes: Integers, temper: float | None
+    tests: Observations,
+    evidence: Sequence[Evidence],
+    codes: Integers,
+    temper: float | None,
+    recalibrate: bool | None,
 ) -> Trial:
     """Return all that scores need."""
     names = list(tests.objects)
     return Trial(
-        evidence=evidence,
+        evidence=[each.by_groups(codes) for each in evidence],
+        marginal=evidence,
         codes=codes,
         objects=np.array([names.index(test.object) for test in tests.tests]),
         fell=tests.fell,
         measures=measures_of(tests.tests, tests.objects),
         temper=temper,
+        recalibrate=recalibrate,
     )
 
 

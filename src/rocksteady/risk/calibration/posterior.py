@@ -1,7 +1,8 @@
 """Posterior of one object: weighted draws of its parameters, with its predictions' shares."""
 
 import math
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -13,10 +14,13 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS, NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
+from rocksteady.risk.calibration._importance import smoothed
 from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.held_out.folds import effective, weighted_quantiles
 
 ENDS = (0.5, 0.05, 0.95)
+NORMAL_95 = 1.6448536269514722
+"""95 % quantile of the normal law."""
 
 
 @checked_result
@@ -39,6 +43,9 @@ class Posterior(Result):
         the temper, with the likelihood itself, and without it.
     fates
         Share of the runs of each draw and test that fell, shape (draws, tests of the object).
+    sessions
+        By session mean and deviation of ln(gain) at each draw, shape (draws, 2); none without
+        sessions.
     """
 
     object: str
@@ -48,6 +55,7 @@ class Posterior(Result):
     untempered_weights: Floats
     prior_weights: Floats
     fates: Floats
+    sessions: Mapping[str, Floats] = field(default_factory=dict)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -68,6 +76,20 @@ class Posterior(Result):
     def untempered_effective_draws(self) -> float:
         """The same of the untempered weights."""
         return float(effective(self.untempered_weights))
+
+    @cached_property
+    def pareto_k(self) -> float:
+        """Shape of the Pareto law of the largest untempered weights; above 0.7 doubt them."""
+        return smoothed(self.untempered_weights)[1]
+
+    def session_gain(self, name: str) -> tuple[float, float, float]:
+        """Return median, 5 % and 95 % of the gain of a session, as a factor."""
+        pair = self.sessions[name]
+        mean = float(self.weights @ pair[:, 0])
+        deviation = float(np.sqrt(self.weights @ (np.square(pair).sum(axis=1)) - mean * mean))
+        ends = (mean, mean - NORMAL_95 * deviation, mean + NORMAL_95 * deviation)
+        median, low, high = (math.exp(each) for each in ends)
+        return median, low, high
 
     @cached_property
     def columns(self) -> dict[str, Floats]:

@@ -23,6 +23,7 @@ from rocksteady.risk.calibration._predicting import Source, listed, predict_all
 from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.predictions import OUTCOMES, Predictions
+from rocksteady.risk.calibration.held_out.recalibration import PLAIN, Platt
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import DrawOptions
 from rocksteady.risk.observations.files.small_files import content_of, text_of
@@ -41,18 +42,29 @@ HINT = "name the folder that calibrate --out has written"
 
 def posterior_rows(calibration: Calibration) -> tuple[list[str], list[list[object]]]:
     """Return header and rows of posterior.csv: a row for each draw of each object."""
-    names = list(
-        dict.fromkeys(name for each in calibration.posteriors.values() for name in each.names)
-    )
+    posteriors = list(calibration.posteriors.values())
+    names = list(dict.fromkeys(name for each in posteriors for name in each.names))
+    sessions = dict.fromkeys(session for each in posteriors for session in each.sessions)
+    names += [label for session in sessions for label in _labels(session)]
     rows: list[list[object]] = []
     for name, each in calibration.posteriors.items():
         columns = {key: each.values[:, place].tolist() for place, key in enumerate(each.names)}
+        columns |= {
+            label: each.sessions[session][:, place].tolist()
+            for session in each.sessions
+            for place, label in enumerate(_labels(session))
+        }
         weights = (each.weights, each.untempered_weights, each.prior_weights)
         lists = [column.tolist() for column in weights]
         for draw in range(len(each.values)):
             cells = [columns[key][draw] if key in columns else "" for key in names]
             rows.append([name, draw, *cells, *(column[draw] for column in lists)])
     return ["object", "draw", *names, *WEIGHTS], rows
+
+
+def _labels(session: str) -> tuple[str, str]:
+    """Return the columns of mean and deviation of a session's ln(gain)."""
+    return f"ln gain of session {session}", f"its deviation, session {session}"
 
 
 @checked_result
@@ -70,6 +82,8 @@ class StoredPosterior(Result):
         Hash (SHA-256) of each training test, by its name.
     sampling, model
         Sampling and model of the calibration.
+    recalibration
+        Line over the log odds of predictions of other tests.
     """
 
     posteriors: Mapping[str, Posterior]
@@ -77,12 +91,18 @@ class StoredPosterior(Result):
     trained: Mapping[str, str]
     sampling: DrawOptions
     model: Model
+    recalibration: Platt = PLAIN
 
     def predict(
         self, tests: Observations | Sequence[ShakingTest], *, run: Execution | None = None
     ) -> Predictions:
         """Predict tests as the calibration itself does; see `Calibration.predict`."""
-        source = Source(posteriors=self.posteriors, sampling=self.sampling, model=self.model)
+        source = Source(
+            posteriors=self.posteriors,
+            sampling=self.sampling,
+            model=self.model,
+            recalibration=self.recalibration,
+        )
         return predict_all(listed(tests), self.trained, self.predictions, source, run)
 
     def describe(self) -> Description:
@@ -154,7 +174,11 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
             **{key: PriorRange.parse(text) for key, text in fit["inputs"]["noise"].items()}
         )
         spaces = {
-            name: Space(block=ObjectPrior(name=name, **spreads), noise=noise)
+            name: Space(
+                block=ObjectPrior(name=name, **spreads),
+                noise=noise,
+                sessions=bool(fit["sessions"][name]),
+            )
             for name, spreads in fit["inputs"]["objects"].items()
         }
         _refuse_changed(contents, fit["files"])
@@ -163,11 +187,15 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
         if list(predictions.test) != list(fit["trained"]):
             raise ValueError("predictions.csv has other tests than fit.json")
         return StoredPosterior(
-            posteriors={name: _posterior(name, space, rows) for name, space in spaces.items()},
+            posteriors={
+                name: _posterior(name, space, rows, fit["sessions"][name])
+                for name, space in spaces.items()
+            },
             predictions=predictions,
             trained=dict(fit["trained"]),
             sampling=sampling,
             model=model,
+            recalibration=Platt(**fit["recalibration"]),
         )
     except KeyError as error:
         why = f"{error} is missing"
@@ -187,10 +215,13 @@ def _refuse_changed(contents: Mapping[str, bytes], hashes: Mapping[str, str]) ->
             raise ValueError(message)
 
 
-def _posterior(name: str, space: Space, rows: Sequence[Mapping[str, Any]]) -> Posterior:
+def _posterior(
+    name: str, space: Space, rows: Sequence[Mapping[str, Any]], sessions: Sequence[str]
+) -> Posterior:
     """Return the posterior of an object."""
     rows_of_object = [row for row in rows if row["object"] == name]
-    keys = (*space.names, *WEIGHTS)
+    labels = [label for session in sessions for label in _labels(session)]
+    keys = (*space.names, *WEIGHTS, *labels)
     table = np.array([[float(row[key]) for key in keys] for row in rows_of_object]).reshape(
         len(rows_of_object), len(keys)
     )
@@ -205,6 +236,10 @@ def _posterior(name: str, space: Space, rows: Sequence[Mapping[str, Any]]) -> Po
         untempered_weights=table[:, size + 1].copy(),
         prior_weights=table[:, size + 2].copy(),
         fates=np.empty((len(rows_of_object), 0)),
+        sessions={
+            session: table[:, size + 3 + 2 * place : size + 5 + 2 * place].copy()
+            for place, session in enumerate(sessions)
+        },
     )
 
 

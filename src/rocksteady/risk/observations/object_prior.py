@@ -51,7 +51,7 @@ BOUNDS: Final[Mapping[str, tuple[float, float, str]]] = {
 """Lowest and highest of each number, and what to do; in the order of the parameters."""
 
 DEFAULTS: Final[Mapping[str, PriorRange]] = {
-    "base": PriorRange.between(0.6, 1.0),
+    "base": PriorRange.around(0.75, 0.2, low=0.05, high=1.0),
     "offset": PriorRange.exactly(0.0),
     "housner_factor": PriorRange.between(0.85, 1.1),
     "scatter": PriorRange.between(0.0, 0.1),
@@ -96,8 +96,8 @@ class ObjectPrior(Result):
         Radius of gyration about the mass centre [m]; default that of the rectangle of the outline,
         ``sqrt((width^2 + height^2)/12)``.
     base
-        Width of the base that rocks over that of the outline; default 0.6 to 1.  It goes with an
-        outline alone.
+        Width of the base that rocks over that of the outline; default normal, 0.75 +- 0.2 up to
+        1: published bases of natural stones.  It goes with an outline alone.
     offset
         Distance of the mass centre to the right of the middle over half of the base; default 0.  It
         goes with an outline alone.

@@ -20,10 +20,14 @@ GENERAL: Final = ("base", "offset", "restitution", "housner_factor", "scatter")
 """Numbers of an object that may be known of all objects alike."""
 
 SIGMA_LN: Final = PriorRange.between(0.05, 0.2)
+SESSION_LN: Final = PriorRange.between(0.0, 0.4)
+SESSION_RESTITUTION: Final = PriorRange.exactly(0.02)
 OUTLIERS: Final = PriorRange.between(0.01, 0.05)
 
-_NOISE: Final[Mapping[str, tuple[float, str]]] = {
+NOISE: Final[Mapping[str, tuple[float, str]]] = {
     "sigma_ln": (LARGEST_SIGMA, "give the standard deviation of ln(gain), as 0.1"),
+    "session_ln": (LARGEST_SIGMA, "give the standard deviation of ln(gain) of sessions, as 0.15"),
+    "session_restitution": (0.2, "give a standard deviation of the restitution, as 0.02"),
     "outliers": (0.5, "give the share of tests whose outcome has nothing to do with the model"),
 }
 
@@ -41,6 +45,11 @@ class OutcomeErrors:
     outliers
         Share of tests whose outcome has nothing to do with the model, from 0 to 0.5; default 0.01
         to 0.05.
+    session_ln
+        Standard deviation of ln(gain) between sessions, from 0 to 3; default 0 to 0.4.
+    session_restitution
+        Standard deviation of the restitution between sessions, from 0 to 0.2; default 0.02.  Its
+        middle counts, in sessions of 20 tests or more.
 
     Raises
     ------
@@ -55,10 +64,12 @@ class OutcomeErrors:
 
     sigma_ln: PriorRange = SIGMA_LN
     outliers: PriorRange = OUTLIERS
+    session_ln: PriorRange = SESSION_LN
+    session_restitution: PriorRange = SESSION_RESTITUTION
 
     def __post_init__(self) -> None:
         """Validate."""
-        for name, (most, hint) in _NOISE.items():
+        for name, (most, hint) in NOISE.items():
             spread = getattr(self, name).within(name, 0.0, most, hint=hint)
             object.__setattr__(self, name, spread)
 
@@ -120,7 +131,7 @@ class Prior(Result):
 
     def describe(self) -> Description:
         """Return each spread."""
-        spreads = {f"noise.{key}": getattr(self.noise, key) for key in _NOISE}
+        spreads = {f"noise.{key}": getattr(self.noise, key) for key in NOISE}
         spreads |= {f"object.{key}": spread_of(key, value) for key, value in self.defaults.items()}
         rows = [
             {"parameter": key, "low": spread.low, "high": spread.high, "spread": str(spread)}
@@ -170,7 +181,7 @@ def read_prior(path: Path | str) -> Prior:
     file = Path(path)
     content = content_of(file, "prior", "name a file in TOML with [noise] and [object]")
     values = toml_of(content, file.name)
-    known: Mapping[str, tuple[str, ...]] = {"noise": tuple(_NOISE), "object": GENERAL}
+    known: Mapping[str, tuple[str, ...]] = {"noise": tuple(NOISE), "object": GENERAL}
     tables: dict[str, dict[str, PriorRange]] = {"noise": {}, "object": {}}
     for table, content_of_table in values.items():
         if table not in known or not isinstance(content_of_table, dict):

@@ -60,6 +60,10 @@ def read_tests(
     objects: Path | str | None = None,
     units: str | None = None,
     dt_s: float | None = None,
+    format: str | None = None,  # noqa: A002 -- as for read_record
+    column: str | int | None = None,
+    resample: bool = False,
+    baseline: str = "none",
 ) -> Observations:
     r"""Read shaking tests, their objects and their records.
 
@@ -77,8 +81,8 @@ def read_tests(
     objects
         Table of objects, whose columns are the keys of `ObjectPrior`; a cell holds a number,
         ``low:high`` or ``mean+-sd``.  Default ``objects.csv`` beside the table of tests.
-    units, dt_s
-        Unit and interval [s] of record files that do not state them, as for `read_record`.
+    units, dt_s, format, column, resample, baseline
+        How all record files are read, as for `read_record`.
 
     Returns
     -------
@@ -116,7 +120,15 @@ def read_tests(
         folder = Path(records)
     if not folder.is_dir():
         raise InputError("records", folder, "it must be a folder", "name the folder of the records")
-    files = RecordFiles(folder, units, dt_s)
+    files = RecordFiles(
+        folder,
+        units=units,
+        dt_s=dt_s,
+        format=format,
+        column=column,
+        resample=resample,
+        baseline=baseline,
+    )
     names: dict[str, str] = {}
     rows: list[tuple[str, dict[str, Any], Channel, Channel | None]] = []
     remarks = [*unread_remark(table.source, table.unread(_TABLE)), *known.remarks]

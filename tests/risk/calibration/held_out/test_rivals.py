@@ -1,6 +1,7 @@
 """The logistic curve against statsmodels, base rates by hand, measures against their own module."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -65,7 +66,10 @@ def test_measures_are_those_of_the_record_and_the_outline() -> None:
     found = compute_measures(record)
     uplift = 9.80665 * 0.25
     assert row[0] == pytest.approx(math.log(1.7 * found.pga_m_s2 / uplift))
-    assert row[2:] == pytest.approx(np.log([found.pgv_per_pga_s, found.significant_5_95_s]))
+    assert row[2:4] == pytest.approx(np.log([found.pgv_per_pga_s, found.significant_5_95_s]))
+    assert len(row) == len(rivals.MEASURES) == 14
+    twice = rivals.measures_of([replace(test, gain=3.4)], {"column": column})[0] - row
+    assert twice == pytest.approx(np.log(2.0) * np.array([1, 1, 0, 0, 1, 2, 1, 1, 1, *[0] * 5]))
     p = column.block([0.8, 0.5 * (0.85 + 1.1), 0.05]).p
     assert row[1] == pytest.approx(math.log(1.7 * p * found.pgv_m_s / uplift), abs=1e-6)
 

@@ -13,7 +13,7 @@ from rocksteady.cli.console.outputs import (
     report_command,
 )
 from rocksteady.cli.console.progress import sweeping
-from rocksteady.cli.console.refusals import flags_of, refuse
+from rocksteady.cli.console.refusals import FlagError, flags_of, refuse
 from rocksteady.cli.console.shell import command_of
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
@@ -53,6 +53,7 @@ EXAMPLES = (
 )
 ARGUMENTS = {"folds": "--folds", "model": "--model", "temper": "--temper"}
 """Flags of arguments of `rocksteady.calibrate`."""
+_WHEN = {"auto": None, "yes": True, "no": False}
 EXAMPLE_DRAWS = 240
 """Draws of --example, which takes some ten seconds."""
 USUAL_DRAWS = 3000
@@ -74,6 +75,12 @@ def calibrate(
         "Choose the equations of motion: nonlinear (the full equations) or linear (slender "
         "blocks, faster, without vertical motion).",
         default="nonlinear",
+    ),
+    recalibrate: str = sampling_flag(
+        "--recalibrate WHEN",
+        "Mend held-out predictions by a line over their log odds, fitted without the group: auto "
+        "(where it helps), yes or no.",
+        default="auto",
     ),
     executor: str = executor_flag(),
     workers: int | None = workers_flag(),
@@ -103,6 +110,9 @@ def calibrate(
     # The default of calibrate has a tolerance of its own.
     equations = None if model == "nonlinear" else named_model(model)
     run = Execution(executor=executor, workers=workers)
+    if recalibrate not in _WHEN:
+        valid = f"it must be one of {', '.join(_WHEN)}"
+        raise FlagError("--recalibrate", recalibrate, valid, "leave it out for auto")
     tests, known = _tests(table, example=example), prior_of(prior)
     read += table.record_files(tests)
     output.check_folder(CALIBRATION, out, read)
@@ -119,6 +129,7 @@ def calibrate(
             sampling=sampling,
             folds=folds,
             temper=exponent,
+            recalibrate=_WHEN[recalibrate],
             model=equations,
             run=replace(run, progress=meter),
         )

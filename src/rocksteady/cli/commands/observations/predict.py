@@ -67,7 +67,15 @@ def predict(
         )
     run = Execution(executor=executor, workers=workers)
     table = TableFlags(
-        tests=tests, objects=objects, records=records, units=reading.units, dt_s=reading.dt_s
+        tests=tests,
+        objects=objects,
+        records=records,
+        units=reading.units,
+        dt_s=reading.dt_s,
+        format=reading.format,
+        column=reading.column,
+        resample=reading.resample,
+        baseline=reading.baseline,
     )
     _refuse_idle(table, recorded, reading, object)
     from rocksteady.risk.calibration.stored import FILES, read_posterior
@@ -119,7 +127,7 @@ def _refuse_idle(
             "--pga-g": recorded.pga_g,
             "--vertical": recorded.vertical,
             "--reverse": recorded.reverse,
-            **{k: v for k, v in reading.given.items() if k not in ("--units", "--dt-s")},
+            **{k: v for k, v in reading.given.items() if k == "--channel"},
         }
         refuse(idle, "the table of --tests states it", "write it into the table")
     else:

@@ -2,11 +2,15 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rocksteady.arrays import Bools, Floats, Integers
 from rocksteady.results.doubts import FEWEST_DRAWS
+
+if TYPE_CHECKING:
+    from rocksteady.risk.calibration._sessions import Sessions
 
 LADDER = (1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05)
 """Tempers that are compared."""
@@ -32,17 +36,32 @@ class Evidence:
         Probability of a fall, outliers included, shape (draws, tests).
     tests
         Numbers of the tests among all.
+    total
+        ln of the probability of all outcomes, where that is not the sum of each, shape (draws,).
+    sessions
+        What tests of a session share; None without sessions.
     """
 
     base: Floats
     log_likelihood: Floats
     share: Floats
     tests: Integers
+    total: Floats | None = None
+    sessions: "Sessions | None" = None
+
+    @property
+    def joint(self) -> Floats:
+        """Logarithm of the probability of all outcomes at each draw, shape (draws,)."""
+        return self.log_likelihood.sum(axis=1) if self.total is None else self.total
+
+    def by_groups(self, codes: Integers) -> "Evidence":
+        """Return the evidence with each test seen from the other groups of its session."""
+        return self if self.sessions is None else self.sessions.condition(self, codes[self.tests])
 
     def weights(self, temper: float = 1.0, kept: Bools | None = None) -> Floats:
         """Return the weights of the draws by all tests, or by the tests that are kept."""
-        given = self.log_likelihood if kept is None else self.log_likelihood[:, kept]
-        return normalised((self.base + temper * given.sum(axis=1))[:, np.newaxis])[:, 0]
+        given = self.joint if kept is None else self.log_likelihood[:, kept].sum(axis=1)
+        return normalised((self.base + temper * given)[:, np.newaxis])[:, 0]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -115,7 +134,7 @@ def hold_out(
     for each in evidence:
         groups, place = np.unique(codes[each.tests], return_inverse=True)
         sums = _sums_by(each.log_likelihood, place, len(groups))
-        rest = each.log_likelihood.sum(axis=1)[:, np.newaxis] - sums
+        rest = each.joint[:, np.newaxis] - sums
         weights = normalised(each.base[:, np.newaxis] + exponent[groups] * rest)
         parts = predict_with(weights[:, place], each.share, ends=ends)
         for key, values in parts.items():
@@ -213,7 +232,7 @@ def _nested_scores(
     groups, draws = len(folds), len(each.base)
     known = np.isfinite(fell)
     sums = _sums_by(each.log_likelihood, codes, groups)
-    total = each.log_likelihood.sum(axis=1)
+    total = each.joint
     scores = np.zeros((len(ladder), int(folds.max()) + 1, groups))
     step = max(1, MOST_WEIGHTS // draws)
     for fold in np.unique(folds[codes]):

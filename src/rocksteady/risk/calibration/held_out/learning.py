@@ -29,7 +29,9 @@ class Trial:
     Attributes
     ----------
     evidence
-        Evidence of each object.
+        Evidence of each object, each test seen from the other groups of its session.
+    marginal
+        The same of tests each seen alone, for few groups.
     codes, objects
         Number of the group and of the object of each test, shape (tests,).
     fell
@@ -38,14 +40,18 @@ class Trial:
         Intensity measures, shape (tests, measures).
     temper
         A number, or None for that with the best score among the training tests.
+    recalibrate
+        Whether predictions are recalibrated; None where that helps.
     """
 
     evidence: Sequence[Evidence]
+    marginal: Sequence[Evidence]
     codes: Integers
     objects: Integers
     fell: Floats
     measures: Floats
     temper: float | None
+    recalibrate: bool | None = None
 
 
 def best_temper(evidence: Sequence[Evidence], codes: Integers, fell: Floats) -> float:
@@ -110,12 +116,12 @@ def _once(trial: Trial, train: Bools) -> dict[str, Scores]:
         return {}
     temper = trial.temper
     if temper is None:
-        inside = [_of_tests(each, train) for each in trial.evidence]
+        inside = [_of_tests(each, train) for each in trial.marginal]
         # Numbers of the groups stay; of tests that are left out nothing is scored.
         fell = np.where(train, trial.fell, np.nan)
         temper = best_temper([each for each in inside if len(each.tests)], trial.codes, fell)
     p = np.full(len(train), np.nan)
-    for each in trial.evidence:
+    for each in trial.marginal:
         given = each.log_likelihood[:, train[each.tests]].sum(axis=1)
         weights = normalised((each.base + temper * given)[:, np.newaxis])[:, 0]
         p[each.tests] = weights @ each.share
@@ -140,4 +146,6 @@ def _of_tests(each: Evidence, kept: Bools) -> Evidence:
         log_likelihood=each.log_likelihood[:, mask],
         share=each.share[:, mask],
         tests=each.tests[mask],
+        total=None,
+        sessions=None,
     )

@@ -8,48 +8,64 @@ import numpy as np
 from rocksteady.arrays import Bools, Floats, Integers
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
-from rocksteady.model.motions.record import Record
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.shaking_test import ShakingTest
-from rocksteady.seismic.measures.time_course import integrate_record
+from rocksteady.seismic.measures.intensity import Measures, compute_measures
 
 MEASURES = (
     "ln(gain PGA/(g tan alpha))",
     "ln(gain p PGV/(g tan alpha))",
     "ln(PGV/PGA)",
     "ln(significant duration, 5-95 %)",
+    "ln(gain p^2 PGD/(g tan alpha))",
+    "ln(gain^2 Arias intensity)",
+    "ln(gain CAV)",
+    "ln(gain RMS)",
+    "ln(gain Housner intensity)",
+    "ln(significant duration, 5-75 %)",
+    "ln(mean period)",
+    "ln(PGD/PGV)",
+    "ln(g tan alpha)",
+    "ln p",
 )
-RIDGE = 1.0 / 2.5**2
-"""Precision of a slope over a standard deviation of its measure: its prior has the scale 2.5."""
+RIDGE = 1.0 / 0.5**2
+"""Precision of a slope over a standard deviation of its measure: its prior has the scale 0.5."""
 STEPS = 50
 LEAST = 1e-9
 
 
 def measures_of(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]) -> Floats:
-    """Return the measures of each test, shape (tests, 4).
+    """Return the measures of each test, shape (tests, 14).
 
     alpha is that of the object's outline, and p that of the middle of its prior: what is known
     before any test.
     """
-    courses: dict[int, tuple[float, float, float]] = {}
+    courses: dict[int, Measures] = {}
     scales = {name: _scale_of(given) for name, given in objects.items()}
     rows = []
     for test in tests:
         if id(test.record) not in courses:
-            courses[id(test.record)] = _peaks_of(test.record)
-        pga, pgv, duration = courses[id(test.record)]
-        uplift, rate = scales[test.object]
-        measures = (test.gain * pga / uplift, test.gain * rate * pgv / uplift, pgv / pga, duration)
+            courses[id(test.record)] = compute_measures(test.record)
+        of = courses[id(test.record)]
+        gain, (uplift, rate) = test.gain, scales[test.object]
+        measures = (
+            gain * of.pga_m_s2 / uplift,
+            gain * rate * of.pgv_m_s / uplift,
+            of.pgv_m_s / max(of.pga_m_s2, LEAST),
+            of.significant_5_95_s,
+            gain * rate**2 * of.pgd_m / uplift,
+            gain**2 * of.arias_m_s,
+            gain * of.cav_m_s,
+            gain * of.rms_m_s2,
+            gain * of.housner_intensity_m,
+            of.significant_5_75_s,
+            of.mean_period_s,
+            of.pgd_m / max(of.pgv_m_s, LEAST),
+            uplift,
+            rate,
+        )
         rows.append([math.log(max(measure, LEAST)) for measure in measures])
     return np.array(rows)
-
-
-def _peaks_of(record: Record) -> tuple[float, float, float]:
-    """Return PGA [m/s^2], PGV [m/s] and the significant duration [s]."""
-    course = integrate_record(record)
-    pga, pgv = abs(course.peak_acceleration.value), abs(course.peak_velocity.value)
-    duration = course.time_of_arias(0.95) - course.time_of_arias(0.05)
-    return max(pga, LEAST), max(pgv, LEAST), duration
 
 
 def _scale_of(given: ObjectPrior) -> tuple[float, float]:
@@ -72,9 +88,9 @@ def base_rate(fell: Floats, objects: Integers, train: Bools) -> Floats:
 def fit_logistic(measures: Floats, fell: Floats) -> tuple[Floats, Floats, Floats]:
     """Return centre, scale and coefficients of a logistic curve with a ridge on its slopes.
 
-    Measures are taken in standard deviations, and each slope has a normal prior of scale 2.5, near
-    the Cauchy density of [1].  The constant has none except a tenth of a trial of each kind, so
-    that outcomes of one kind have a fit.
+    Measures are taken in standard deviations, as in [1], and each slope has a normal prior of scale
+    0.5: measures are many, and hang together.  The constant has none except a tenth of a trial of
+    each kind, so that outcomes of one kind have a fit.
 
     References
     ----------

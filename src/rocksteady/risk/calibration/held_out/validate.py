@@ -1,12 +1,12 @@
 """Validation: scores of each group's tests from the others, beside those of simpler rules."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from rocksteady.arrays import Floats
+from rocksteady.arrays import Floats, Integers
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
@@ -15,11 +15,20 @@ from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.folds import LADDER, choose_tempers, hold_out
 from rocksteady.risk.calibration.held_out.learning import Trial, best_temper, learning_curve
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
+from rocksteady.risk.calibration.held_out.recalibration import (
+    PLAIN,
+    Platt,
+    fit_platt,
+    it_helps,
+    recalibrated,
+)
 from rocksteady.risk.calibration.held_out.rivals import out_of_group
 from rocksteady.risk.calibration.held_out.scores import BINS, NAMES, Scores, bin_of, scores_of
 from rocksteady.risk.observations.shaking_test import ShakingTest
 
 Row = dict[str, Any]
+ODD, LEAST_VARIANCE = 0.01, 0.5
+"""Chance below which a misfit is named, and the variance of the falls of a group that counts."""
 ROWS = ("calibrated", "untempered", "base rate", "logistic")
 
 
@@ -45,11 +54,15 @@ class Validation(Result):
         For each tenth of p that holds tests: `from`, `to`, `tests`, `predicted` (mean p),
         `observed` (share that fell), and `low`, `high` of its 90 % interval (of Jeffreys).
     residuals
-        By "record" and by "session" a row for each: `name`, `tests`, `fell`, `expected`,
+        By "record", "session", "order" (quarters of the table) and "intensity" (quarters of the
+        gain times PGA) a row for each: `name`, `tests`, `fell`, `expected`,
         `deviation` of it, and `z`, the difference over the deviation.
     learning
         By the number of training `groups` the `Scores` of "calibrated", "logistic" and
         "base rate", with `tests`, the mean number of the training.
+    recalibration
+        Line over log odds by all held-out predictions, for tests that were not in the training;
+        held-out predictions have that of the other groups.
     warnings
         Sentences on what limits the scores.
 
@@ -74,6 +87,7 @@ class Validation(Result):
     reliability: tuple[Row, ...]
     residuals: Mapping[str, tuple[Row, ...]]
     learning: tuple[Row, ...]
+    recalibration: Platt = PLAIN
     warnings: tuple[str, ...] = ()
 
     def describe(self) -> Description:
@@ -152,6 +166,14 @@ def validate_trial(
     else:
         tempers = np.full(len(names), trial.temper)
     held = hold_out(trial.evidence, trial.codes, tempers)
+    line = PLAIN
+    helps = trial.recalibrate
+    if helps is None:
+        helps = it_helps(held.p, trial.fell, trial.codes)
+    if helps:
+        line = fit_platt(held.p[known], fell)
+        mended = recalibrated(held.p, trial.fell, trial.codes, held.low, held.high)
+        held = replace(held, **dict(zip(("p", "low", "high"), mended, strict=True)))
     rates, curves = out_of_group(trial.measures, trial.fell, trial.objects, trial.codes)
     at_tempers = {
         temper: hold_out(trial.evidence, trial.codes, temper, ends=False).p for temper in LADDER
@@ -163,20 +185,30 @@ def validate_trial(
     if len(low):
         few = sorted({groups[place] for place in low.tolist()})
         warnings.append(
-            f"{len(few)} of {len(names)} folds rest on fewer than 50 effective draws, "
-            f"{held.effective.min():.0f} at least: make more draws"
+            f"{len(few)} of {len(names)} folds rest on fewer than {FEWEST_DRAWS:g} effective "
+            f"draws, {held.effective.min():.0f} at least: make more draws"
         )
+    scores = {name: scored(p) for name, p in zip(ROWS, rules, strict=True)}
+    if scores["calibrated"].brier[0] >= scores["base rate"].brier[0]:
+        own, rate = (number(scores[name].brier[0]) for name in ("calibrated", "base rate"))
+        warnings.append(
+            f"held-out predictions are no better than the base rate: Brier score {own}, by the "
+            f"base rate {rate}: doubt the prior of the outline, or the model"
+        )
+    residuals = _residuals(held.p, trial.fell, tests)
+    warnings += _misfits(residuals)
     if len(names) < 10:
         warnings.append(f"with {len(names)} groups the intervals of the scores are rough")
     return Validation(
         folds=folds,
-        rows={name: scored(p) for name, p in zip(ROWS, rules, strict=True)},
+        rows=scores,
         tempers=dict(zip(names, tempers.tolist(), strict=True)),
         temper_scores={temper: scored(p) for temper, p in at_tempers.items()},
         predictions=predictions_of(tests, held, groups, held_out=[True] * len(tests)),
         reliability=tuple(_reliability(held.p[known], fell)),
-        residuals=_residuals(held.p, trial.fell, tests),
+        residuals=residuals,
         learning=tuple(learning_curve(trial, seed=seed)),
+        recalibration=line,
         warnings=tuple(warnings),
     )
 
@@ -199,7 +231,7 @@ def without_scores(
         temper_scores={},
         predictions=predictions_of(tests, held, groups, held_out=[True] * len(tests)),
         reliability=(),
-        residuals={"record": (), "session": ()},
+        residuals={"record": (), "session": (), "order": (), "intensity": ()},
         learning=(),
         warnings=(f"no held-out scores: {reason}",),
     )
@@ -245,11 +277,48 @@ def _reliability(p: Floats, fell: Floats) -> list[Row]:
     return rows
 
 
+def _quarters(values: Floats | Integers) -> list[str | None]:
+    """Return the quarter of each value by its rank: equal values share one."""
+    ranks = np.searchsorted(np.sort(values), values)
+    return [f"quarter {1 + 4 * rank // len(values)}" for rank in ranks.tolist()]
+
+
+def _misfits(residuals: Mapping[str, Sequence[Row]]) -> list[str]:
+    """Return a sentence for each way of grouping whose observed falls are odd.
+
+    Squares of z of m groups sum to about chi-squared of m degrees of freedom, if the predictions
+    are right: a check of the posterior that predicts each test without its own group [1].
+
+    References
+    ----------
+    .. [1] A. Gelman, X.-L. Meng and H. Stern, Statistica Sinica 6, 733-760 (1996).
+    """
+    from scipy.special import gammaincc
+
+    sentences = []
+    for kind, rows in residuals.items():
+        # Groups without a doubtful test have a deviation of nearly 0, and z has no normal law.
+        scored = [row for row in rows if row["deviation"] ** 2 >= LEAST_VARIANCE]
+        square = sum(row["z"] ** 2 for row in scored)
+        if len(scored) < 2 or gammaincc(0.5 * len(scored), 0.5 * square) >= ODD:
+            continue
+        worst = max(scored, key=lambda row: abs(row["z"]))
+        sentences.append(
+            f"misfit by {kind}: mean z^2 {number(square / len(scored), 2)} where 1 is expected; "
+            f"worst {worst['name']}, {worst['fell']} of {worst['tests']} fell, "
+            f"{number(worst['expected'], 2)} expected"
+        )
+    return sentences
+
+
 def _residuals(p: Floats, fell: Floats, tests: Sequence[ShakingTest]) -> dict[str, tuple[Row, ...]]:
-    """Return observed and expected falls by record and by session."""
+    """Return observed and expected falls by record, session, order and intensity."""
+    pga = np.array([test.gain * test.record.peak_acceleration_m_s2 for test in tests])
     keys: dict[str, list[str | None]] = {
         "record": [test.record.name or test.group or "" for test in tests],
         "session": [test.session for test in tests],
+        "order": _quarters(np.arange(len(tests))),
+        "intensity": _quarters(pga),
     }
     groups = {}
     for kind, names in keys.items():

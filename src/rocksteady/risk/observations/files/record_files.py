@@ -5,10 +5,12 @@ import hashlib
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from rocksteady.errors import InputError, RocksteadyError, Words
 from rocksteady.model.motions.record import Record
 from rocksteady.records.core.recording import Recording
+from rocksteady.records.processing import correct_baseline
 from rocksteady.records.read import chosen, read_recordings
 
 Channel = tuple[Path, int]
@@ -22,8 +24,8 @@ class RecordFiles:
     ----------
     folder
         Where they lie.
-    units, dt_s
-        As for `rocksteady.read_record`.
+    baseline, options
+        As for `rocksteady.read_record`: units, dt_s, format, column and resample.
 
     Attributes
     ----------
@@ -33,9 +35,9 @@ class RecordFiles:
         Warnings about them.
     """
 
-    def __init__(self, folder: Path, units: str | None, dt_s: float | None) -> None:
+    def __init__(self, folder: Path, *, baseline: str = "none", **options: Any) -> None:
         self._folder = folder.resolve()
-        self._units, self._dt_s = units, dt_s
+        self._baseline, self._options = baseline, options
         self._found: dict[str, Path] = {}
         self._read: dict[Path, tuple[Recording, ...]] = {}
         self._named: dict[Channel, Record] = {}
@@ -89,7 +91,8 @@ class RecordFiles:
 
     def _all_channels(self, path: Path) -> tuple[Recording, ...]:
         """Return the channels of a file, and keep its hash and its warnings."""
-        recordings = read_recordings(path, units=self._units, dt_s=self._dt_s)
+        read = read_recordings(path, **self._options)
+        recordings = tuple(correct_baseline(each, self._baseline) for each in read)
         shown = self._shown(path)
         self.sources[shown] = hashlib.sha256(path.read_bytes()).hexdigest()
         remarks = dict.fromkeys(text for each in recordings for text in each.warnings)

@@ -1,0 +1,73 @@
+"""Platt's line against a search, and where it helps."""
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+
+from rocksteady.risk.calibration.held_out.recalibration import (
+    SPREAD,
+    Platt,
+    fit_platt,
+    it_helps,
+    recalibrated,
+)
+from rocksteady.risk.calibration.held_out.validate import _misfits
+
+
+def outcomes(slope: float, count: int = 600) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return predictions whose log odds are those of the truth over a slope, outcomes, groups."""
+    rng = np.random.default_rng(4)
+    odds = 2.0 * rng.normal(size=count)
+    fell = (rng.random(count) < 1.0 / (1.0 + np.exp(-odds))).astype(float)
+    return 1.0 / (1.0 + np.exp(-odds / slope)), fell, np.arange(count) % 20
+
+
+def test_line_is_the_likeliest_with_its_prior() -> None:
+    p, fell, _ = outcomes(0.5)
+    odds = np.log(p / (1.0 - p))
+
+    def lost(at: np.ndarray) -> float:
+        z = at[0] + at[1] * odds
+        prior = 0.5 * ((at - [0.0, 1.0]) ** 2 / np.square(SPREAD)).sum()
+        return float((np.logaddexp(0.0, z) - fell * z).sum() + prior)
+
+    best = minimize(lost, [0.0, 1.0], tol=1e-12).x
+    found = fit_platt(p, fell)
+    assert (found.intercept, found.slope) == pytest.approx(tuple(best), abs=1e-4)
+    assert found.slope == pytest.approx(0.5, abs=0.1)
+
+
+@pytest.mark.parametrize(("slope", "helps"), [(0.5, True), (2.0, True), (1.0, False)])
+def test_a_line_is_chosen_where_predictions_are_too_sure_or_too_shy(
+    slope: float, helps: bool
+) -> None:
+    p, fell, codes = outcomes(slope)
+    assert it_helps(p, fell, codes) == helps
+    assert not it_helps(p[:90], fell[:90], codes[:90])
+    assert not it_helps(p, fell, codes % 5)
+
+
+def test_a_group_has_the_line_of_the_others() -> None:
+    p, fell, codes = outcomes(0.5)
+    own = codes == 3
+    turned = np.where(own, 1.0 - fell, fell)
+    first, second = (recalibrated(p, each, codes)[0] for each in (fell, turned))
+    assert (first[own] == second[own]).all()
+    assert (first[~own] != second[~own]).all()
+    assert Platt().of(p) is p
+
+
+def test_a_session_that_falls_too_often_is_named() -> None:
+    """Ten sessions of 30 tests at p = .5: all but one as predicted, and one at 27 of 30."""
+
+    def rows(fell: int) -> dict[str, list[dict[str, object]]]:
+        z = (fell - 15.0) / 7.5**0.5
+        odd = {"name": "Tuesday", "tests": 30, "fell": fell, "expected": 15.0}
+        usual = {"name": "other", "tests": 30, "fell": 15, "expected": 15.0}
+        deviation = {"deviation": 7.5**0.5}
+        return {"session": [{**usual, **deviation, "z": 0.8}] * 9 + [{**odd, **deviation, "z": z}]}
+
+    (sentence,) = _misfits(rows(27))
+    assert sentence.startswith("misfit by session")
+    assert "worst Tuesday, 27 of 30 fell" in sentence
+    assert _misfits(rows(16)) == []
