@@ -78,7 +78,9 @@ def make_laboratory(
     base = {name: float(rng.uniform(0.7, 0.9)) for name in outlines}
     factor = {name: float(rng.uniform(0.9, 1.05)) for name in outlines}
     blocks, gain_of = {}, {}
-    given, truth, error = [], [], []
+    given: list[ShakingTest] = []
+    truth: list[ShakingTest] = []
+    error: list[float] = []
     for session in range(sessions):
         name = outlines[session % len(outlines)]
         width, height = OUTLINES[name]

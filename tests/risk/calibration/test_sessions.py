@@ -65,7 +65,7 @@ def test_nodes_have_the_moments_of_their_laws() -> None:
 
 
 def test_tests_of_one_motion_share_runs_and_others_do_not() -> None:
-    record = Record(acceleration_m_s2=[0.0, 3.0, -3.0, 0.0], dt_s=0.1, name="r")
+    record = Record(acceleration_m_s2=np.array([0.0, 3.0, -3.0, 0.0]), dt_s=0.1, name="r")
     first = ShakingTest(name="1", record=record, object="o", fell=True)
     tests = [
         first,

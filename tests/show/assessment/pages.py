@@ -1,14 +1,18 @@
 """A page as its parts, read by the standard library's parser."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from html.parser import HTMLParser
 from unittest import mock
 
+from matplotlib.figure import Figure
+
 from rocksteady.show import report
 from rocksteady.show.assessment import _assessment_pictures
 from rocksteady.show.facade import _facade_pictures
+from rocksteady.show.style.page import SCREEN
+from rocksteady.show.style.page import Page as Paper
 
 VOID = {"meta", "link", "img", "source", "br", "input"}
 TEXTLESS = {"style", "script"}
@@ -21,8 +25,8 @@ def drawn_once() -> Iterator[None]:
     For tests of words; others hold what a dark screen and a phone are given.
     """
 
-    def once(make: object, words: str, **_: object) -> dict[str, str]:
-        address = report.picture_address(make(report.SCREEN))  # type: ignore[operator]
+    def once(make: Callable[[Paper], Figure], words: str, **_: object) -> dict[str, str]:
+        address = report.picture_address(make(SCREEN))
         sources = ("source", "source_dark", "narrow", "narrow_dark")
         return {"alt": words} | dict.fromkeys(sources, address)
 

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.risk.calibration._shares import Curves
@@ -174,7 +175,8 @@ def make_sessions(
     names = tuple(dict.fromkeys(test.session for test in tests if test.session is not None))
     gains, ratios, weight = nodes
     keys: dict[tuple[int, float, float | None], int] = {}
-    falls, column = [], []
+    falls: list[NDArray[np.float32]] = []
+    column: list[int] = []
     for place, test in enumerate(tests):
         key = (int(motion[place]), float(shift[place]), test.sigma_ln)
         if key not in keys:

@@ -174,7 +174,8 @@ def fit_curves(
     column = (np.arange(draws)[:, np.newaxis] + (count * np.arange(picked)) // picked) % count
     row = np.arange(draws)[:, np.newaxis]
     wide = np.repeat(others, picked, axis=0).T
-    none, fits = np.zeros((draws, 1)), []
+    none = np.zeros((draws, 1))
+    fits: list[tuple[float, float, Floats] | None] = []
     middles = np.zeros((tests, draws, 1)) if mean is None else mean[..., np.newaxis]
     for test in range(tests):
         if (fell[test] == fell[test, 0, 0]).all():
