@@ -246,8 +246,9 @@ def write_files(folder: Path) -> None:
     (folder / "floor.txt").write_text("# damping 0.05\n0 0.35\n0.4 0.8\n4 0.04\n", "utf-8")
     (folder / "site.csv").write_text("PGV [m/s],rate [1/year]\n0.05,0.1\n5,0.00001\n", "utf-8")
     rows = ["test,record,object,outcome,gain,session"]
-    for number, outcome in ((1, "fell"), (2, "stood"), (3, "stood")):
-        rows += [f"{number},{number},column,{outcome},1,{number}"]
+    outcomes = ((1, "fell"), (2, "stood"), (3, "stood"), (1, "fell"))
+    for number, (record, outcome) in enumerate(outcomes, 1):
+        rows += [f"{number},{record},column,{outcome},1,{(number + 1) // 2}"]
     (folder / "cemetery.csv").write_text(
         "name,outcome,width_m,height_m\na,fell,0.12,0.9\nb,stood,0.5,0.9\n", "utf-8"
     )

@@ -1,7 +1,10 @@
 """One valid call of every public function and method on shaking tests and priors."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 import rocksteady as rs
 from tests.public.things import fields
@@ -89,6 +92,9 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         t["posterior"].of: {"name": "alpha_rad"},
         t["posterior"].interval: {"name": "alpha_rad"},
         t["posterior"].median_values: {},
+        replace(
+            t["posterior"], sessions={"day": np.zeros((len(t["posterior"].weights), 2))}
+        ).session_gain: {"name": "day"},
         t["scores"].describe: {},
         t["scores"].values: {},
         rs.plots.test_ladders: {"calibration": calibration},

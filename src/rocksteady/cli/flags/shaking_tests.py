@@ -12,7 +12,6 @@ from rocksteady.cli.flags.record_files import (
     baseline_flag,
     column_flag,
     dt_s_flag,
-    format_flag,
     resample_flag,
     units_flag,
 )
@@ -62,7 +61,6 @@ class TableFlags:
     records: Path | None = records_flag()
     units: str | None = units_flag()
     dt_s: float | None = dt_s_flag()
-    format: str | None = format_flag()
     column: str | None = column_flag()
     resample: bool = resample_flag()
     baseline: str = baseline_flag()
@@ -112,7 +110,6 @@ class TableFlags:
                 objects=self.objects,
                 units=self.units,
                 dt_s=self.dt_s,
-                format=self.format,
                 column=self.column,
                 resample=self.resample,
                 baseline=self.baseline,

@@ -6,7 +6,7 @@ of short loops over all lanes, written with selects in place of branches, which 
 into vector instructions.  A lane whose trajectory has ended is given the next.  What a lane does
 never depends on the lanes beside it, so neither does the result, to the last bit.
 
-The parts: `_fields` the fields and stages of a lane, `_sides` the constants of the two sides,
+The parts: `_fields` the fields and stages of a lane, `_both_sides` the constants of the two sides,
 `_exp_sincos` exponential and sine, `_newton` steps towards an impact, `_launching` what a flight
 begins with, `_nodes` whether a piece has an impact, `_passes` the order of these loops, `_periods`
 motions that have become periodic, `driver` the loop that drives them; `_arrival`, `_recurrence` and
@@ -63,8 +63,8 @@ chatter elsewhere than the march does changes the number of impacts and nothing 
 
 **Two sides.**  A lane flies in the units of the side that its block is on: y in that side's alpha,
 time by its p.  It holds the constants of both sides, those of the other as differences of bits
-(`core.other_side`), and `_sides.change_sides` exchanges them in the lanes that have just landed
-or lifted off on the other side.  A block by a wall keeps its side: the change of side that a
+(`core.other_side`), and `_both_sides.change_sides` exchanges them in the lanes that have just
+landed or lifted off on the other side.  A block by a wall keeps its side: the change of side that a
 landing makes is taken back.  While all blocks are symmetric nothing is exchanged.  Rest is proved
 as above, on both sides at once: with the longer ``v/c_0``, the larger delta, the larger gain of a
 bounce; the side whose base lifts the block first lifts it.

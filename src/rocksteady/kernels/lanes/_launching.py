@@ -7,8 +7,8 @@ from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.lanes import _fields as lane
+from rocksteady.kernels.lanes._both_sides import other
 from rocksteady.kernels.lanes._fields import LANES, weight
-from rocksteady.kernels.lanes._sides import other
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 WINDOW = 3.0  # times v / (pull (1 - delta)): how long chatter is given to die out

@@ -6,7 +6,7 @@ from rocksteady.kernels.core.clock import clock, side_phase
 from rocksteady.kernels.core.tables import LEAN, Floats, March
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.lanes import _fields as lane
-from rocksteady.kernels.lanes._sides import leaving, load_sides, row_of, turn_to, unit_of
+from rocksteady.kernels.lanes._both_sides import leaving, load_sides, row_of, turn_to, unit_of
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats2
 

@@ -5,8 +5,8 @@ from rocksteady.kernels.core.returns import Passage, leapt, watched
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.lanes import _fields as lane
+from rocksteady.kernels.lanes._both_sides import other
 from rocksteady.kernels.lanes._fields import LANES
-from rocksteady.kernels.lanes._sides import other
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 

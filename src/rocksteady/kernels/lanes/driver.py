@@ -13,12 +13,12 @@ from rocksteady.kernels.core.tables import Floats, March
 from rocksteady.kernels.core.tuples import Cells, Fates, Kept, Starts, Tables, Until
 from rocksteady.kernels.core.typed import ONE
 from rocksteady.kernels.lanes import _fields as lane
+from rocksteady.kernels.lanes._both_sides import change_sides, row_of, unit_of
 from rocksteady.kernels.lanes._fields import FIELDS, LANES
 from rocksteady.kernels.lanes._loading import at_the_end, load, put_lane, taken
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._passes import at_nodes, begin, census, fill_empty, in_need, step
 from rocksteady.kernels.lanes._periods import compare, leap
-from rocksteady.kernels.lanes._sides import change_sides, row_of, unit_of
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Integers1
 from rocksteady.kernels.march.march import linear_march

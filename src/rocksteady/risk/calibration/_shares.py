@@ -97,7 +97,7 @@ class Curves:
     ratio
         Column of it in `others`.
     fits
-        Of each motion middle and width of the load, and coefficients; None where all runs are
+        Middle and width of the load, and coefficients, of each motion; None where all runs are
         alike.
     """
 

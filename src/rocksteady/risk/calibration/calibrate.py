@@ -23,7 +23,6 @@ from rocksteady.risk.calibration._flips import count_flips
 from rocksteady.risk.calibration._identified import LIMIT, parameters_of
 from rocksteady.risk.calibration._importance import Proposal, base_weights, refine, smoothed
 from rocksteady.risk.calibration._predicting import error_warnings
-from rocksteady.risk.calibration._sessions import make_sessions, session_nodes
 from rocksteady.risk.calibration._shares import Curves, fit_curves
 from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.calibration import (
@@ -41,6 +40,7 @@ from rocksteady.risk.calibration.held_out.validate import (
 )
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import DrawOptions
+from rocksteady.risk.calibration.sessions import make_sessions, session_nodes
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.prior import Prior
 from rocksteady.risk.observations.shaking_test import ShakingTest
@@ -324,7 +324,7 @@ def _refuse_alone(tests: Sequence[ShakingTest]) -> None:
         raise InputError(
             "session",
             lone[0],
-            "a session has two tests or more: of one alone its gain cannot be told from its error",
+            "a session has two tests or more: one alone does not separate its gain from its error",
             "put the test in the session it belongs to, or leave its session empty",
         )
 

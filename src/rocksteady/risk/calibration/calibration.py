@@ -330,7 +330,7 @@ class Calibration(Result):
                 for key, words in zip(ends, ("gain", "5 %", "95 %"), strict=True)
             ),
         )
-        return [Table("sessions", rows, columns, title="gains of sessions")] if rows else []
+        return [Table("session_gains", rows, columns, title="gains of sessions")] if rows else []
 
     def _remarks(self) -> list[str]:
         """Return what the verdicts and the temper mean."""

@@ -83,7 +83,16 @@ class Posterior(Result):
         return smoothed(self.untempered_weights)[1]
 
     def session_gain(self, name: str) -> tuple[float, float, float]:
-        """Return median, 5 % and 95 % of the gain of a session, as a factor."""
+        """Return median, 5 % and 95 % of the gain of a session, as a factor.
+
+        Raises
+        ------
+        InputError
+            If there is no session of that name.
+        """
+        if name not in self.sessions:
+            known = ", ".join(self.sessions) or "none"
+            raise InputError("name", name, f"sessions are {known}", "give one of them")
         pair = self.sessions[name]
         mean = float(self.weights @ pair[:, 0])
         deviation = float(np.sqrt(self.weights @ (np.square(pair).sum(axis=1)) - mean * mean))

@@ -60,7 +60,6 @@ def read_tests(
     objects: Path | str | None = None,
     units: str | None = None,
     dt_s: float | None = None,
-    format: str | None = None,  # noqa: A002 -- as for read_record
     column: str | int | None = None,
     resample: bool = False,
     baseline: str = "none",
@@ -81,7 +80,7 @@ def read_tests(
     objects
         Table of objects, whose columns are the keys of `ObjectPrior`; a cell holds a number,
         ``low:high`` or ``mean+-sd``.  Default ``objects.csv`` beside the table of tests.
-    units, dt_s, format, column, resample, baseline
+    units, dt_s, column, resample, baseline
         How all record files are read, as for `read_record`.
 
     Returns
@@ -124,7 +123,6 @@ def read_tests(
         folder,
         units=units,
         dt_s=dt_s,
-        format=format,
         column=column,
         resample=resample,
         baseline=baseline,

@@ -72,7 +72,6 @@ def predict(
         records=records,
         units=reading.units,
         dt_s=reading.dt_s,
-        format=reading.format,
         column=reading.column,
         resample=reading.resample,
         baseline=reading.baseline,
@@ -130,6 +129,7 @@ def _refuse_idle(
             **{k: v for k, v in reading.given.items() if k == "--channel"},
         }
         refuse(idle, "the table of --tests states it", "write it into the table")
+        refuse({"--format": reading.format}, "the format of each file of --tests is recognised")
     else:
         idle = {"--objects": table.objects, "--records": table.records}
         refuse(idle, "without --tests it has no meaning")

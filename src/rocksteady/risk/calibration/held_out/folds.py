@@ -10,7 +10,7 @@ from rocksteady.arrays import Bools, Floats, Integers
 from rocksteady.results.doubts import FEWEST_DRAWS
 
 if TYPE_CHECKING:
-    from rocksteady.risk.calibration._sessions import Sessions
+    from rocksteady.risk.calibration.sessions import Sessions
 
 LADDER = (1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05)
 """Tempers that are compared."""

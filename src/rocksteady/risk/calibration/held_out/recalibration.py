@@ -30,8 +30,9 @@ class Platt:
         """Return recalibrated probabilities."""
         if self == PLAIN:
             return p
-        found: Floats = 1.0 / (1.0 + np.exp(-(self.intercept + self.slope * _log_odds(p))))
-        return found
+        line = self.intercept + self.slope * _log_odds(p)
+        probability: Floats = 1.0 / (1.0 + np.exp(-line))
+        return probability
 
 
 PLAIN = Platt()
@@ -59,15 +60,15 @@ def recalibrated(p: Floats, fell: Floats, codes: Integers, *others: Floats) -> l
 
     Outcomes may be nan.
     """
-    found, known = [each.copy() for each in (p, *others)], np.isfinite(fell)
+    results, known = [each.copy() for each in (p, *others)], np.isfinite(fell)
     for group in np.unique(codes):
-        own = codes == group
-        used = known & ~own
+        members = codes == group
+        used = known & ~members
         if used.any():
             line = fit_platt(p[used], fell[used])
-            for made, given in zip(found, (p, *others), strict=True):
-                made[own] = line.of(given[own])
-    return found
+            for result, given in zip(results, (p, *others), strict=True):
+                result[members] = line.of(given[members])
+    return results
 
 
 def it_helps(p: Floats, fell: Floats, codes: Integers) -> bool:

@@ -190,9 +190,9 @@ def validate_trial(
         )
     scores = {name: scored(p) for name, p in zip(ROWS, rules, strict=True)}
     if scores["calibrated"].brier[0] >= scores["base rate"].brier[0]:
-        own, rate = (number(scores[name].brier[0]) for name in ("calibrated", "base rate"))
+        score, rate = (number(scores[name].brier[0]) for name in ("calibrated", "base rate"))
         warnings.append(
-            f"held-out predictions are no better than the base rate: Brier score {own}, by the "
+            f"held-out predictions are no better than the base rate: Brier score {score}, by the "
             f"base rate {rate}: doubt the prior of the outline, or the model"
         )
     residuals = _residuals(held.p, trial.fell, tests)

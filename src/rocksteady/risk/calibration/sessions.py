@@ -28,7 +28,7 @@ class Sessions:
     Attributes
     ----------
     names
-        Of the sessions.
+        Names of the sessions.
     member
         Number of the session of each test, -1 of none and of a test with a measured peak, shape
         (tests,).
@@ -68,14 +68,14 @@ class Sessions:
 
     def gains(self) -> dict[str, Floats]:
         """Return mean and deviation of ln(gain) of each session at each draw, shape (draws, 2)."""
-        found = {}
+        gains = {}
         for number, name in enumerate(self.names):
             _, logs, prior = self.likelihoods(number)
             _, weights = _posterior(prior + logs.sum(axis=0))
             mean = (weights * self.gain).sum(axis=1)
             square = (weights * np.square(self.gain - mean[:, np.newaxis])).sum(axis=1)
-            found[name] = np.column_stack([mean, np.sqrt(square)])
-        return found
+            gains[name] = np.column_stack([mean, np.sqrt(square)])
+        return gains
 
     def condition(self, evidence: Evidence, codes: Integers) -> Evidence:
         """Return the evidence with each test seen from the other groups of its session.
@@ -87,7 +87,7 @@ class Sessions:
         Parameters
         ----------
         evidence
-            Of the object whose sessions they are.
+            Evidence of the object whose sessions they are.
         codes
             Group of each test of the object, shape (tests,).
         """
@@ -102,9 +102,9 @@ class Sessions:
             total += whole
             logs[:, tests] = 0.0
             for group in np.unique(codes[tests]):
-                own = codes[tests] == group
-                rest, weights = _posterior(every - each[own].sum(axis=0))
-                places = tests[own]
+                members = codes[tests] == group
+                rest, weights = _posterior(every - each[members].sum(axis=0))
+                places = tests[members]
                 logs[:, places] = ((whole - rest) / len(places))[:, np.newaxis]
                 p = np.einsum("tdn,dn->dt", self.falls[self.column[places]], weights)
                 share[:, places] = (1.0 - outliers) * p + 0.5 * outliers
@@ -125,9 +125,9 @@ def session_nodes(deviation: Floats, ratio: float) -> tuple[Floats, Floats, Floa
     Parameters
     ----------
     deviation
-        Of ln(gain) between sessions, shape (draws,).
+        Standard deviation of ln(gain) between sessions, shape (draws,).
     ratio
-        Of the restitution between sessions.
+        Standard deviation of the restitution between sessions.
 
     Returns
     -------
@@ -162,7 +162,7 @@ def make_sessions(
     tests
         All tests of the object.
     curves
-        Of its motions.
+        Curves of its motions.
     motion, shift
         Motion of each test, and ln of its gain over that of the motion's runs, shape (tests,).
     sigma
