@@ -10,8 +10,8 @@ from rocksteady import Linear, Record, calibrate
 from rocksteady.calibration import DrawOptions, ObjectPrior, Observations, ShakingTest
 from rocksteady.errors import InputError
 from rocksteady.risk.calibration._draw_runs import shared_runs
+from rocksteady.risk.calibration._sessions import Sessions, session_nodes
 from rocksteady.risk.calibration.held_out.folds import Evidence, hold_out
-from rocksteady.risk.calibration.sessions import Sessions, session_nodes
 
 
 def evidence(tests: int = 8, draws: int = 5) -> Evidence:

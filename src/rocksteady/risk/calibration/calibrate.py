@@ -23,6 +23,7 @@ from rocksteady.risk.calibration._flips import count_flips
 from rocksteady.risk.calibration._identified import LIMIT, parameters_of
 from rocksteady.risk.calibration._importance import Proposal, base_weights, refine, smoothed
 from rocksteady.risk.calibration._predicting import error_warnings
+from rocksteady.risk.calibration._sessions import make_sessions, session_nodes
 from rocksteady.risk.calibration._shares import Curves, fit_curves
 from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.calibration import (
@@ -40,7 +41,6 @@ from rocksteady.risk.calibration.held_out.validate import (
 )
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import DrawOptions
-from rocksteady.risk.calibration.sessions import make_sessions, session_nodes
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.prior import Prior
 from rocksteady.risk.observations.shaking_test import ShakingTest

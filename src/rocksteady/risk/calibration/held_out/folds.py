@@ -2,15 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
 from rocksteady.arrays import Bools, Floats, Integers
 from rocksteady.results.doubts import FEWEST_DRAWS
-
-if TYPE_CHECKING:
-    from rocksteady.risk.calibration.sessions import Sessions
 
 LADDER = (1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05)
 """Tempers that are compared."""
@@ -20,6 +17,16 @@ LEAST_FOLDS = 10
 """With fewer the error of a score is not known well enough, and the temper stays at 1."""
 MOST_WEIGHTS = 6_000_000
 """Numbers of one array of weights: held-out folds are computed in parts."""
+
+
+class Shared(Protocol):
+    """What tests of a session share."""
+
+    def gains(self) -> dict[str, Floats]:
+        """Return mean and deviation of ln(gain) of each session at each draw."""
+
+    def condition(self, evidence: "Evidence", codes: Integers) -> "Evidence":
+        """Return the evidence with each test seen from the other groups of its session."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -47,7 +54,7 @@ class Evidence:
     share: Floats
     tests: Integers
     total: Floats | None = None
-    sessions: "Sessions | None" = None
+    sessions: "Shared | None" = None
 
     @property
     def joint(self) -> Floats:
