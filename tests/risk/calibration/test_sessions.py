@@ -38,7 +38,7 @@ def evidence(tests: int = 8, draws: int = 5) -> Evidence:
 def test_leaving_a_group_out_is_the_sum_over_all_that_is_not_known() -> None:
     made, codes = evidence(), np.array([0, 0, 0, 0, 1, 1, 2, 2])
     shared = made.sessions
-    assert shared is not None
+    assert isinstance(shared, Sessions)
     prior = np.exp(shared.weight[0])
     p = 0.97 * shared.falls + 0.015
     likely = np.where(shared.fell[:, None, None] > 0.0, p, 1.0 - p)
