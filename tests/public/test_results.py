@@ -167,7 +167,7 @@ WITHOUT = {
 """Results that have no picture, and why."""
 
 
-def classes(kind: type = Result) -> Iterator[type[Result]]:
+def classes(kind: Any = Result) -> Iterator[type[Result]]:
     """Yield every class of results that can be made; bases of several are in private modules."""
     for each in kind.__subclasses__():
         private = each.__module__.rpartition(".")[2].startswith("_")
@@ -247,10 +247,8 @@ def _drawable(made: dict[str, Any]) -> dict[str, Any]:
     fitted = {"status": "ok", "median": 0.5, "beta": 0.4, "aic": 20.0}
     drawable["RegionBoundaries"] = rs.orbits.compute_region_boundaries([3.0, 4.0], 0.8)
     drawable["BasinEntropies"] = made["shares"].entropies(3)
-    few = {"angles": [0.0, 0.3, 0.6], "velocities": [0.0, 0.4], "max_cycles": 100}
-    shares = rs.basins.compute_basin_shares(
-        block, motion, "amplitude", [1.0, 1.1], sampling=rs.basins.SamplingOptions(**few)
-    )
+    few = rs.basins.SamplingOptions(angles=[0.0, 0.3, 0.6], velocities=[0.0, 0.4], max_cycles=100)
+    shares = rs.basins.compute_basin_shares(block, motion, "amplitude", [1.0, 1.1], sampling=few)
     drawable["BasinFamily"] = next(each for each in shares.families if any(each.orbits))
     drawable["BasinAttractor"] = drawable["BasinFamily"].typical
     drawable["Measures"] = rs.compute_measures(made["record"])

@@ -88,7 +88,7 @@ class Rows:
 
 @checked
 def plot_rows(result: Listed, ax: "Axes | None" = None, *, most: int = 20) -> "Axes":
-    """Draw each row of a result as a bar with its value beside it, the worst on top.
+    """Draw each row of a result as a bar with its value, the worst on top.
 
     A dashed line is the limit of the rows. A thin line with a dot is an interval: Wilson's of a
     share, one standard error of the entropy of balls, the range of a smooth boundary.

@@ -227,7 +227,7 @@ def _mapped(found: RegionBoundaries) -> RegionMap:
             "curves",
             found,
             "a picture takes two or more ascending frequency ratios, one restitution and one order",
-            "call compute_region_boundaries(np.linspace(0.1, 14.0, 300), 0.8)",
+            "give one array of frequency ratios and one restitution",
         )
     none = np.full(ratios.shape, np.nan)
     return RegionMap(

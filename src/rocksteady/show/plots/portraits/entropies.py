@@ -85,7 +85,7 @@ def plot_basin_entropies(entropies: BasinEntropies, ax: "Axes | None" = None) ->
 
 @checked
 def plot_uncertainty(exponent: UncertaintyExponent, ax: "Axes | None" = None) -> "Axes":
-    """Draw the share of uncertain states, or boxes, over the error of a state, with the fit.
+    """Draw the share of uncertain states or boxes over the error, with the fit.
 
     The smoother the boundary, the steeper the line: of slope 1 for a smooth one. Sizes at which
     nothing is uncertain have no dot.
