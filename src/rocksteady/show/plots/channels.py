@@ -1,5 +1,6 @@
 """Plot of the channels of a station, one above the other."""
 
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -7,6 +8,7 @@ import numpy as np
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.motions.record import Record
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.pairing import RecordSet
 from rocksteady.results.numbers import number
@@ -27,7 +29,7 @@ LONGEST = 22
 
 
 @checked
-def plot_channels(channels: RecordSet, ax: "Axes | None" = None) -> "Axes":
+def plot_channels(channels: RecordSet | Sequence[Record], ax: "Axes | None" = None) -> "Axes":
     """Draw the accelerations of all channels of a station, one above the other.
 
     All have one scale, and the peak of each stands beside it. Channels are shifted to their own
@@ -36,7 +38,7 @@ def plot_channels(channels: RecordSet, ax: "Axes | None" = None) -> "Axes":
     Parameters
     ----------
     channels
-        From `rocksteady.records.pair_records`.
+        From `rocksteady.records.pair_records`; or records, which begin together.
     ax
         Axes to draw on; default: axes of a new figure.
 
@@ -53,57 +55,51 @@ def plot_channels(channels: RecordSet, ax: "Axes | None" = None) -> "Axes":
 
     Examples
     --------
-    >>> from pathlib import Path
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import Record
-    >>> from rocksteady.records import Recording, RecordSet
-    >>> east = Recording(
-    ...     record=Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1),
-    ...     format="csv",
-    ...     path=Path("hut.csv"),
-    ...     units_in_file="m/s2",
-    ...     component="E",
-    ... )
-    >>> axes = plot_channels(RecordSet(name="hut", horizontal=(east,)), Figure().add_subplot())
-    >>> [name.get_text() for name in axes.get_yticklabels()], axes.texts[0].get_text()
-    (['E'], 'peak 0.306 g')
+    >>> east = Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1, name="east")
+    >>> axes = plot_channels([east, east.scaled(0.5)], Figure().add_subplot())
+    >>> [text.get_text() for text in axes.texts]
+    ['peak 0.306 g', 'peak 0.153 g']
     """
-    recordings = channels.recordings
-    if not recordings:
+    rows = list(_rows(channels))
+    if not rows:
         raise ModelError(
-            "channels",
-            Words("are none"),
-            "a picture takes one or more",
-            "pair records first",
+            "channels", Words("are none"), "a picture takes one or more", "pair records first"
         )
     axes = axes_or_new(ax)
     inks, small = inks_of(axes), text_size(axes, 8.0)
-    peaks = [each.record.peak_acceleration_m_s2 / STANDARD_GRAVITY for each in recordings]
-    step = APART * max(peaks)
-    end = 0.0
-    for row, (each, start, peak) in enumerate(
-        zip(recordings, channels.starts_s, peaks, strict=True)
-    ):
-        foot = -row * step
-        values = each.record.acceleration_m_s2 / STANDARD_GRAVITY
-        times = start + each.record.dt_s * np.arange(len(values))
+    peaks = [record.peak_acceleration_m_s2 / STANDARD_GRAVITY for _, _, record in rows]
+    feet = [-row * APART * max(peaks) for row in range(len(rows))]
+    ends = []
+    for (_, start, record), foot, peak in zip(rows, feet, peaks, strict=True):
+        values = record.acceleration_m_s2 / STANDARD_GRAVITY
+        times = start + record.dt_s * np.arange(len(values))
         axes.axhline(foot, color=inks.hair, lw=0.6, zorder=1.0)
         axes.plot(times, values + foot, color=inks.base, lw=0.8 * line_scale(axes))
         write_beside(axes, f"peak {number(peak)} g", foot, inks.ink, small, of_row=True)
-        end = max(end, float(times[-1]))
-    names = [literal(palette.shortened(_name(each), LONGEST)) for each in recordings]
-    axes.set_yticks([-row * step for row in range(len(names))], names)
+        ends.append(float(times[-1]))
+    axes.set_yticks(feet, [literal(palette.shortened(name, LONGEST)) for name, _, _ in rows])
     axes.tick_params(axis="y", length=0.0)
     axes.grid(visible=False, axis="y")
-    axes.set(
-        xlabel=palette.LABELS["seconds"],
-        xlim=(0.0, end),
-        ylim=(-(len(names) - 0.5) * step, 0.5 * step),
-    )
+    half = 0.5 * APART * max(peaks)
+    axes.set(xlabel=palette.LABELS["seconds"], xlim=(0.0, max(ends)), ylim=(feet[-1] - half, half))
     return axes
 
 
-def _name(channel: Recording) -> str:
+def _rows(channels: RecordSet | Sequence[Record]) -> Iterator[tuple[str, float, Record]]:
+    """Yield name, start [s] and record of each channel."""
+    if isinstance(channels, RecordSet):
+        for each, start in zip(channels.recordings, channels.starts_s, strict=True):
+            yield _direction(each), start, each.record
+        return
+    for place, record in enumerate(channels):
+        yield record.name or f"record {place + 1}", 0.0, record
+
+
+def _direction(channel: Recording) -> str:
     """Return the direction of a channel in words, else the name of its file."""
+    if channel.azimuth_deg is not None:
+        return f"{channel.orientation or 'azimuth'} {channel.azimuth_deg:g}°"
     words = (channel.orientation, channel.component)
     return " ".join(word for word in words if word) or channel.path.stem
