@@ -262,7 +262,7 @@ def plot_multipliers(
     return axes
 
 
-def _orbits_of(found: BasinAttractor | BasinFamily) -> list[Orbit]:
+def _orbits_of(attractor: BasinAttractor | BasinFamily) -> list[Orbit]:
     """Return the orbit of an attractor, or that of a family at each value.
 
     Raises
@@ -270,11 +270,11 @@ def _orbits_of(found: BasinAttractor | BasinFamily) -> list[Orbit]:
     ModelError
         If there is none.
     """
-    known = found.orbits if isinstance(found, BasinFamily) else (found.orbit,)
+    known = attractor.orbits if isinstance(attractor, BasinFamily) else (attractor.orbit,)
     orbits = [orbit for orbit in known if orbit is not None]
     if not orbits:
         raise ModelError(
-            "motions", Words("has no orbit"), f"{found.name} strikes nowhere", "plot its basin"
+            "motions", Words("has no orbit"), f"{attractor.name} strikes nowhere", "plot its basin"
         )
     return orbits
 

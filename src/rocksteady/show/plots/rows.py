@@ -70,7 +70,7 @@ class Rows:
     bars
         The worst first.
     label
-        Of the axis, with its unit.
+        Label of the axis, with its unit.
     limit
         Where a dashed line stands, and its name.
     share
@@ -169,60 +169,63 @@ def draw_interval(axes: "Axes", place: float, value: float, ends: tuple[float, f
     axes.plot(value, place, "o", ms=5.0 * width, color=inks.ink, mec=inks.paper, clip_on=False)
 
 
-def _entropy(found: BasinEntropy) -> Rows:
+def _entropy(entropy: BasinEntropy) -> Rows:
     """Return both entropies, with that above which a boundary is fractal."""
-    pairs = (("boundary boxes", found.boundary_entropy), ("all boxes", found.entropy))
+    pairs = (("boundary boxes", entropy.boundary_entropy), ("all boxes", entropy.entropy))
     bars = [Row(name, value, number(value)) for name, value in pairs if math.isfinite(value)]
     level, words = FRACTAL
     return Rows(bars, NATS, (level, words.replace("\n", " ")))
 
 
-def _boundary(found: BoundaryCheck) -> Rows:
+def _boundary(check: BoundaryCheck) -> Rows:
     """Return the entropy of the balls beside that of a smooth boundary."""
-    smooth, error = found.smooth_entropy, found.standard_error
-    middle, most = found.boundary_entropy, smooth + error + found.bias
+    smooth, error = check.smooth_entropy, check.standard_error
+    middle, most = check.boundary_entropy, smooth + error + check.bias
     bars = [
-        Row(f"balls: {found.verdict}", middle, number(middle), (middle - error, middle + error)),
+        Row(f"balls: {check.verdict}", middle, number(middle), (middle - error, middle + error)),
         Row("smooth boundary", smooth, f"up to {number(most)}", (smooth - error, most)),
     ]
     return Rows(sorted(bars, key=lambda row: -row.value), NATS)
 
 
-def _share(found: BasinShare | FateShare) -> Rows:
+def _share(share: BasinShare | FateShare) -> Rows:
     """Return the share of a window."""
-    name = found.name if isinstance(found, FateShare) else f"basin {found.label}"
-    ends = (found.low, found.high)
-    words = chance(found.share, found.states)
-    return Rows([Row(name, found.share, words, ends)], "share of the window", share=True)
+    name = share.name if isinstance(share, FateShare) else f"basin {share.label}"
+    ends = (share.low, share.high)
+    words = chance(share.share, share.states)
+    return Rows([Row(name, share.share, words, ends)], "share of the window", share=True)
 
 
-def _drop(found: IntegrityDrop) -> Rows:
+def _drop(drop: IntegrityDrop) -> Rows:
     """Return the integrity at both amplitudes, with the level below which it falls."""
     bars = [
         Row(f"A = {number(at, 4)}", value, number(value))
-        for at, value in ((found.low, found.above), (found.high, found.below))
+        for at, value in ((drop.low, drop.above), (drop.high, drop.below))
     ]
-    limit = (found.level, f"level {number(found.level)}")
+    limit = (drop.level, f"level {number(drop.level)}")
     return Rows(bars, palette.LABELS["integrity"], limit)
 
 
-def _formula(found: FormulaAssessment) -> Rows:
+def _formula(assessment: FormulaAssessment) -> Rows:
     """Return the probability of falling by the formula and by runs of this package."""
-    pairs = (("formula", found.probability), ("runs of this package", found.other_probability))
+    pairs = (
+        ("formula", assessment.probability),
+        ("runs of this package", assessment.other_probability),
+    )
     bars = [Row(name, value, chance(value)) for name, value in pairs if value is not None]
     return _falling(bars)
 
 
-def _branches(found: HazardBranchCheck) -> Rows:
+def _branches(check: HazardBranchCheck) -> Rows:
     """Return the probability that the object would have fallen, on each branch."""
     verdicts = ("not rejected", "rejected")
     bars = [
         Row(row["branch"], at, f"{chance(at)}, {verdicts[row['rejected']]}")
-        for row in found.rows()
+        for row in check.rows()
         for at in (row["confidence"],)
     ]
-    limit = (found.level, f"rejected from {number(100.0 * found.level)} %")
-    return _falling(bars, f" within {number(found.age_years)} years", limit)
+    limit = (check.level, f"rejected from {number(100.0 * check.level)} %")
+    return _falling(bars, f" within {number(check.age_years)} years", limit)
 
 
 def _falling(bars: list[Row], when: str = "", limit: tuple[float, str] | None = None) -> Rows:
@@ -231,26 +234,23 @@ def _falling(bars: list[Row], when: str = "", limit: tuple[float, str] | None = 
     return Rows(bars, palette.LABELS["falling"] + when, limit, share=True, risk=True)
 
 
-def _kernels(found: Installation) -> Rows:
+def _kernels(installation: Installation) -> Rows:
     """Return the share of recorded values that each kernel repeats."""
-    checks = sorted(found.checks, key=lambda each: (-each.differing / each.values, each.name))
-    bars = [
-        Row(
-            each.name,
-            1.0 - each.differing / each.values,
-            f"{each.differing:,} of {each.values:,} differ",
-        )
-        for each in checks
+    rows = [
+        (each.differing / max(each.values, 1), each.name, f"{each.differing:,} of {each.values:,}")
+        for each in installation.checks
     ]
+    rows.sort(key=lambda row: (-row[0], row[1]))
+    bars = [Row(name, 1.0 - wrong, f"{counts} differ") for wrong, name, counts in rows]
     return Rows(bars, "recorded values that are repeated, bit for bit", share=True)
 
 
-def _screen(found: Screen) -> Rows:
+def _screen(screen: Screen) -> Rows:
     """Return the threshold of a formula."""
-    value = found.value
+    value = screen.value
     known = value is not None and math.isfinite(value)
-    bars = [Row(found.name, value or 0.0, found.words)] if known else []
-    return Rows(bars, f"threshold or capacity{f' [{found.unit}]' if found.unit else ''}")
+    bars = [Row(screen.name, value or 0.0, screen.words)] if known else []
+    return Rows(bars, f"threshold or capacity{f' [{screen.unit}]' if screen.unit else ''}")
 
 
 _READERS: dict[type, Callable[[Any], Rows]] = {

@@ -212,7 +212,7 @@ def plot_steady_regions(
     return axes
 
 
-def _mapped(found: RegionBoundaries) -> RegionMap:
+def _mapped(boundaries: RegionBoundaries) -> RegionMap:
     """Return boundaries as a map without further curves.
 
     Raises
@@ -220,23 +220,23 @@ def _mapped(found: RegionBoundaries) -> RegionMap:
     InputError
         If they are not over ascending frequencies, of one restitution and order.
     """
-    ratios = found.frequency_ratio
-    single = len({*found.restitution.flat}) == len({*found.order.flat}) == 1
+    ratios = boundaries.frequency_ratio
+    single = len({*boundaries.restitution.flat}) == len({*boundaries.order.flat}) == 1
     if not single or ratios.ndim != 1 or len(ratios) < 2 or not (np.diff(ratios) > 0.0).all():
         raise InputError(
             "curves",
-            found,
+            boundaries,
             "a picture takes two or more ascending frequency ratios, one restitution and one order",
             "give one array of frequency ratios and one restitution",
         )
     none = np.full(ratios.shape, np.nan)
     return RegionMap(
         frequency_ratio=ratios,
-        restitution=float(found.restitution[0]),
-        order=int(found.order[0]),
-        existence=found.existence,
-        sign=found.sign,
-        kind=found.kind,
+        restitution=float(boundaries.restitution[0]),
+        order=int(boundaries.order[0]),
+        existence=boundaries.existence,
+        sign=boundaries.sign,
+        kind=boundaries.kind,
         symmetry_breaking=none,
         heteroclinic=none,
     )
@@ -244,8 +244,8 @@ def _mapped(found: RegionBoundaries) -> RegionMap:
 
 def _known(curves: RegionMap, factor: float) -> dict[str, Floats]:
     """Return each boundary that a map has, times a factor."""
-    found = {name: factor * getattr(curves, name) for name in BOUNDARIES}
-    return {name: curve for name, curve in found.items() if np.isfinite(curve).any()}
+    bounds = {name: factor * getattr(curves, name) for name in BOUNDARIES}
+    return {name: curve for name, curve in bounds.items() if np.isfinite(curve).any()}
 
 
 def draw_regions(

@@ -38,7 +38,7 @@ def draw_outcomes(
     outcomes
         Whether each fell; None where that is not known.
     size
-        Of a mark [points].
+        Size of a mark [points].
     other
         Mark, colour and words of what is not known.
     """
