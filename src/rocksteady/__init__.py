@@ -100,20 +100,9 @@ use_plots(
         ),
         "base",
     )
-    | dict.fromkeys(
-        (
-            "BasinEntropy",
-            "BasinShare",
-            "BoundaryCheck",
-            "FateShare",
-            "FormulaAssessment",
-            "HazardBranchCheck",
-            "Installation",
-            "IntegrityDrop",
-            "Screen",
-        ),
-        "rows",
-    ),
+    | dict.fromkeys(("BasinEntropy", "BasinShare", "BoundaryCheck", "FateShare"), "rows")
+    | dict.fromkeys(("FormulaAssessment", "HazardBranchCheck", "Installation"), "rows")
+    | dict.fromkeys(("IntegrityDrop", "Screen"), "rows"),
     lambda name: getattr(__getattr__("plots"), name),
 )
 use_describer("base motion", "rocksteady.seismic.measures.motion_course")

@@ -64,9 +64,8 @@ def plot_channels(channels: RecordSet | Sequence[Record], ax: "Axes | None" = No
     """
     rows = list(_rows(channels))
     if not rows:
-        raise ModelError(
-            "channels", Words("are none"), "a picture takes one or more", "pair records first"
-        )
+        valid, hint = "a picture takes one or more", "pair records first"
+        raise ModelError("channels", Words("are none"), valid, hint)
     axes = axes_or_new(ax)
     inks, small = inks_of(axes), text_size(axes, 8.0)
     peaks = [record.peak_acceleration_m_s2 / STANDARD_GRAVITY for _, _, record in rows]

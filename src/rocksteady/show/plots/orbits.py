@@ -273,9 +273,8 @@ def _orbits_of(attractor: BasinAttractor | BasinFamily) -> list[Orbit]:
     known = attractor.orbits if isinstance(attractor, BasinFamily) else (attractor.orbit,)
     orbits = [orbit for orbit in known if orbit is not None]
     if not orbits:
-        raise ModelError(
-            "motions", Words("has no orbit"), f"{attractor.name} strikes nowhere", "plot its basin"
-        )
+        valid = f"{attractor.name} strikes nowhere"
+        raise ModelError("motions", Words("has no orbit"), valid, "plot its basin")
     return orbits
 
 

@@ -2,8 +2,7 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rocksteady.dynamics.basins.basins import BasinShare
 from rocksteady.dynamics.basins.erosion import IntegrityDrop
@@ -30,17 +29,9 @@ from rocksteady.show.style.tokens import inks_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Listed = (
-    BasinEntropy
-    | BasinShare
-    | BoundaryCheck
-    | FateShare
-    | FormulaAssessment
-    | HazardBranchCheck
-    | Installation
-    | IntegrityDrop
-    | Screen
-)
+OfBasins = BasinEntropy | BasinShare | BoundaryCheck | FateShare | IntegrityDrop
+Listed = OfBasins | FormulaAssessment | HazardBranchCheck | Installation | Screen
+"""Results that are rows."""
 LONGEST = 32
 """Letters of the name of a row."""
 HIGHEST, FEW = 0.6, 4
@@ -51,8 +42,7 @@ MOST = 200
 """Rows of a picture."""
 
 
-@dataclass(frozen=True)
-class Row:
+class Row(NamedTuple):
     """A bar: its name, its value, the words beside it, and the ends of its interval."""
 
     name: str
@@ -61,22 +51,10 @@ class Row:
     ends: tuple[float, float] | None = None
 
 
-@dataclass(frozen=True)
-class Rows:
-    """Bars in the order in which they are drawn, and their axis.
+class Rows(NamedTuple):
+    """Bars with the worst first, the label of their axis, and the place and name of a limit.
 
-    Attributes
-    ----------
-    bars
-        The worst first.
-    label
-        Label of the axis, with its unit.
-    limit
-        Where a dashed line stands, and its name.
-    share
-        Whether the axis is one of parts of a whole, in per cent.
-    risk
-        Whether the values are probabilities of falling.
+    The axis is in per cent for a `share`; the bars have the colours of risk for one of falling.
     """
 
     bars: list[Row]
@@ -127,12 +105,8 @@ def plot_rows(result: Listed, ax: "Axes | None" = None, *, most: int = 20) -> "A
     most = whole_number("most", most, at_least=1, at_most=MOST, hint="give a number of rows")
     rows = _READERS[type(result)](result)
     if not rows.bars:
-        raise InputError(
-            "result",
-            Words("has no value to draw"),
-            "a bar is a number",
-            "read summary(more=True)",
-        )
+        valid, hint = "a bar is a number", "read summary(more=True)"
+        raise InputError("result", Words("has no value to draw"), valid, hint)
     axes = axes_or_new(ax)
     inks, small = inks_of(axes), text_size(axes, 8.0)
     most = min(most, max(FEW, int(size_of(axes)[1] / (SPACED * small)) - 1))
@@ -191,27 +165,21 @@ def _boundary(check: BoundaryCheck) -> Rows:
 def _share(share: BasinShare | FateShare) -> Rows:
     """Return the share of a window."""
     name = share.name if isinstance(share, FateShare) else f"basin {share.label}"
-    ends = (share.low, share.high)
-    words = chance(share.share, share.states)
-    return Rows([Row(name, share.share, words, ends)], "share of the window", share=True)
+    row = Row(name, share.share, chance(share.share, share.states), (share.low, share.high))
+    return Rows([row], "share of the window", share=True)
 
 
 def _drop(drop: IntegrityDrop) -> Rows:
     """Return the integrity at both amplitudes, with the level below which it falls."""
-    bars = [
-        Row(f"A = {number(at, 4)}", value, number(value))
-        for at, value in ((drop.low, drop.above), (drop.high, drop.below))
-    ]
-    limit = (drop.level, f"level {number(drop.level)}")
-    return Rows(bars, palette.LABELS["integrity"], limit)
+    ends = ((drop.low, drop.above), (drop.high, drop.below))
+    bars = [Row(f"A = {number(at, 4)}", value, number(value)) for at, value in ends]
+    return Rows(bars, palette.LABELS["integrity"], (drop.level, f"level {number(drop.level)}"))
 
 
 def _formula(assessment: FormulaAssessment) -> Rows:
     """Return the probability of falling by the formula and by runs of this package."""
-    pairs = (
-        ("formula", assessment.probability),
-        ("runs of this package", assessment.other_probability),
-    )
+    own, other = assessment.probability, assessment.other_probability
+    pairs = (("formula", own), ("runs of this package", other))
     bars = [Row(name, value, chance(value)) for name, value in pairs if value is not None]
     return _falling(bars)
 
@@ -254,14 +222,8 @@ def _screen(screen: Screen) -> Rows:
 
 
 _READERS: dict[type, Callable[[Any], Rows]] = {
-    BasinEntropy: _entropy,
-    BasinShare: _share,
-    BoundaryCheck: _boundary,
-    FateShare: _share,
-    FormulaAssessment: _formula,
-    HazardBranchCheck: _branches,
-    Installation: _kernels,
-    IntegrityDrop: _drop,
-    Screen: _screen,
-}
+    BasinEntropy: _entropy, BasinShare: _share, BoundaryCheck: _boundary, FateShare: _share,
+    FormulaAssessment: _formula, HazardBranchCheck: _branches, Installation: _kernels,
+    IntegrityDrop: _drop, Screen: _screen,
+}  # fmt: skip
 """By class of a result: what its rows are."""

@@ -231,15 +231,10 @@ def _mapped(boundaries: RegionBoundaries) -> RegionMap:
         )
     none = np.full(ratios.shape, np.nan)
     return RegionMap(
-        frequency_ratio=ratios,
-        restitution=float(boundaries.restitution[0]),
-        order=int(boundaries.order[0]),
-        existence=boundaries.existence,
-        sign=boundaries.sign,
-        kind=boundaries.kind,
-        symmetry_breaking=none,
-        heteroclinic=none,
-    )
+        frequency_ratio=ratios, restitution=float(boundaries.restitution[0]),
+        order=int(boundaries.order[0]), existence=boundaries.existence, sign=boundaries.sign,
+        kind=boundaries.kind, symmetry_breaking=none, heteroclinic=none,
+    )  # fmt: skip
 
 
 def _known(curves: RegionMap, factor: float) -> dict[str, Floats]:

@@ -119,22 +119,18 @@ def plot_uncertainty(exponent: UncertaintyExponent, ax: "Axes | None" = None) ->
     """
     seen = exponent.uncertain > 0
     if not seen.any():
-        raise ModelError(
-            "exponent",
-            Words(f"has no uncertain {exponent.by}"),
-            "the picture is of those near a boundary",
-            "take a window with two basins",
-        )
+        words, hint = Words(f"has no uncertain {exponent.by}"), "take a window with two basins"
+        raise ModelError("exponent", words, "the picture is of those near a boundary", hint)
     axes = axes_or_new(ax)
     inks, size = inks_of(axes), line_scale(axes)
     at, share = exponent.size[seen], exponent.share[seen]
-    words = NOT_IDENTIFIED
+    text = NOT_IDENTIFIED
     if not math.isnan(exponent.exponent):
-        words = f"exponent {exponent.exponent:.3f} ± {exponent.standard_error:.3f}"
+        text = f"exponent {exponent.exponent:.3f} ± {exponent.standard_error:.3f}"
         axes.plot(at, exponent.fitted[seen], color=inks.quiet, lw=1.2 * size, zorder=2.0)
     axes.plot(at, share, "o", color=inks.motion, ms=4.5 * size, zorder=2.5)
     style: dict[str, Any] = {"fontsize": text_size(axes, 8.0), "color": inks.ink, "va": "top"}
-    axes.text(0.03, 0.97, words, transform=axes.transAxes, **style)  # lines rise to the right
+    axes.text(0.03, 0.97, text, transform=axes.transAxes, **style)  # lines rise to the right
     axes.set(
         xscale="log",
         yscale="log",
