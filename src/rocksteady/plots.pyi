@@ -3,6 +3,7 @@
 from .show.film.animation import animate as animate
 from .show.film.still import plot_block as block
 from .show.plots.attractor_kinds import plot_attractor_kinds as attractor_kinds
+from .show.plots.channels import plot_channels as channels
 from .show.plots.branches.bifurcations import plot_bifurcations as bifurcations
 from .show.plots.branches.cascades import plot_cascade as cascade
 from .show.plots.branches.curves import plot_bifurcation_curves as bifurcation_curves
@@ -23,6 +24,7 @@ from .show.plots.observations.residuals import plot_residuals as residuals
 from .show.plots.observations.restitution import plot_restitution as restitution
 from .show.plots.observations.scores import plot_learning as learning
 from .show.plots.observations.scores import plot_temper as temper
+from .show.plots.observations.survey import plot_survey as survey
 from .show.plots.orbits import plot_multipliers as multipliers
 from .show.plots.orbits import plot_poincare_section as poincare_section
 from .show.plots.overturning import plot_free_rocking as free_rocking
@@ -34,6 +36,8 @@ from .show.plots.portraits.basins import plot_basins as basins
 from .show.plots.portraits.basins import plot_erosion as erosion
 from .show.plots.portraits.basins import plot_safe_basin as safe_basin
 from .show.plots.portraits.edges import plot_edge_state as edge_state
+from .show.plots.portraits.entropies import plot_basin_entropies as basin_entropies
+from .show.plots.portraits.entropies import plot_uncertainty as uncertainty
 from .show.plots.portraits.fate_basins import plot_fate_basins as fate_basins
 from .show.plots.portraits.manifolds import plot_manifolds as manifolds
 from .show.plots.portraits.shares import plot_basin_shares as basin_shares
@@ -50,6 +54,7 @@ from .show.plots.risk.objects import plot_objects as objects
 from .show.plots.risk.screens import plot_screens as screens
 from .show.plots.risk.tornado import plot_measure_efficiency as measure_efficiency
 from .show.plots.risk.tornado import plot_tornado as tornado
+from .show.plots.rows import plot_rows as rows
 from .show.plots.spectra import plot_rocking_spectrum as rocking_spectrum
 from .show.plots.spectra import plot_share_that_falls as share_that_falls
 from .show.plots.spectra import plot_spectrum_map as spectrum_map
@@ -65,12 +70,14 @@ __all__ = [
     "attractor_kinds",
     "back_analysis",
     "base",
+    "basin_entropies",
     "basin_shares",
     "basins",
     "bifurcation_curves",
     "bifurcations",
     "block",
     "cascade",
+    "channels",
     "edge_state",
     "erosion",
     "facade_capacity",
@@ -106,6 +113,7 @@ __all__ = [
     "restitution",
     "risk",
     "rocking_spectrum",
+    "rows",
     "safe_basin",
     "screens",
     "share_that_falls",
@@ -114,8 +122,10 @@ __all__ = [
     "steady_regions",
     "steady_states",
     "suite_spectrum",
+    "survey",
     "temper",
     "test_ladders",
     "tornado",
     "trajectory",
+    "uncertainty",
 ]

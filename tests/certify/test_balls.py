@@ -3,6 +3,7 @@
 import math
 from fractions import Fraction
 
+import numpy as np
 import pytest
 from flint import arb, ctx
 from hypothesis import given
@@ -37,6 +38,8 @@ def test_a_decimal_that_is_a_double_is_stated_once() -> None:
         stated("amplitude", "two")
     with pytest.raises(InputError, match="finite number"):
         stated("amplitude", math.inf)
+    with pytest.raises(InputError, match="finite number"):  # of which float() makes a timedelta
+        stated("amplitude", np.timedelta64(3, "s"))  # type: ignore[arg-type]
 
 
 def test_precision_is_set_and_restored_even_after_an_error() -> None:

@@ -211,7 +211,7 @@ def safe(value: Any) -> str:
 
 
 def test_every_public_callable_has_a_valid_call() -> None:
-    handing_on = ("Assessment", "Bifurcation", "BranchPoint", "StateFragility")
+    handing_on = ("Assessment", "Bifurcation", "BranchPoint", "RestingPoint", "StateFragility")
     apart = {"Store.opened", *(f"{name}.plot" for name in handing_on)}
     assert {label.split(" of ")[0] for label in calls()} == public_callables() - apart
 

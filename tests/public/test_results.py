@@ -3,7 +3,10 @@
 import contextlib
 import copy
 import dataclasses
+import importlib
+import inspect
 import pickle
+import pkgutil
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -151,6 +154,45 @@ MOTIONS = {
 """Classes of base motions."""
 
 
+WITHOUT = {
+    "Certificate": "a claim and its verdict, in words",
+    "CheckedCertificate": "a verdict, in words",
+    "Posterior": "plots.posterior draws it beside the prior, from the calibration",
+    "Prior": "defaults of many objects, in unlike units",
+    "Scores": "of some scores large values are good, of others small ones",
+    "StoredPosterior": "as Posterior",
+    "Validation": "plots.reliability draws it, from the calibration",
+    "VectorCurve": "a surface over two measures or more",
+}
+"""Results that have no picture, and why."""
+
+
+def classes(kind: Any = Result) -> Iterator[type[Result]]:
+    """Yield every class of results that can be made; bases of several are in private modules."""
+    for each in kind.__subclasses__():
+        private = each.__module__.rpartition(".")[2].startswith("_")
+        if not inspect.isabstract(each) and not private and each.__module__[:11] == "rocksteady.":
+            yield each
+        yield from classes(each)
+
+
+def test_every_class_of_results_and_motions_has_the_four(made: dict[str, Any]) -> None:
+    for module in pkgutil.walk_packages(rs.__path__, "rocksteady."):
+        if "__main__" not in module.name:
+            importlib.import_module(module.name)
+    found = set(classes())
+    assert len(found) > 90
+    assert {type(each) for each in made.values() if isinstance(each, Result)} <= found
+    for kind in found:
+        for name in ("summary", "_repr_html_"):
+            assert callable(getattr(kind, name)), kind
+        assert hasattr(kind, "to_dataframe") or hasattr(kind, "to_dataset"), kind
+    own = {kind.__name__ for kind in found if kind.plot is not Result.plot}
+    drawn = {kind.__name__ for kind in found} & (own | set(results._plots))
+    assert {kind.__name__ for kind in found} - drawn == set(WITHOUT)
+    assert not drawn & set(WITHOUT)
+
+
 def test_every_result_and_every_motion_describes_itself(made: dict[str, Any]) -> None:
     described = {type(each): each for each in made.values() if isinstance(each, Result)}
     assert set(described) >= MOTIONS
@@ -203,11 +245,23 @@ def _drawable(made: dict[str, Any]) -> dict[str, Any]:
     )
     drawable["BifurcationCurve"] = curves.curves[0]
     fitted = {"status": "ok", "median": 0.5, "beta": 0.4, "aic": 20.0}
+    drawable["RegionBoundaries"] = rs.orbits.compute_region_boundaries([3.0, 4.0], 0.8)
+    drawable["BasinEntropies"] = made["shares"].entropies(3)
+    few = rs.basins.SamplingOptions(angles=[0.0, 0.3, 0.6], velocities=[0.0, 0.4], max_cycles=100)
+    shares = rs.basins.compute_basin_shares(block, motion, "amplitude", [1.0, 1.1], sampling=few)
+    drawable["BasinFamily"] = next(each for each in shares.families if any(each.orbits))
+    drawable["BasinAttractor"] = drawable["BasinFamily"].typical
+    drawable["Measures"] = rs.compute_measures(made["record"])
+    drawable["BasinShare"] = made["basins"].fractions()[0]
+    drawable["FateShare"] = made["fates"].fractions()[0]
+    drawable["IntegrityDrop"] = rs.basins.IntegrityDrop(
+        measure="integrity_factor", level=0.5, low=0.4, high=0.5, above=0.6, below=0.3
+    )
     drawable["Efficiency"] = dataclasses.replace(made["efficiency"], **fitted)
     return drawable
 
 
-SHAPES = {"Block", "DimensionlessBlock"}
+SHAPES = {"Block", "DescribedObject", "DimensionlessBlock", "ObjectFacts", "ObjectPrior"}
 """Pictures of a shape, without axes."""
 
 

@@ -47,11 +47,11 @@ def stated(name: str, value: str | float | Fraction) -> Stated:
     >>> stated("amplitude", 2.5), len(stated("amplitude", "0.8"))
     (('2.5',), 2)
     """
-    text = str(value) if isinstance(value, str | Fraction) else repr(float(value))
     try:
+        text = str(value) if isinstance(value, str | Fraction) else repr(float(value))
         written = checker.exact(text)
         double = Fraction(float(written))
-    except (ValueError, OverflowError, ZeroDivisionError):
+    except (TypeError, ValueError, OverflowError, ZeroDivisionError):
         raise InputError(
             name, value, "it must be a finite number", "give a decimal, as 2.65"
         ) from None

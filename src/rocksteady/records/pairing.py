@@ -72,6 +72,14 @@ class RecordSet(Result):
         vertical = () if self.vertical is None else (self.vertical,)
         return (*self.horizontal, *vertical, *self.other)
 
+    @property
+    def starts_s(self) -> tuple[float, ...]:
+        """Time by which each of `recordings` begins after the first [s]; 0 unless all state it."""
+        starts = [each.start_time for each in self.recordings if each.start_time is not None]
+        if len(starts) < len(self.recordings):
+            return (0.0,) * len(self.recordings)
+        return tuple((start - min(starts)).total_seconds() for start in starts)
+
     def describe(self) -> Description:
         """Return the channels, and what keeps them from being used together."""
         rows = [
@@ -157,7 +165,7 @@ class RecordSet(Result):
                 f"the channels of {self.name} have different intervals between samples",
                 "bring them to one first (rocksteady.records.resample)",
             )
-        shifts = _shifts(channels)
+        shifts = _shifts(self)
         ends = [
             shift + len(recording.record.acceleration_m_s2)
             for shift, recording in zip(shifts, channels, strict=True)
@@ -318,15 +326,11 @@ def _doubts(channels: tuple[Recording, ...]) -> tuple[str, ...]:
     return tuple(doubts)
 
 
-def _shifts(channels: tuple[Recording, ...]) -> list[int]:
+def _shifts(channels: "RecordSet") -> list[int]:
     """Return by how many samples each channel begins after the first one."""
-    starts = [recording.start_time for recording in channels if recording.start_time is not None]
-    if len(starts) < len(channels):
-        return [0] * len(channels)
-    earliest = min(starts)
     return [
-        round((start - earliest).total_seconds() / recording.record.dt_s)
-        for start, recording in zip(starts, channels, strict=True)
+        round(start / recording.record.dt_s)
+        for start, recording in zip(channels.starts_s, channels.recordings, strict=True)
     ]
 
 

@@ -1,8 +1,10 @@
 """Numbers of every picture, read back from what is drawn and compared with the result."""
 
 import contextlib
+import dataclasses
 import math
 from collections.abc import Callable, Iterator
+from datetime import UTC, datetime
 from typing import Any
 
 import numpy as np
@@ -32,6 +34,15 @@ def everything() -> dict[str, Any]:
     made["weak"] = rs.compute_rocking_spectrum(
         made["record"].scaled(0.5), alpha=[0.1, 0.3], periods_s=[1.0, 2.0, 4.0]
     )
+    early, late = (
+        dataclasses.replace(
+            made["recording"],
+            start_time=datetime(2020, 1, 1, 0, 0, 0, start, tzinfo=UTC),
+            record=made["record"].scaled(factor),
+        )
+        for start, factor in ((0, 1.0), (250_000, 2.0))
+    )
+    made["two channels"] = rs.records.RecordSet(name="made", horizontal=(early, late))
     return made
 
 
@@ -113,6 +124,28 @@ def residuals(t: dict[str, Any]) -> list[float]:
     return list(rows.values())
 
 
+def mixed(share: float) -> float:
+    """Return the entropy of two labels of which one has this share [nats]."""
+    return -share * math.log(share) - (1.0 - share) * math.log(1.0 - share)
+
+
+def entropies_of(t: dict[str, Any]) -> list[float]:
+    """Return the entropy of the whole window, as one box, at each value."""
+    windows = (np.unique(label, return_counts=True)[1] for label in t["shares"].label)
+    return [float(-(n / n.sum() * np.log(n / n.sum())).sum()) for n in windows]
+
+
+def line_of(t: dict[str, Any]) -> np.ndarray:
+    """Return the least squares line through the logarithms of what is uncertain."""
+    size, share = t["exponent"].size, t["exponent"].uncertain / t["exponent"].total
+    return np.exp(np.polyval(np.polyfit(np.log(size), np.log(share), 1), np.log(size)))
+
+
+def peak_of(t: dict[str, Any]) -> float:
+    """Return the PGA of the record [g]."""
+    return float(np.abs(t["record"].acceleration_m_s2).max()) / G
+
+
 Case = Callable[[dict[str, Any]], tuple[dict[str, Any], list[ArrayLike]]]
 
 CASES: dict[str, Case] = {
@@ -127,6 +160,59 @@ CASES: dict[str, Case] = {
     "plot_assessment": lambda t: (
         {"assessment": t["assessed runs"]},
         [[0.3, 0.3], fallen_by_level(t["assessed runs"].fragility)],
+    ),
+    "plot_basin_entropies": lambda t: (
+        {"entropies": t["shares"].entropies(3)},
+        [t["shares"].values, entropies_of(t)],
+    ),
+    "plot_uncertainty": lambda t: (
+        {"exponent": t["exponent"]},
+        [t["exponent"].size, t["exponent"].uncertain / t["exponent"].total, line_of(t)],
+    ),
+    "plot_rows": lambda t: (
+        {"result": t["branch test"]},
+        [[float(1.0 - survival) for survival in t["branch test"].survival]],
+    ),
+    "plot_rows entropy": lambda t: ({"result": t["entropy"]}, [[mixed(0.25)]]),
+    "plot_rows share": lambda t: (
+        {"result": t["basins"].fractions()[0]},
+        [
+            [float((t["basins"].label == 0).mean())],
+            wilson(np.array([(t["basins"].label == 0).mean()]), t["basins"].label.size),
+        ],
+    ),
+    "plot_channels": lambda t: (
+        {"channels": t["two channels"]},
+        [
+            np.asarray(t["record"].acceleration_m_s2) / G,
+            2.0 * np.asarray(t["record"].acceleration_m_s2) / G - 2.2 * 2.0 * peak_of(t),
+            0.25 + 0.05 * np.arange(60),
+        ],
+    ),
+    "plot_survey": lambda t: (
+        {"survey": t["survey"]},
+        [
+            [math.atan(0.11 / 0.5)],
+            [math.atan(0.2 / 0.5)],
+            [math.hypot(0.055, 0.25)],
+            [math.hypot(0.1, 0.25)],
+        ],
+    ),
+    "plot_survey tests": lambda t: (
+        {"survey": t["observations"]},
+        [[0.5 * peak_of(t)], [1.5 * peak_of(t)]],
+    ),
+    "plot_integrated_record m": lambda t: (
+        {"course": rs.compute_measures(t["record"])},
+        [np.asarray(t["record"].acceleration_m_s2) / G],
+    ),
+    "plot_facade_capacity m": lambda t: (
+        {"check": t["mechanism"]},
+        [[0.0, 1e3 * t["facade"].mechanism.d0_m], [t["facade"].mechanism.a0_g, 0.0]],
+    ),
+    "plot_steady_regions b": lambda t: (
+        {"curves": rs.orbits.compute_region_boundaries([3.0, 4.0], 0.8)},
+        [t["regions"].existence, t["regions"].kind, t["regions"].sign],
     ),
     "plot_basin_shares": lambda t: (
         {"shares": t["shares"]},

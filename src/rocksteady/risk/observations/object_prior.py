@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.kernels.elementary.arrays import atan2
+from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
@@ -189,13 +189,35 @@ class ObjectPrior(Result):
     @property
     def outline_alpha_rad(self) -> float:
         """Slenderness that the sizes show [rad]: of an outline its own, not that of its base."""
-        middle = {key: spread.middle for key, spread in self.spreads.items()}
+        middle = self._middle
+        return middle["alpha_rad"] if "alpha_rad" in middle else atan2(*self._lever)
+
+    @property
+    def outline_radius_m(self) -> float:
+        """Half-diagonal that the sizes show [m]: of an outline its own, not that of its base."""
+        middle = self._middle
+        if "alpha_rad" in middle:
+            return Block.from_p(alpha=middle["alpha_rad"], p=middle["p_rad_s"]).radius
+        return hypot(*self._lever)
+
+    @property
+    def middle_block(self) -> Block:
+        """Block of the middle of each spread."""
+        return self.block([self.spreads[key].middle for key in self.parameters])
+
+    @property
+    def _middle(self) -> dict[str, float]:
+        """Middle of each spread."""
+        return {key: spread.middle for key, spread in self.spreads.items()}
+
+    @property
+    def _lever(self) -> tuple[float, float]:
+        """Horizontal and vertical distance of the mass centre from the edge that is nearer [m]."""
+        middle = self._middle
         if "base" in middle:
             centre = middle.get("mass_centre_height_m", 0.5 * middle["height_m"])
-            return atan2(0.5 * middle["width_m"], centre)
-        if "alpha_rad" in middle:
-            return middle["alpha_rad"]
-        return atan2(min(middle["left_m"], middle["right_m"]), middle["mass_centre_height_m"])
+            return 0.5 * middle["width_m"], centre
+        return min(middle["left_m"], middle["right_m"]), middle["mass_centre_height_m"]
 
     def with_defaults(self, others: Mapping[str, PriorRange]) -> "ObjectPrior":
         """Return the object with other spreads where its own are defaults.

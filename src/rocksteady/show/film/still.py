@@ -9,6 +9,9 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import finite, positive
+from rocksteady.risk.assess.described.facts import ObjectFacts
+from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.show.film._model import draw_model
 from rocksteady.show.film._scene import GLOW, BlockScene
 from rocksteady.show.style.layout import axes_or_new
@@ -16,10 +19,13 @@ from rocksteady.show.style.layout import axes_or_new
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+Described = DescribedObject | ObjectFacts | ObjectPrior
+"""What has a block: of a range, or a spread, its middle."""
+
 
 @checked
 def plot_block(
-    trajectory: Trajectory | Block | DimensionlessBlock,
+    trajectory: Trajectory | Block | DimensionlessBlock | Described,
     ax: "Axes | None" = None,
     *,
     pt: float = 0.0,
@@ -45,7 +51,8 @@ def plot_block(
     Parameters
     ----------
     trajectory
-        From `rocksteady.simulate`; or a block alone.
+        From `rocksteady.simulate`; or a block alone, a described object or a prior of one, of whose
+        ranges the middle is drawn.
     ax
         Axes to draw on, whose limits are set; default: axes of a new figure.
     pt
@@ -80,6 +87,10 @@ def plot_block(
     """
     time = finite("pt", pt, hint="give a pivot time p t")
     lasts = positive("glow", glow, hint="give the pivot time for which an impact is seen")
+    if isinstance(trajectory, ObjectPrior):
+        trajectory = trajectory.middle_block
+    if isinstance(trajectory, DescribedObject | ObjectFacts):
+        trajectory = trajectory.block
     if not isinstance(trajectory, Trajectory):
         axes = axes_or_new(ax)
         draw_model(axes, trajectory, alpha)

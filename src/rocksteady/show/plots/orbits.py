@@ -7,9 +7,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.basins.labels import BasinAttractor
+from rocksteady.dynamics.basins.over.families import BasinFamily
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.dynamics.orbits.attractor import Attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.errors import ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
@@ -49,7 +52,7 @@ MARKERS = {1: "^", -1: "v"}
 
 @checked
 def plot_poincare_section(
-    motions: Orbit | Iterable[Orbit] | Attractor | Trajectory,
+    motions: Orbit | Iterable[Orbit] | Attractor | BasinAttractor | BasinFamily | Trajectory,
     ax: "Axes | None" = None,
     *,
     since: float = 0.0,
@@ -68,7 +71,8 @@ def plot_poincare_section(
     ----------
     motions
         From `rocksteady.find_orbits`, from `rocksteady.find_attractor`, or from
-        `rocksteady.simulate` under harmonic shaking; one orbit or several.
+        `rocksteady.simulate` under harmonic shaking; one orbit or several.  Of an attractor of
+        basins its orbit, and of one followed over a parameter that at each value.
     ax
         Axes to draw on; default: axes of a new figure.
     since
@@ -86,7 +90,7 @@ def plot_poincare_section(
     Raises
     ------
     ModelError
-        If the shaking of a trajectory is not harmonic.
+        If the shaking of a trajectory is not harmonic, or an attractor of basins has no orbit.
 
     Examples
     --------
@@ -105,6 +109,8 @@ def plot_poincare_section(
             motions, since = run, since or 0.5 * run.end_time_pt
         else:
             motions = motions.orbit
+    if isinstance(motions, BasinAttractor | BasinFamily):
+        motions = _orbits_of(motions)
     axes = axes_or_new(ax)
     if isinstance(motions, Trajectory):
         labels: list[tuple[str, float, float]] = []
@@ -254,6 +260,22 @@ def plot_multipliers(
         labels.append((text, spot.real, spot.imag))
     put_beside(axes, labels, (places.real, places.imag))
     return axes
+
+
+def _orbits_of(attractor: BasinAttractor | BasinFamily) -> list[Orbit]:
+    """Return the orbit of an attractor, or that of a family at each value.
+
+    Raises
+    ------
+    ModelError
+        If there is none.
+    """
+    known = attractor.orbits if isinstance(attractor, BasinFamily) else (attractor.orbit,)
+    orbits = [orbit for orbit in known if orbit is not None]
+    if not orbits:
+        valid = f"{attractor.name} strikes nowhere"
+        raise ModelError("motions", Words("has no orbit"), valid, "plot its basin")
+    return orbits
 
 
 def _numbered(orbits: Orbit | Iterable[Orbit]) -> list[tuple[str, Orbit]]:

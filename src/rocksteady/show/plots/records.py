@@ -8,8 +8,9 @@ import numpy as np
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
+from rocksteady.seismic.measures.intensity import Measures
 from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
-from rocksteady.seismic.measures.time_course import IntegratedRecord
+from rocksteady.seismic.measures.time_course import IntegratedRecord, integrate_record
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
@@ -43,14 +44,17 @@ LEAST_SHOWN = 3.0e-4
 
 @checked
 def plot_integrated_record(
-    course: IntegratedRecord, ax: "Axes | None" = None, *, quantity: Quantity = "acceleration"
+    course: IntegratedRecord | Measures,
+    ax: "Axes | None" = None,
+    *,
+    quantity: Quantity = "acceleration",
 ) -> "Axes":
     """Draw ground acceleration, velocity or displacement, with its largest value marked.
 
     Parameters
     ----------
     course
-        From `rocksteady.measures.integrate_record`.
+        From `rocksteady.measures.integrate_record`; or the measures of a record.
     ax
         Axes to draw on; default: axes of a new figure.
     quantity
@@ -77,6 +81,8 @@ def plot_integrated_record(
     ('velocity [m/s]', 'PGV = 0.24 m/s')
     """
     refuse_unknown(quantity)
+    if isinstance(course, Measures):
+        course = integrate_record(course.record)
     axes = axes_or_new(ax)
     values, peak, scale, unit = {
         "acceleration": (course.acceleration_m_s2, course.peak_acceleration, STANDARD_GRAVITY, "g"),

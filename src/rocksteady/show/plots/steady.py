@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.chains.point_types import PointType
-from rocksteady.dynamics.steady.regions import RegionMap
+from rocksteady.dynamics.steady.regions import RegionBoundaries, RegionMap
 from rocksteady.dynamics.steady.response import ResponseCurve
 from rocksteady.dynamics.steady.states import SteadyOrbit, steady_states
 from rocksteady.errors import InputError
@@ -144,7 +145,7 @@ def draw_orbit(
 
 @checked
 def plot_steady_regions(
-    curves: RegionMap,
+    curves: RegionMap | RegionBoundaries,
     ax: "Axes | None" = None,
     *,
     point: tuple[float, float] | None = None,
@@ -163,7 +164,8 @@ def plot_steady_regions(
     Parameters
     ----------
     curves
-        From `rocksteady.orbits.compute_region_map`.
+        From `rocksteady.orbits.compute_region_map`; or boundaries alone over ascending frequencies,
+        of one restitution and order.
     ax
         Axes to draw on; default: axes of a new figure.
     point
@@ -181,6 +183,11 @@ def plot_steady_regions(
     matplotlib.axes.Axes
         The axes: Omega = omega/p, A = a_max/(alpha g).
 
+    Raises
+    ------
+    InputError
+        If boundaries are not over ascending frequencies, of one restitution and order.
+
     Examples
     --------
     >>> import numpy as np
@@ -197,10 +204,43 @@ def plot_steady_regions(
             positive("point", point[0], hint="give (frequency ratio, amplitude)"),
             non_negative("point", point[1], hint="give (frequency ratio, amplitude)"),
         )
+    if isinstance(curves, RegionBoundaries):
+        curves = _mapped(curves)
     axes = axes_or_new(ax)
     place = place_of(axes, legend, "inside" if key == "inside" else "right", width=125.0)
     draw_regions(axes, curves, place, point=point, top=top)
     return axes
+
+
+def _mapped(boundaries: RegionBoundaries) -> RegionMap:
+    """Return boundaries as a map without further curves.
+
+    Raises
+    ------
+    InputError
+        If they are not over ascending frequencies, of one restitution and order.
+    """
+    ratios = boundaries.frequency_ratio
+    single = len({*boundaries.restitution.flat}) == len({*boundaries.order.flat}) == 1
+    if not single or ratios.ndim != 1 or len(ratios) < 2 or not (np.diff(ratios) > 0.0).all():
+        raise InputError(
+            "curves",
+            boundaries,
+            "a picture takes two or more ascending frequency ratios, one restitution and one order",
+            "give one array of frequency ratios and one restitution",
+        )
+    none = np.full(ratios.shape, np.nan)
+    return RegionMap(
+        frequency_ratio=ratios, restitution=float(boundaries.restitution[0]),
+        order=int(boundaries.order[0]), existence=boundaries.existence, sign=boundaries.sign,
+        kind=boundaries.kind, symmetry_breaking=none, heteroclinic=none,
+    )  # fmt: skip
+
+
+def _known(curves: RegionMap, factor: float) -> dict[str, Floats]:
+    """Return each boundary that a map has, times a factor."""
+    bounds = {name: factor * getattr(curves, name) for name in BOUNDARIES}
+    return {name: curve for name, curve in bounds.items() if np.isfinite(curve).any()}
 
 
 def draw_regions(
@@ -218,7 +258,7 @@ def draw_regions(
     inks = inks_of(axes)
     across, up = scale_of("frequency_ratio", block), scale_of("amplitude", block)
     w = across.factor * curves.frequency_ratio
-    bounds = {name: up.factor * getattr(curves, name) for name in BOUNDARIES}
+    bounds = _known(curves, up.factor)
     existence, kind, sign = (bounds[name] for name in ("existence", "kind", "sign"))
     ceiling = top if top is not None else max(6.0, 1.3 * point[1] if point is not None else 0.0)
     floor = 0.0
@@ -232,11 +272,10 @@ def draw_regions(
     if point is not None:
         here = [(across.factor * point[0], up.factor * point[1])]
         ends = [min(ends[0], here[0][0]), max(ends[1], here[0][0])]
-    bottom, sky = up.factor * floor, up.factor * ceiling
-    axes.set(xlabel=across.label, ylabel=up.label, xlim=ends, ylim=(bottom, sky))
+    sky = up.factor * ceiling
+    axes.set(xlabel=across.label, ylabel=up.label, xlim=ends, ylim=(up.factor * floor, sky))
     axes.grid(visible=False)
-    low, high = np.minimum(kind, sign), np.maximum(kind, sign)
-    pale, deep = inks.rocks_ramp[:2]
+    (low, high), (pale, deep) = np.sort([kind, sign], axis=0), inks.rocks_ramp[:2]
     for under, over, where, fill in (
         (existence, low, None, deep),
         (low, high, sign >= kind, deep),
@@ -245,9 +284,10 @@ def draw_regions(
     ):
         axes.fill_between(w, under, over, where=where, color=fill, lw=0)
     handles: dict[str, Artist] = {}
-    for bound, (name, dash) in BOUNDARIES.items():
+    for bound, curve in bounds.items():
+        name, dash = BOUNDARIES[bound]
         look: dict[str, Any] = {"color": inks.limit, "ls": dash, "lw": 1.1}
-        axes.plot(w, bounds[bound], label=name, **look)
+        axes.plot(w, curve, label=name, **look)
         handles[name] = Line2D([], [], label=name, **look)
     if here:
         axes.plot(

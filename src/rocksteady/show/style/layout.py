@@ -11,6 +11,7 @@ from rocksteady.dynamics.steady.regions import RegionMap
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import (
     LETTER,
+    SMALL,
     LegendPlace,
     figure_of,
     place_of,
@@ -252,9 +253,13 @@ def plain_ticks(axes: "Axes") -> None:
 
 
 def percent_ticks(axes: "Axes", which: Literal["x", "y"]) -> None:
-    """Write the ticks of a probability in per cent, and show all from 0 to 100 %."""
+    """Write the ticks of a probability in per cent, and show all from 0 to 100 %.
+
+    Across a narrow figure stand 0, 50 and 100 % alone.
+    """
     axis = axes.xaxis if which == "x" else axes.yaxis
-    ticks = [0.0, 0.25, 0.5, 0.75, 1.0]
+    narrow = which == "x" and 72.0 * figure_of(axes).get_figwidth() < SMALL
+    ticks = np.linspace(0.0, 1.0, 3 if narrow else 5)
     axis.set_ticks(ticks, [f"{100.0 * tick:.0f}\N{NO-BREAK SPACE}%" for tick in ticks])
     axes.set(**{f"{which}lim": (-0.03, 1.03)})
 

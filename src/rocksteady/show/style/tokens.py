@@ -118,6 +118,17 @@ class Inks:
         steps = (WEAKEST / STRONGEST) ** (1.0 / (count - 1))
         return [_with_contrast(colour, STRONGEST * steps**k, self.paper) for k in range(count)]
 
+    def risk_step(self, probability: float) -> str:
+        """Return the colour of a probability of falling, in [0, 1], of equal steps of the ramp.
+
+        Examples
+        --------
+        >>> LIGHT.risk_step(0.1), LIGHT.risk_step(1.0)
+        ('#fbf3f4', '#631440')
+        """
+        steps = len(self.risk_ramp)
+        return self.risk_ramp[min(int(steps * probability), steps - 1)]
+
 
 LIGHT = Inks()
 DARK = Inks(

@@ -60,15 +60,20 @@ class UncertaintyExponent(Result):
         """Share of uncertain states or boxes, shape (sizes,)."""
         return self.uncertain / self.total
 
+    @property
+    def _logs(self) -> tuple[Floats, Floats]:
+        """Logarithms of the sizes at which something is uncertain, and of what is fitted there."""
+        used = self.uncertain > 0
+        # Boxes count as in Attractors.jl, by their number and not by their share.
+        y = self.share if self.by == "states" else self.uncertain
+        return np.log(self.size[used].astype(np.float64)), np.log(y[used])
+
     @cached_property
     def _fit(self) -> tuple[float, float, float]:
         """Slope of the line, its standard error, and r^2."""
-        used = self.uncertain > 0
-        if np.count_nonzero(used) < FEWEST_SIZES:
+        x, y = self._logs
+        if len(x) < FEWEST_SIZES:
             return math.nan, math.nan, math.nan
-        x = np.log(self.size[used].astype(np.float64))
-        # Boxes count as in Attractors.jl, by their number and not by their share.
-        y = np.log(self.share[used] if self.by == "states" else self.uncertain[used])
         away = x - x.mean()
         slope = float(away @ y / (away @ away))
         left = y - y.mean() - slope * away
@@ -95,6 +100,15 @@ class UncertaintyExponent(Result):
     def r_squared(self) -> float:
         """Share of the variance of the logarithms that the line has."""
         return self._fit[2]
+
+    @property
+    def fitted(self) -> Floats:
+        """Share on the fitted line at each size, shape (sizes,); nan where there is no line."""
+        x, y = self._logs
+        if not len(x):
+            return np.full(len(self.size), math.nan)
+        line = np.exp(y.mean() + self._fit[0] * (np.log(self.size) - x.mean()))
+        return np.asarray(line if self.by == "states" else line / self.total)
 
     def interval(self, confidence: Confidence = CONFIDENCE) -> tuple[float, float]:
         """Return the interval of the exponent, from Student's distribution.

@@ -198,6 +198,10 @@ class RestingPoint(Result):
         """Return where the point is, what is special about it, and its orbit."""
         return point_description(self)
 
+    def plot(self, *arguments: Any, **options: Any) -> Any:
+        """Plot the orbit there; arguments are those of `rocksteady.plots.poincare_section`."""
+        return self.orbit.plot(*arguments, **options)
+
 
 def _peaks_of(point: RestingPoint, leg: Leg) -> Floats:
     """Return the extremes of the flights from an uplift on."""

@@ -10,6 +10,8 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.facades.check_facade import DAMPINGS
 from rocksteady.risk.facades.facade_check import FacadeCheck, LimitStateCheck
+from rocksteady.risk.facades.facade_demand import FacadeDemand
+from rocksteady.risk.facades.mechanism import Mechanism
 from rocksteady.show.plots.facades._lettering import decimal_marks, symbol
 from rocksteady.show.plots.facades.languages import Language, language_of
 from rocksteady.show.style.layout import axes_or_new
@@ -30,7 +32,7 @@ STATES = ("SLV", "SLD", "SLC")
 
 @checked
 def plot_facade_capacity(
-    check: FacadeCheck,
+    check: FacadeCheck | Mechanism,
     ax: "Axes | None" = None,
     *,
     language: str = "en",
@@ -44,7 +46,7 @@ def plot_facade_capacity(
     Parameters
     ----------
     check
-        From `rocksteady.check_facade`.
+        From `rocksteady.check_facade`; or a mechanism, without a demand.
     ax
         Axes to draw on; default: axes of a new figure.
     language
@@ -75,12 +77,13 @@ def plot_facade_capacity(
     words = language_of(language)
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "below")
-    mechanism, scale = check.mechanism, line_scale(axes)
+    mechanism, demand, checks = _parts(check)
+    scale = line_scale(axes)
     d0 = MM * mechanism.d0_m
     curved = np.array(mechanism.curve)
     a0 = max(float(curved[:, 1].max()), mechanism.linear_g)
-    demands = _demands(check)
-    at_zero = _accelerations(check)
+    demands = _demands(checks)
+    at_zero = _accelerations(checks)
     widest = max([d0, *(min(d, MOST * d0) for *_, d in demands)])
     highest = max([a0, *(min(a, 2.0 * a0) for _, a in at_zero)])
     axes.set(xlim=(0.0, 1.12 * widest), ylim=(0.0, 1.2 * highest))
@@ -96,7 +99,7 @@ def plot_facade_capacity(
         crossed = [*limits.values(), *(demand for *_, demand in demands)]
         _draw_period(axes, words, (state, periods[state]), crossed, inks)
         colour = inks.series("base", len(STATES))[k]
-        handles += _draw_spectrum(axes, check, words, (state, DAMPINGS[state], colour), scale)
+        handles += _draw_spectrum(axes, demand, words, (state, DAMPINGS[state], colour), scale)
         name_above(axes, limit, symbol(f"d_{state}"))
     handles += _draw_demands(axes, demands, words, inks, periods)
     handles += _draw_accelerations(axes, at_zero, words, inks)
@@ -111,20 +114,29 @@ def plot_facade_capacity(
     return axes
 
 
-def _demands(check: FacadeCheck) -> list[tuple[LimitStateCheck, str, float]]:
+def _parts(
+    check: FacadeCheck | Mechanism,
+) -> tuple[Mechanism, FacadeDemand, tuple[LimitStateCheck, ...]]:
+    """Return mechanism, demand and checks; of a mechanism alone there is no demand."""
+    if isinstance(check, Mechanism):
+        return check, FacadeDemand(), ()
+    return check.mechanism, check.demand, check.checks
+
+
+def _demands(checks: Sequence[LimitStateCheck]) -> list[tuple[LimitStateCheck, str, float]]:
     """Return the displacement demands of the nonlinear static and dynamic checks [mm]."""
     return [
         (each, each.limit_state, MM * each.demand)
-        for each in check.checks
+        for each in checks
         if each.unit == "m" and each.demand is not None and math.isfinite(each.demand)
     ]
 
 
-def _accelerations(check: FacadeCheck) -> list[tuple[LimitStateCheck, float]]:
+def _accelerations(checks: Sequence[LimitStateCheck]) -> list[tuple[LimitStateCheck, float]]:
     """Return the acceleration demands of the linear checks [g]."""
     return [
         (each, float(each.demand))
-        for each in check.checks
+        for each in checks
         if each.unit == "g" and each.demand is not None and math.isfinite(each.demand)
     ]
 
@@ -151,14 +163,14 @@ def _draw_period(
 
 def _draw_spectrum(
     axes: "Axes",
-    check: FacadeCheck,
+    demand: FacadeDemand,
     words: Language,
     state: tuple[str, float, str],
     scale: float,
 ) -> Sequence[Any]:
     """Draw the demand spectrum of a limit state, acceleration over displacement."""
     name, damping, colour = state
-    spectrum: Any = getattr(check.demand, name.lower())
+    spectrum: Any = getattr(demand, name.lower())
     if spectrum is None:
         return []
     period = np.geomspace(0.02, 4.0, PERIODS)

@@ -27,8 +27,6 @@ MOST = 40
 """Rows of a picture."""
 TALL = 0.36
 """Half the height of a strip, in rows."""
-STEPS = 5
-"""Shades of the predicted probability."""
 APART = 1.12
 """Least factor by which a picture goes beyond the smallest and the largest gain."""
 
@@ -182,7 +180,7 @@ def _draw_strips(
         for left, right, p in zip(edges[:-1], edges[1:], mean.tolist(), strict=True):
             top, foot = row - TALL, row + TALL
             boxes.append([(left, top), (right, top), (right, foot), (left, foot)])
-            shades.append(inks.risk_ramp[min(int(STEPS * p), STEPS - 1)])
+            shades.append(inks.risk_step(p))
     strips = PolyCollection(boxes, facecolors=shades, edgecolors=inks.edge, lw=0.3, zorder=1.5)
     axes.add_collection(strips, autolim=False)
 

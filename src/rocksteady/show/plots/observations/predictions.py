@@ -6,7 +6,7 @@ import numpy as np
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.calibration.held_out.predictions import Predictions
-from rocksteady.show.plots.observations._rows import name_rows
+from rocksteady.show.plots.observations._rows import draw_outcomes, name_rows
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, percent_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
@@ -70,19 +70,8 @@ def plot_predictions(
         alpha=DOUBT, label="90\N{NO-BREAK SPACE}% of the draws", zorder=2.0,
     )  # fmt: skip
     outcomes = [predictions.fell[place_] for place_ in order.tolist()]
-    handles = []
-    for outcome, face, shape, words in (
-        (True, inks.observed, "o", "fell"),
-        (False, inks.paper, "s", "stood"),
-        (None, inks.risk, "D", "predicted"),
-    ):
-        which = np.array([each is outcome for each in outcomes])
-        if which.any():
-            handles += axes.plot(
-                p[order][which], at[which], shape, ms=(5.0 if few else 3.0) * size, color=face,
-                mec=inks.paper if outcome is None else inks.observed, mew=0.8, label=words,
-                ls="none", zorder=3.0,
-            )  # fmt: skip
+    mark, predicted = (5.0 if few else 3.0) * size, ("D", inks.risk, "predicted")
+    handles = draw_outcomes(axes, (p[order], at), outcomes, mark, predicted)
     draw_limit(axes, 0.5, "even chance", zorder=1.5)
     axes.set(ylim=(len(order) - 0.4, -0.6), xlabel=palette.LABELS["falling"])
     percent_ticks(axes, "x")

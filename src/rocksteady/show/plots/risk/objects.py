@@ -6,6 +6,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.numbers import chance
 from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.show.plots.rows import MOST, draw_interval
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, name_rows, percent_ticks
@@ -17,12 +18,8 @@ from rocksteady.show.style.tokens import inks_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-MOST = 200
-"""Objects of a picture."""
 NARROW = 4.2
 """Width of a figure [in] up to which names and ticks are short."""
-STEPS = 5
-"""Steps of the ramp of probabilities."""
 
 
 @checked
@@ -65,8 +62,6 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
     >>> [name.get_text() for name in axes.get_yticklabels()], axes.get_xlabel()
     (['vase'], 'probability of falling')
     """
-    from matplotlib.patheffects import withStroke
-
     most = whole_number("most", most, at_least=1, at_most=MOST, hint="give a number of objects")
     worst = table.worst[:most]
     axes = axes_or_new(ax)
@@ -74,13 +69,11 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
     for place, row in enumerate(worst):
         share, words = row["probability"], row["verdict"]
         if share:
-            colour = inks.risk_ramp[min(int(STEPS * share), STEPS - 1)]
+            colour = inks.risk_step(share)
             axes.barh(place, share, height=0.62, color=colour, ec=inks.edge, lw=0.6)
-        band = [row["band_low"], row["band_high"]]
+        band = (row["band_low"], row["band_high"])
         if None not in band:
-            outline = [withStroke(linewidth=3.0, foreground=inks.paper)]
-            axes.plot(band, [place] * 2, color=inks.ink, lw=1.2, path_effects=outline)
-            axes.plot(share, place, "o", ms=5.0, color=inks.ink, mec=inks.paper, clip_on=False)
+            draw_interval(axes, place, share, band)
         if share is not None and row["basis"] != "statics":
             words = f"{chance(share, row['tried'] * (row['basis'] == 'count'))}, {words}"
         write_beside(axes, words, place, inks.ink, small, of_row=True)
