@@ -73,6 +73,8 @@ class Record(DescribedMotion):
         Interval between samples [s].
     name
         What to call the record; none by default.
+    ground
+        Record of the ground below, of a floor; none by default.
 
     Raises
     ------
@@ -92,6 +94,12 @@ class Record(DescribedMotion):
     acceleration_m_s2: Annotated[Floats, _samples]
     dt_s: Annotated[float, _interval]
     name: Annotated[str | None, _text] = None
+    ground: "Record | None" = None
+
+    @property
+    def reference(self) -> "Record":
+        """The record whose measures are the levels of an ensemble: the ground below a floor."""
+        return self if self.ground is None else self.ground
 
     @property
     def duration_s(self) -> float:
@@ -125,17 +133,18 @@ class Record(DescribedMotion):
                 f"its absolute value must lie in [{1.0 / LARGEST:g}, {LARGEST:g}]",
                 "give a number; -1 reverses",
             )
-        return replace(self, acceleration_m_s2=scale * self.acceleration_m_s2)
+        below = None if self.ground is None else self.ground.scaled(scale)
+        return replace(self, acceleration_m_s2=scale * self.acceleration_m_s2, ground=below)
 
     def reversed(self) -> "Record":
         """Return the record with the sign of all accelerations changed."""
-        return replace(self, acceleration_m_s2=-self.acceleration_m_s2)
+        return self.scaled(-1.0)
 
     def __eq__(self, other: object) -> bool:
         """Return whether name, interval and every sample are the same."""
         if not isinstance(other, Record):
             return NotImplemented
-        same = (self.name, self.dt_s) == (other.name, other.dt_s)
+        same = (self.name, self.dt_s, self.ground) == (other.name, other.dt_s, other.ground)
         return same and np.array_equal(self.acceleration_m_s2, other.acceleration_m_s2)
 
     def __hash__(self) -> int:

@@ -1,0 +1,546 @@
+"""Floors of buildings: the motion of a floor by the linear modes of its building."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Annotated, Any, overload
+
+from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.elementary.arrays import atan2, exp, hypot, log, sincos
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.motions._oscillator import (
+    Parts,
+    grown,
+    imaginary,
+    inverse,
+    less,
+    minus,
+    rate_of,
+    states,
+    steady_line,
+    times,
+)
+from rocksteady.model.motions._sampled import polyline
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.fourier import FourierSeries
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Harmonic, Motion, Piecewise, Segment, segments_of
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from rocksteady.arrays import Floats
+
+MODE_HZ = Bounds(0.0, 1.0e4, "(]", "give the natural frequency of a mode in Hz, 1/T")
+DAMPING = Bounds(0.0, 1.0, "()", "give it over the critical one, as 0.05")
+SHAPE = Bounds(
+    -5.0, 5.0, "[]", "give participation factor times mode shape at the floor, as 1.3 at a roof"
+)
+TOLERANCE = Bounds(1e-9, 0.1, "[]", "give a share of the peak ground acceleration, as 0.001")
+MOST_MODES = 50
+LEAST_SUM, LARGEST_SUM = 0.0, 2.5
+"""Of the shapes of a floor, which is 1 with all modes of its building."""
+MOST_SAMPLES = 5_000_000
+"""Of the record of a floor."""
+
+DEFAULT_DAMPING = 0.05
+DEFAULT_TOLERANCE = 1e-3
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Floor:
+    """A floor that moves with the linear modes of its building.
+
+    With mode j at rest at first, ``x_j'' + 2 zeta_j w_j x_j' + w_j^2 x_j = -a_g``, and the
+    acceleration of the floor is ``a_g + sum_j s_j x_j''`` [1]_.  What the shapes s_j leave of 1
+    moves with the ground.
+
+    Parameters
+    ----------
+    frequencies_hz
+        Natural frequency of each mode [Hz], or of the one mode.
+    damping
+        zeta of each mode, or of all, inside (0, 1).
+    shapes
+        s_j, participation factor times mode shape at the floor, of each mode; 1 of a single mode
+        by default.  Of all modes together they add up to 1.
+
+    Raises
+    ------
+    InputError
+        If there is no mode, a number is outside its range, there is not one number for each mode,
+        or the shapes add up to less than 0 or more than 2.5.
+
+    References
+    ----------
+    .. [1] A. K. Chopra, Dynamics of Structures, 4th edition, Prentice Hall, 2012, chapter 13.
+
+    Examples
+    --------
+    >>> floor = Floor(frequencies_hz=1.5, damping=0.05)
+    >>> print(f"{floor.amplification(1.5):.6f}")
+    10.049876
+    """
+
+    frequencies_hz: Sequence[float] | float
+    damping: Sequence[float] | float = DEFAULT_DAMPING
+    shapes: Sequence[float] | float = 1.0
+
+    def __post_init__(self) -> None:
+        """Validate, and turn single numbers into tuples of one for each mode."""
+        hertz = _numbers("frequencies_hz", self.frequencies_hz, MODE_HZ)
+        if not 1 <= len(hertz) <= MOST_MODES:
+            raise InputError(
+                "frequencies_hz",
+                self.frequencies_hz,
+                f"a floor has 1 to {MOST_MODES} modes",
+                "give the frequencies of the lowest modes",
+            )
+        damping = _numbers("damping", self.damping, DAMPING)
+        if len(damping) == 1:
+            damping *= len(hertz)
+        shapes = _numbers("shapes", self.shapes, SHAPE)
+        for name, values in (("damping", damping), ("shapes", shapes)):
+            if len(values) != len(hertz):
+                raise InputError(
+                    name,
+                    getattr(self, name),
+                    f"there must be one for each of {len(hertz)} modes",
+                    "give as many as frequencies",
+                )
+        total = math.fsum(shapes)
+        if not LEAST_SUM <= total <= LARGEST_SUM:
+            raise InputError(
+                "shapes",
+                self.shapes,
+                f"they add up to {total:.4g}, and those of all modes of a building to 1; a few "
+                f"modes give {LEAST_SUM:g} to {LARGEST_SUM:g}",
+                "give participation factor times mode shape, with their signs",
+            )
+        for name, values in (("frequencies_hz", hertz), ("damping", damping), ("shapes", shapes)):
+            object.__setattr__(self, name, values)
+
+    @property
+    def label(self) -> str:
+        """The modes in words, as "floor of 1.5 Hz, damping 5 %, shape 1.3"."""
+        hertz, damping, shapes = (
+            ", ".join(f"{factor * value:.4g}" for value in values)
+            for values, factor in zip(self._modes, (1.0, 100.0, 1.0), strict=True)
+        )
+        dampings = set(self._modes[1])
+        if len(dampings) == 1:
+            damping = f"{100.0 * dampings.pop():.4g}"
+        return f"floor of {hertz} Hz, damping {damping} %, shape {shapes}"
+
+    @property
+    def _modes(self) -> tuple[tuple[float, ...], ...]:
+        """Frequencies, dampings and shapes."""
+        return self.frequencies_hz, self.damping, self.shapes  # type: ignore[return-value]
+
+    def amplification(self, frequency_hz: "ArrayLike") -> "Floats":
+        """Return the amplitude of the floor over the ground's under lasting harmonic shaking.
+
+        Parameters
+        ----------
+        frequency_hz
+            Frequencies of the shaking [Hz], above 0, any shape.
+
+        Raises
+        ------
+        InputError
+            If one is not a number above 0.
+        """
+        import numpy as np
+
+        given = np.asarray(frequency_hz, dtype=np.float64)
+        if not (np.isfinite(given) & (given > 0.0)).all():
+            raise InputError(
+                "frequency_hz", frequency_hz, "all must be above 0", "give frequencies in Hz"
+            )
+        return np.asarray(hypot(*self._modes_at(1.0).shares(2.0 * math.pi * given)))
+
+    @overload
+    def motion(self, ground: Record, block: Any = None, *, tolerance: float = ...) -> Record: ...
+    @overload
+    def motion(
+        self, ground: BaseMotion, block: Any = None, *, tolerance: float = ...
+    ) -> BaseMotion: ...
+    @overload
+    def motion(self, ground: Motion, block: Any = None, *, tolerance: float = ...) -> Motion: ...
+    @checked
+    def motion(
+        self,
+        ground: "Motion | Record | BaseMotion",
+        block: Any = None,
+        *,
+        tolerance: Annotated[float, TOLERANCE] = DEFAULT_TOLERANCE,
+    ) -> "Motion | Record | BaseMotion":
+        """Return the motion of the floor; as `floor_motion`, which documents it.
+
+        Raises
+        ------
+        InputError, ModelError
+            As `floor_motion`.
+        """
+        if isinstance(ground, BaseMotion):
+            return replace(
+                ground, horizontal=self.motion(ground.horizontal, block, tolerance=tolerance)
+            )
+        if isinstance(ground, Record):
+            return self._recorded(ground, tolerance)
+        if not isinstance(block, Block):
+            raise ModelError(
+                "block",
+                block,
+                "a motion in a block's own measures has no hertz without a block of known size",
+                "give the Block that stands on the floor",
+            )
+        modes = self._modes_at(block.p)
+        if isinstance(ground, Harmonic):
+            return _turned(ground, modes)
+        if isinstance(ground, FourierSeries):
+            return _turned_series(ground, modes)
+        return Piecewise(pieces=modes.response(segments_of(ground), tolerance))
+
+    def _modes_at(self, p: float) -> "_Modes":
+        """Return the modes in units of a block's p."""
+        hertz, damping, shapes = self._modes
+        rates = [
+            rate_of(2.0 * math.pi * f / p, zeta) for f, zeta in zip(hertz, damping, strict=True)
+        ]
+        return _Modes(rates, shapes)
+
+    def _recorded(self, ground: Record, tolerance: float) -> Record:
+        """Return the record of the floor, at a whole part of the interval of the ground's."""
+        import numpy as np
+
+        modes = self._modes_at(1.0)
+        a, dt = ground.acceleration_m_s2, ground.dt_s
+        error = tolerance * ground.peak_acceleration_m_s2
+        slope = np.diff(a) / dt
+        swings, left, curved = [], [], np.zeros(len(slope))
+        for rate, power in zip(modes.rates, modes.powers, strict=True):
+            z = states(a, dt, rate)
+            inside = minus(Parts(z.real[:-1], z.imag[:-1]), steady_line(a[:-1], slope, rate))
+            swings.append(times(power, inside))
+            left.append(times(power, Parts(float(z.real[-1]), float(z.imag[-1]))))
+            curved = curved + _size(rate) ** 2 * hypot(*swings[-1])
+        after = modes.quiet_after(left, error)
+        curvature = max(float(curved.max()), modes.curvature(left))
+        parts = max(1, math.ceil(dt * math.sqrt(curvature / (8.0 * error))))
+        count = len(slope) + math.ceil(after / dt)
+        if count * parts > MOST_SAMPLES:
+            raise InputError(
+                "tolerance",
+                tolerance,
+                f"the floor's record would have {count * parts:.3g} samples, and "
+                f"{MOST_SAMPLES:,} are the most",
+                "give a larger one, or more damping",
+            )
+        within = np.arange(parts) * (dt / parts)
+        values = a[:-1, np.newaxis] + slope[:, np.newaxis] * within
+        free = np.arange(math.ceil(after / dt) * parts + 1) * (dt / parts)
+        tail = np.zeros(len(free))
+        tail[0] = (1.0 - modes.total) * a[-1]
+        for rate, swing, last in zip(modes.rates, swings, left, strict=True):
+            grows = grown(rate, within)
+            values = values + imaginary(
+                Parts(swing.real[:, np.newaxis], swing.imag[:, np.newaxis]), grows
+            )
+            tail = tail + imaginary(last, grown(rate, free))
+        samples = np.append(values.ravel(), tail)
+        return replace(ground, acceleration_m_s2=samples, dt_s=dt / parts, ground=ground.reference)
+
+
+@overload
+def floor_motion(
+    motion: Record,
+    *,
+    frequencies_hz: Sequence[float] | float,
+    damping: Sequence[float] | float = ...,
+    shapes: Sequence[float] | float = ...,
+    block: Block | None = ...,
+    tolerance: float = ...,
+) -> Record: ...
+@overload
+def floor_motion(
+    motion: BaseMotion,
+    *,
+    frequencies_hz: Sequence[float] | float,
+    damping: Sequence[float] | float = ...,
+    shapes: Sequence[float] | float = ...,
+    block: Block | None = ...,
+    tolerance: float = ...,
+) -> BaseMotion: ...
+@overload
+def floor_motion(
+    motion: Motion,
+    *,
+    frequencies_hz: Sequence[float] | float,
+    damping: Sequence[float] | float = ...,
+    shapes: Sequence[float] | float = ...,
+    block: Block | None = ...,
+    tolerance: float = ...,
+) -> Motion: ...
+@checked
+def floor_motion(
+    motion: "Motion | Record | BaseMotion",
+    *,
+    frequencies_hz: Sequence[float] | float,
+    damping: Sequence[float] | float = DEFAULT_DAMPING,
+    shapes: Sequence[float] | float = 1.0,
+    block: Block | None = None,
+    tolerance: Annotated[float, TOLERANCE] = DEFAULT_TOLERANCE,
+) -> "Motion | Record | BaseMotion":
+    """Return the motion of a floor of a building on a base that moves.
+
+    The response of each mode is exact for the ground that is given: lines of a record, constants,
+    lines, sinusoids and impulses of other motions.  Straight lines then follow the sum within the
+    tolerance.  A record rings on until the floor is quiet to within the tolerance; where it ends
+    away from 0, the floor falls to its free swing within one step.  Endless harmonic and periodic
+    shaking gives the shaking of the floor once its transient has died away, without lines.
+
+    Parameters
+    ----------
+    motion
+        Motion of the ground.  Of a `BaseMotion` the vertical component stays that of the ground.
+    frequencies_hz, damping, shapes
+        Modes of the building, as in `rocksteady.motions.Floor`.
+    block
+        Block on the floor, which gives the units of a motion that is no record.
+    tolerance
+        Largest error of the floor's acceleration over the peak acceleration of the ground.
+
+    Returns
+    -------
+    Record, BaseMotion or Motion
+        A `Record` of a `Record`, which keeps the ground's as `ground`: levels of an ensemble are
+        measured there.  A `Harmonic` of a `Harmonic`, a `FourierSeries` of a `FourierSeries`, and
+        a `Piecewise` of any other motion.
+
+    Raises
+    ------
+    InputError
+        As for `rocksteady.motions.Floor`; and if the tolerance needs too many lines.
+    ModelError
+        If a motion that is no record has no block.
+
+    Examples
+    --------
+    >>> from rocksteady import Record, floor_motion
+    >>> ground = Record(acceleration_m_s2=[0.0, 2.0, -2.0, 0.0], dt_s=0.25)
+    >>> floor = floor_motion(ground, frequencies_hz=2.0, shapes=1.3)
+    >>> print(f"{floor.peak_acceleration_m_s2:.2f} m/s^2 on {ground.peak_acceleration_m_s2:.2f}")
+    4.02 m/s^2 on 2.00
+    """
+    floor = Floor(frequencies_hz=frequencies_hz, damping=damping, shapes=shapes)
+    return floor.motion(motion, block, tolerance=tolerance)
+
+
+class _Modes:
+    """Modes in the unit of time of a motion.
+
+    Attributes
+    ----------
+    rates
+        L of each.
+    powers
+        s L^2/wd of each: the imaginary part of it times z is what the mode adds to the floor.
+    total
+        Sum of the shapes.
+    """
+
+    def __init__(self, rates: Sequence[Parts], shapes: Sequence[float]) -> None:
+        self.rates = rates
+        self.powers = [
+            Parts(square.real * shape / rate.imag, square.imag * shape / rate.imag)
+            for rate, shape, square in (
+                (rate, shape, times(rate, rate)) for rate, shape in zip(rates, shapes, strict=True)
+            )
+        ]
+        self.total = math.fsum(shapes)
+
+    def shares(self, frequency: Any) -> tuple[Any, Any]:
+        """Return the sine's and the cosine's share of the floor under a lasting sine of size 1."""
+        sine, cosine = 1.0 - self.total, 0.0
+        for rate, power in zip(self.rates, self.powers, strict=True):
+            of_sine, of_cosine = _lasting(rate, frequency)
+            sine, cosine = sine + imaginary(power, of_sine), cosine + imaginary(power, of_cosine)
+        return sine, cosine
+
+    def quiet_after(self, swings: Sequence[Parts], error: float) -> float:
+        """Return the time after which free swings are together below an error."""
+        return max(
+            max(0.0, log(hypot(*swing) * len(swings) / error)) / -rate.real
+            if hypot(*swing) > 0.0
+            else 0.0
+            for rate, swing in zip(self.rates, swings, strict=True)
+        )
+
+    def curvature(self, swings: Sequence[Parts]) -> float:
+        """Return an upper bound of the second derivative of free swings."""
+        return math.fsum(
+            _size(rate) ** 2 * hypot(*swing) for rate, swing in zip(self.rates, swings, strict=True)
+        )
+
+    def response(self, pieces: Sequence[Segment], tolerance: float) -> tuple[Segment, ...]:
+        """Return the segments of the floor, from rest, within a share of the largest of the ground.
+
+        Each mode is the response that lasts, in closed form, and a free swing that decays.
+        """
+        largest = max(map(_largest, pieces), default=0.0)
+        jumps = max(abs(piece.jump) * _size(rate) for piece in pieces for rate in self.rates)
+        error = tolerance * max(largest, jumps)
+        if error == 0.0:
+            return tuple(pieces)
+        if not pieces or pieces[-1].duration != math.inf:
+            pieces = (*pieces, Segment(duration=math.inf))
+        z = [Parts(0.0, 0.0) for _ in self.rates]
+        made: list[Segment] = []
+        for piece in pieces:
+            z = [less(each, piece.jump) for each in z]
+            waves = _waves(piece)
+            swings = [
+                minus(each, _lasting_at(rate, piece, waves, 0.0))
+                for each, rate in zip(z, self.rates, strict=True)
+            ]
+            made += self._lines(piece, waves, swings, error)
+            if piece.duration < math.inf:
+                z = [
+                    _plus(
+                        times(swing, grown(rate, piece.duration)),
+                        _lasting_at(rate, piece, waves, piece.duration),
+                    )
+                    for swing, rate in zip(swings, self.rates, strict=True)
+                ]
+        return tuple(made)
+
+    def _lines(
+        self,
+        piece: Segment,
+        waves: Sequence[tuple[float, float, float]],
+        swings: Sequence[Parts],
+        error: float,
+    ) -> list[Segment]:
+        """Return the floor during one segment of the ground: lines, then what lasts for ever."""
+        import numpy as np
+
+        turned = []
+        for size, frequency, phase in waves:
+            sine, cosine = self.shares(frequency)
+            turned.append((size * hypot(sine, cosine), frequency, phase + atan2(cosine, sine)))
+        scaled = [times(power, swing) for power, swing in zip(self.powers, swings, strict=True)]
+        endless = piece.duration == math.inf
+        span = self.quiet_after(scaled, error) if endless else piece.duration
+
+        def acceleration(s: "Floats") -> "Floats":
+            total = np.asarray(piece.constant + piece.slope * s)
+            for size, frequency, phase in turned:
+                total = total + size * sincos(frequency * s + phase)[0]
+            for rate, swing in zip(self.rates, scaled, strict=True):
+                total = total + imaginary(swing, grown(rate, s))
+            return total
+
+        lasting = math.fsum(size * frequency**2 for size, frequency, _ in turned)
+        parts: list[tuple[float, float]] = []
+        count = math.ceil(span * min(-rate.real for rate in self.rates))  # as swings decay
+        for place in range(count):
+            since = span * place / count
+            decayed = [
+                Parts(*(exp(rate.real * since) * part for part in swing))
+                for rate, swing in zip(self.rates, scaled, strict=True)
+            ]
+            parts.append((span / count, lasting + self.curvature(decayed)))
+        lines = [*polyline(acceleration, parts, tolerance=error)]
+        if endless:
+            lines.append(_endless(piece, turned, span))
+        jump = (1.0 - self.total) * piece.jump
+        return [replace(lines[0], jump=jump), *lines[1:]]
+
+
+def _endless(piece: Segment, turned: Sequence[tuple[float, float, float]], since: float) -> Segment:
+    """Return what an endless segment of the ground leaves of the floor, from a time of it on."""
+    if len(piece.harmonics) == 0:
+        size, frequency, phase = turned[0] if turned else (0.0, 0.0, 0.0)
+        phase = math.remainder(phase + frequency * since, 2.0 * math.pi)
+        return replace(piece, amplitude=size, frequency=frequency, phase=phase, jump=0.0)
+    harmonics = tuple(
+        (order, size, math.remainder(phase + frequency * since, 2.0 * math.pi))
+        for (order, _, _), (size, frequency, phase) in zip(piece.harmonics, turned, strict=True)
+    )
+    return replace(piece, amplitude=1.0, phase=0.0, harmonics=harmonics, jump=0.0)
+
+
+def _waves(piece: Segment) -> list[tuple[float, float, float]]:
+    """Return size, frequency and phase of each sinusoid of a segment."""
+    return [
+        (piece.amplitude * size, order * piece.frequency, order * piece.phase + phase)
+        for order, size, phase in piece.harmonics or ((1, 1.0, 0.0),)
+        if piece.amplitude * size != 0.0
+    ]
+
+
+def _lasting(rate: Parts, frequency: Any) -> tuple[Parts, Parts]:
+    """Return z of the lasting response to a sine of size 1: what is times its sine and its cosine.
+
+    ``z' = L z - sin(W s)`` has ``z = (L sin(W s) + W cos(W s))/(L^2 + W^2)``.
+    """
+    square = times(rate, rate)
+    below = inverse(Parts(square.real + frequency * frequency, square.imag + 0.0 * frequency))
+    return times(rate, below), Parts(frequency * below.real, frequency * below.imag)
+
+
+def _lasting_at(
+    rate: Parts, piece: Segment, waves: Sequence[tuple[float, float, float]], s: float
+) -> Parts:
+    """Return z of the lasting response to a segment at a time after its start."""
+    line = steady_line(piece.constant + piece.slope * s, piece.slope, rate)
+    for size, frequency, phase in waves:
+        of_sine, of_cosine = _lasting(rate, frequency)
+        sine, cosine = sincos(math.remainder(frequency * s + phase, 2.0 * math.pi))
+        line = Parts(
+            line.real + size * (sine * of_sine.real + cosine * of_cosine.real),
+            line.imag + size * (sine * of_sine.imag + cosine * of_cosine.imag),
+        )
+    return line
+
+
+def _turned(ground: Harmonic, modes: _Modes) -> Harmonic:
+    """Return lasting harmonic shaking of the floor."""
+    sine, cosine = modes.shares(ground.frequency_ratio)
+    phase = math.remainder(ground.phase + atan2(cosine, sine), 2.0 * math.pi)
+    return replace(ground, amplitude=ground.amplitude * hypot(sine, cosine), phase=phase)
+
+
+def _turned_series(ground: FourierSeries, modes: _Modes) -> FourierSeries:
+    """Return lasting periodic shaking of the floor."""
+    harmonics = []
+    for order, size, phase in ground.harmonics:
+        sine, cosine = modes.shares(order * ground.frequency_ratio)
+        turned = math.remainder(phase + atan2(cosine, sine), 2.0 * math.pi)
+        harmonics.append((order, size * hypot(sine, cosine), turned))
+    return replace(ground, harmonics=tuple(harmonics))
+
+
+def _numbers(name: str, value: object, rule: Bounds) -> tuple[float, ...]:
+    """Return one number or several, each inside its range."""
+    given = value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
+    return tuple(rule(name, each) for each in given)
+
+
+def _size(z: Parts) -> float:
+    return float(hypot(z.real, z.imag))
+
+
+def _plus(x: Parts, y: Parts) -> Parts:
+    return Parts(x.real + y.real, x.imag + y.imag)
+
+
+def _largest(piece: Segment) -> float:
+    """Return an upper bound of the acceleration of a segment."""
+    span = 0.0 if piece.slope == 0.0 else piece.duration
+    sizes = [abs(size) for size, _, _ in _waves(piece)]
+    return abs(piece.constant) + abs(piece.slope) * span + math.fsum(sizes)
