@@ -49,6 +49,7 @@ from .model.blocks.dimensionless import DimensionlessBlock as DimensionlessBlock
 from .model.equations import Linear as Linear
 from .model.equations import Nonlinear as Nonlinear
 from .model.motions.base_motion import BaseMotion as BaseMotion
+from .model.motions.floor import floor_motion as floor_motion
 from .model.motions.pulses import Pulse as Pulse
 from .model.motions.record import Record as Record
 from .model.motions.segments import Harmonic as Harmonic

@@ -7,6 +7,7 @@ from .model.motions.combine import cut as cut
 from .model.motions.combine import delay as delay
 from .model.motions.combine import join as join
 from .model.motions.combine import scale as scale
+from .model.motions.floor import Floor as Floor
 from .model.motions.fourier import FourierSeries as FourierSeries
 from .model.motions.impulses import Impulses as Impulses
 from .model.motions.segments import Segment as Segment

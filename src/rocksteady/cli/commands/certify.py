@@ -195,7 +195,8 @@ def _fate(
         return certify_fate(body, recorded.scaled(recorded.recording(reading).record))
     if not pulse.given:
         raise missing("--pulse", valid="a pulse or a record is needed", hint="add --pulse one-sine")
-    return certify_fate(body, pulse.of(shaking.at(body), phase=None, reverse=recorded.reverse))
+    motion = pulse.of(shaking.at(body), phase=None, reverse=recorded.reverse)
+    return certify_fate(body, reading.on_floor(motion, body))
 
 
 def _proofs(

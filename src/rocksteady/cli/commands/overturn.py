@@ -144,7 +144,8 @@ def overturn(
         search = _of_scales(recorded, suite, reading, block, scales, resolution, model)
     else:
         _refuse("a search without --kick", of_kicks)
-        _refuse("a search without --record", {"--scales": scales})
+        idle = {"--scales": scales, "--floor-hz": reading.floor_hz}
+        _refuse("a search without --record", idle)
         recorded.given(reading, pulse=pulse.given)
         body = block.described()
         equations = equations_for(model, body, Still())

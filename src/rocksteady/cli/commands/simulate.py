@@ -109,10 +109,12 @@ def simulate(
         if lifting is not None:
             notes["vertical_processing"] = list(lifting.processing)
     elif pulse.given:
-        motion = pulse.of(shaking.at(body), phase=start.phase, reverse=recorded.reverse)
+        size = shaking.at(body)
+        motion = pulse.of(size, phase=start.phase, reverse=recorded.reverse)
+        motion = reading.on_floor(motion, body)
         refuse_cycles(cycles, "a pulse")
     elif shaking.given:
-        motion = series.of(shaking.at(body, phase=start.first_phase))
+        motion = reading.on_floor(series.of(shaking.at(body, phase=start.first_phase)), body)
     start.check(shaken=not isinstance(motion, Still))
     if isinstance(motion, Still):
         refuse_without_shaking("--cycles", cycles)
@@ -159,6 +161,10 @@ def next_command(
     if recorded.record:
         whole = replace(recorded, scale=None, pga_g=None)
         return options.follow_up("overturn", whole, reading, block, full)
+    if reading.floor is not None:  # overturn and attractor shake the ground
+        return options.follow_up(
+            "simulate", pulse, shaking, series, recorded, reading, block, full, "--csv run.csv"
+        )
     if pulse.given:
         phase = "" if start.phase is None else f"--phase {start.phase!r}"
         frequency = replace(shaking, amplitude=None, accel_g=None, accel_m_s2=None)

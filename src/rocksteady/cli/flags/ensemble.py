@@ -165,7 +165,7 @@ class SuiteFlags:
                 continue
             steps = {recording.record.dt_s for recording in group.recordings}
             ready = group.aligned("pad") if len(steps) == 1 else group
-            suite.motions.extend(ready.motions())
+            suite.motions.extend(map(reading.on_floor, ready.motions()))
             suite.files.extend(recording.path for recording in ready.horizontal)
 
 

@@ -1,26 +1,34 @@
 """Flags for recorded ground motions: files, how to read them, how they shake a block."""
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
-from rocksteady.cli.console.refusals import FlagError, both, missing, needs, refuse
+from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, needs, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, ShakingFlags
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, Panel, given_in, motion_flag
-from rocksteady.cli.flags.parsing import axis, single
+from rocksteady.cli.flags.parsing import axis, number, single
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.motions._oscillator import DEFAULT_DAMPING
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
+    from rocksteady.model.motions.floor import Floor
     from rocksteady.model.motions.record import Record
     from rocksteady.records.core.recording import Recording
 
 reading_flag = Panel("Reading files")
+FLOOR_FLAGS = {
+    "frequencies_hz": "--floor-hz",
+    "damping": "--floor-damping",
+    "shapes": "--participation",
+}
+"""Flags of the fields of a floor."""
 
 MOST_USUAL_SCALE = 10.0
 """Factor of a record beyond which a wrong unit is more likely than a wish."""
@@ -65,8 +73,71 @@ baseline_flag = partial(
 
 
 @dataclass(frozen=True, kw_only=True)
-class ReadingFlags:
-    """How ground-motion files are read."""
+class FloorFlags:
+    """Modes of the building on whose floor a block stands."""
+
+    floor_hz: str | None = motion_flag(
+        "--floor-hz F",
+        "Stand the block on a floor: the natural frequency of its building \\[Hz], or of several "
+        "modes with commas. Levels and --pga-g stay those of the ground.",
+    )
+    floor_damping: str | None = motion_flag(
+        "--floor-damping ZETA",
+        "Set the damping of the modes of --floor-hz over the critical one; default "
+        f"{DEFAULT_DAMPING:g}.",
+    )
+    participation: str | None = motion_flag(
+        "--participation G",
+        "Set participation factor times mode shape at the floor, one for each frequency of "
+        "--floor-hz; default 1 of one.",
+    )
+
+    @cached_property
+    def floor(self) -> "Floor | None":
+        """The floor; None of the ground.
+
+        Raises
+        ------
+        InputError, FlagError
+            If a number is outside its range, or there is no frequency.
+        """
+        given = {"damping": self.floor_damping, "shapes": self.participation}
+        for name, value in given.items():
+            needs(FLOOR_FLAGS[name], value, "--floor-hz", "F", beside=self.floor_hz)
+        if self.floor_hz is None:
+            return None
+        from rocksteady.model.motions.floor import Floor
+
+        texts = {"frequencies_hz": self.floor_hz} | given
+        with flags_of(FLOOR_FLAGS, InputError):
+            return Floor(
+                **{
+                    name: [number(FLOOR_FLAGS[name], part) for part in text.split(",")]
+                    for name, text in texts.items()
+                    if text is not None
+                }
+            )
+
+    def on_floor(self, motion: Any, body: object = None) -> Any:
+        """Return a motion as the floor has it; as it is on the ground.
+
+        Raises
+        ------
+        InputError, ModelError
+            As for `rocksteady.floor_motion`.
+        """
+        if self.floor is None:
+            return motion
+        if not isinstance(body, Block) and hasattr(motion, "segments"):
+            raise FlagError(
+                "--floor-hz", self.floor_hz, "hertz need a block with a p", "describe a block"
+            )
+        return self.floor.motion(motion, body)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReadingFlags(FloorFlags):
+    """How ground-motion files are read, and the floor on which they are felt."""
 
     channel: str | None = reading_flag(
         "--channel NAME",
@@ -81,8 +152,9 @@ class ReadingFlags:
 
     @property
     def given(self) -> dict[str, object]:
-        """The flags that were given, with their values."""
-        return given_in(self)
+        """The flags of reading that were given, with their values."""
+        floor = {"--" + each.name.replace("_", "-") for each in fields(FloorFlags)}
+        return {flag: value for flag, value in given_in(self).items() if flag not in floor}
 
     def recordings(self, file: Path) -> "list[Recording]":
         """Return the channels of a file, or the chosen channel; their warnings are printed.
@@ -135,7 +207,7 @@ class ReadingFlags:
                 f"of its {len(channels)} channels {len(upright)} are vertical",
                 "give a file with one channel",
             )
-        (channel,) = self._ready(file, upright if len(channels) > 1 else channels)
+        (channel,) = self._ready(file, upright if len(channels) > 1 else channels, across=False)
         if channel.orientation is None:
             warn(file, "where its channel points is not stated: it is taken as vertical, upwards")
         return channel
@@ -157,13 +229,23 @@ class ReadingFlags:
             hint = _in_flags(error.hint)
             raise RecordFileError(path=error.path, valid=error.valid, hint=hint) from error
 
-    def _ready(self, file: Path, channels: "tuple[Recording, ...]") -> "list[Recording]":
-        """Return channels without their baseline, and print their warnings."""
+    def _ready(
+        self, file: Path, channels: "tuple[Recording, ...]", *, across: bool = True
+    ) -> "list[Recording]":
+        """Return channels without their baseline, on the floor, and print their warnings."""
         from rocksteady.records.processing import correct_baseline
 
         for words in dict.fromkeys(words for each in channels for words in each.warnings):
             warn(file, _in_flags(words))
-        return [_named(correct_baseline(channel, self.baseline)) for channel in channels]
+        ready = [_named(correct_baseline(channel, self.baseline)) for channel in channels]
+        if self.floor is None or not across:
+            return ready
+        return [
+            each
+            if each.orientation == "vertical"
+            else each.processed(self.floor.motion(each.record), self.floor.label)
+            for each in ready
+        ]
 
 
 def _named(one: "Recording") -> "Recording":
@@ -323,7 +405,8 @@ class RecordFlags:
             raise both("--scale", "--pga-g", valid="one of the two is the level")
         hint = "give the peak in g; 0.3 is usual"
         level = in_range("--pga-g", self.pga_g, 0.0, LARGEST, hint=hint)
-        factor = level * STANDARD_GRAVITY / horizontal.record.peak_acceleration_m_s2
+        peak = horizontal.record.reference.peak_acceleration_m_s2
+        factor = level * STANDARD_GRAVITY / peak
         remark_on_scale(factor, f"--pga-g {level:g} multiplies {horizontal.path.name}")
         self._to_pga.append(factor)
         return replace(horizontal, record=horizontal.record.scaled(factor))

@@ -22,6 +22,9 @@ from rocksteady.kernels.elementary.arrays import exp, sincos
 if TYPE_CHECKING:
     from rocksteady.arrays import Floats
 
+DEFAULT_DAMPING = 0.05
+"""Over the critical one."""
+
 SERIES_BELOW = 0.5
 """|x| below which phi_2 is summed: its closed form cancels."""
 SERIES_TERMS = 16

@@ -11,6 +11,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.motions._oscillator import (
+    DEFAULT_DAMPING,
     Parts,
     grown,
     imaginary,
@@ -45,7 +46,6 @@ LEAST_SUM, LARGEST_SUM = 0.0, 2.5
 MOST_SAMPLES = 5_000_000
 """Of the record of a floor."""
 
-DEFAULT_DAMPING = 0.05
 DEFAULT_TOLERANCE = 1e-3
 
 

@@ -41,7 +41,8 @@ def shaken_by(
     if not recorded.given(reading, pulse=pulse.given):
         body = block.described()
         size = shaking.at(body)
-        return body, BaseMotion(pulse.of(size, phase=begin or None, reverse=recorded.reverse))
+        motion = pulse.of(size, phase=begin or None, reverse=recorded.reverse)
+        return body, BaseMotion(reading.on_floor(motion, body))
     refuse_beside_record(pulse=pulse, shaking=shaking, phase=begin or None)
     refuse_of_linear(model, "--vertical", recorded.vertical)
     across = recorded.recording(reading)
