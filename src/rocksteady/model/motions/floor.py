@@ -392,8 +392,8 @@ class _Modes:
         Each mode is the response that lasts, in closed form, and a free swing that decays.
         """
         largest = max(map(_largest, pieces), default=0.0)
-        jumps = max(abs(piece.jump) * _size(rate) for piece in pieces for rate in self.rates)
-        error = tolerance * max(largest, jumps)
+        jumps = [abs(piece.jump) * _size(rate) for piece in pieces for rate in self.rates]
+        error = tolerance * max(largest, *jumps, 0.0)
         if error == 0.0:
             return tuple(pieces)
         if not pieces or pieces[-1].duration != math.inf:
@@ -527,7 +527,8 @@ def _turned_series(ground: FourierSeries, modes: _Modes) -> FourierSeries:
 
 def _numbers(name: str, value: object, rule: Bounds) -> tuple[float, ...]:
     """Return one number or several, each inside its range."""
-    given = value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
+    listed = value.tolist() if hasattr(value, "tolist") else value  # of an array
+    given = listed if isinstance(listed, Sequence) and not isinstance(listed, str) else [listed]
     return tuple(rule(name, each) for each in given)
 
 

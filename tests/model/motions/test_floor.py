@@ -1,0 +1,261 @@
+"""Floors against an independent integrator, the closed form at resonance, and the rigid limit."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+
+from rocksteady import (
+    BaseMotion,
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    Piecewise,
+    Pulse,
+    Record,
+    Still,
+    floor_motion,
+    run_ensemble,
+    simulate,
+)
+from rocksteady.arrays import Floats
+from rocksteady.dynamics.history.base_motion import base_acceleration
+from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.errors import InputError, ModelError
+from rocksteady.motions import Floor, FourierSeries, Impulses, Segment, cut, make_synthetic_suite
+from rocksteady.risk import Levels
+
+BLOCK = Block.rectangle(width=0.6, height=2.0)
+TWO: dict[str, Any] = {
+    "frequencies_hz": [1.5, 4.0],
+    "damping": [0.05, 0.02],
+    "shapes": [1.25, -0.4],
+}
+
+
+def integrated(floor: Floor, ground: Any, times: Floats, breaks: Floats) -> Floats:
+    """Return the acceleration of a floor by DOP853, begun again where the ground has corners."""
+    hertz, damping, shapes = (np.array(each) for each in floor._modes)
+    w = 2.0 * math.pi * hertz
+
+    def rate(t: float, y: Floats) -> Floats:
+        x, v = y.reshape(2, -1)
+        return np.concatenate([v, -2.0 * damping * w * v - w * w * x - ground(t)])
+
+    y, found = np.zeros(2 * len(w)), np.empty(len(times))
+    for start, end in zip(breaks[:-1], breaks[1:], strict=True):
+        of = (times >= start) & (times < end)
+        middle = np.clip(times[of], start + 1e-12, end - 1e-12)
+        ends = solve_ivp(
+            rate, (start, end), y, method="DOP853", t_eval=[*middle, end], rtol=1e-11, atol=1e-13
+        ).y
+        x, v = ends[: len(w), :-1], ends[len(w) :, :-1]
+        here = np.array([ground(t) for t in middle])
+        total = -(shapes * 2.0 * damping * w) @ v - (shapes * w * w) @ x
+        found[of] = (1.0 - shapes.sum()) * here + total
+        y = ends[:, -1]
+    return found
+
+
+def of_record(record: Record, times: Floats) -> Floats:
+    """Return the acceleration of a record between its samples, and 0 after the last."""
+    at = record.dt_s * np.arange(len(record.acceleration_m_s2))
+    return np.interp(times, at, record.acceleration_m_s2, right=0.0)
+
+
+@given(
+    samples=st.lists(st.floats(-4.0, 4.0), min_size=3, max_size=12),
+    dt=st.floats(0.01, 0.3),
+    hertz=st.lists(st.floats(0.3, 15.0), min_size=1, max_size=3),
+    damping=st.floats(0.01, 0.6),
+    tolerance=st.sampled_from([1e-2, 1e-3, 1e-4]),
+)
+@settings(max_examples=25, deadline=None)
+def test_the_floor_of_a_record_is_that_of_an_integrator(
+    samples: list[float], dt: float, hertz: list[float], damping: float, tolerance: float
+) -> None:
+    if max(map(abs, samples)) < 0.1:
+        samples[1] = 1.0
+    samples[-1] = 0.0  # else the floor falls to its free swing within one step
+    ground = Record(acceleration_m_s2=samples, dt_s=dt)
+    floor = Floor(frequencies_hz=hertz, damping=damping, shapes=[1.3 / len(hertz)] * len(hertz))
+    found = floor.motion(ground, tolerance=tolerance)
+    last = ground.duration_s
+    times = np.linspace(0.0, last + 0.5, 301)[:-1]
+    breaks = np.append(dt * np.arange(len(samples)), last + 0.5)
+    expected = integrated(floor, lambda t: of_record(ground, np.array(t)), times, breaks)
+    error = np.abs(of_record(found, times) - expected).max()
+    assert error <= tolerance * ground.peak_acceleration_m_s2 * (1.0 + 1e-6)
+    assert found.ground == ground
+    # The whole interval of the ground's samples is kept, so that both have their corners together.
+    assert round(ground.dt_s / found.dt_s) * found.dt_s == pytest.approx(ground.dt_s, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "motion",
+    [
+        Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=3.0),
+        Pulse(shape="triangle", amplitude=2.0, frequency_ratio=3.0),
+        cut(Harmonic(amplitude=1.0, frequency_ratio=5.0, phase=0.4), 2.0),
+        Piecewise(
+            pieces=(
+                Segment(duration=0.7, constant=1.0, slope=-0.5),
+                Segment(
+                    duration=1.1,
+                    amplitude=0.8,
+                    frequency=2.0,
+                    harmonics=((1, 1.0, 0.2), (3, -0.4, 1.0)),
+                ),
+            )
+        ),
+    ],
+)
+def test_the_floor_of_any_other_motion_is_that_of_an_integrator(motion: Any) -> None:
+    floor, p = Floor(**TWO), BLOCK.p
+    found = floor.motion(motion, BLOCK, tolerance=1e-4)
+    pieces = motion.segments()
+    breaks = np.cumsum([0.0, *(piece.duration for piece in pieces), 4.0])
+    breaks = breaks[np.isfinite(breaks)]
+    table, lowered = segment_table(motion), segment_table(found)
+    times = np.linspace(0.0, breaks[-1], 901)[1:-1]
+    times = times[np.abs(times[:, None] - breaks).min(axis=1) > 1e-6]
+
+    def ground(s: float) -> Floats:
+        return np.asarray(base_acceleration(table, np.array([s])))[0]
+
+    slow = Floor(
+        frequencies_hz=[f / p for f in TWO["frequencies_hz"]],
+        damping=TWO["damping"],
+        shapes=TWO["shapes"],
+    )
+    expected = integrated(slow, ground, times, breaks)
+    error = np.abs(np.asarray(base_acceleration(lowered, times)) - expected).max()
+    largest = max(abs(base_acceleration(table, times)))
+    assert error <= 1e-4 * 2.0 * largest  # the bound of the ground is no less than its largest
+
+
+def test_resonance_is_the_closed_form() -> None:
+    for zeta in (0.02, 0.05, 0.3):
+        closed = math.sqrt(1.0 + 4.0 * zeta * zeta) / (2.0 * zeta)
+        floor = Floor(frequencies_hz=1.7, damping=zeta)
+        assert floor.amplification(1.7) == pytest.approx(closed, rel=1e-12)
+        shaking = Harmonic(amplitude=0.5, frequency_ratio=1.7 * 2.0 * math.pi / BLOCK.p)
+        assert floor.motion(shaking, BLOCK).amplitude == pytest.approx(0.5 * closed, rel=1e-12)
+    assert Floor(frequencies_hz=1.0, damping=0.05).amplification(1.0) == pytest.approx(10.049876)
+
+
+def test_lasting_shaking_is_what_is_left_of_shaking_from_rest() -> None:
+    motion = FourierSeries(
+        amplitude=0.8, frequency_ratio=2.0, phase=0.3, harmonics=((1, 1.0, 0.2), (3, 0.5, -1.0))
+    )
+    floor = Floor(**TWO)
+    lasting = floor.motion(motion, BLOCK)
+    assert isinstance(lasting, FourierSeries)
+    begun = floor.motion(Piecewise(pieces=motion.segments()), BLOCK, tolerance=1e-6)
+    pieces = begun.segments()
+    assert pieces[-1].duration == math.inf
+    start = sum(piece.duration for piece in pieces[:-1])
+    times = start + np.linspace(0.01, 6.0, 200)
+    both = [
+        np.asarray(base_acceleration(segment_table(each), times))
+        for each in (begun, lasting)
+    ]
+    assert both[0] == pytest.approx(both[1], abs=1e-5)
+
+
+def test_a_rigid_building_is_its_ground_and_a_soft_one_stands_still() -> None:
+    (ground,) = make_synthetic_suite(1)
+    rigid = floor_motion(ground, frequencies_hz=900.0, tolerance=1e-2)
+    times = np.linspace(0.0, ground.duration_s, 4001)
+    error = np.abs(of_record(rigid, times) - of_record(ground, times)).max()
+    assert error <= 0.02 * ground.peak_acceleration_m_s2
+    soft = floor_motion(ground, frequencies_hz=0.01, damping=0.01)
+    assert soft.peak_acceleration_m_s2 < 0.02 * ground.peak_acceleration_m_s2
+
+
+def test_a_floor_without_participation_is_the_ground() -> None:
+    pulse = Pulse(shape="one-cosine", amplitude=2.0, frequency_ratio=3.0)
+    none = floor_motion(pulse, frequencies_hz=2.0, shapes=0.0, block=BLOCK, tolerance=1e-5)
+    on_ground, on_floor = (simulate(BLOCK, motion) for motion in (pulse, none))
+    assert on_floor.peak == pytest.approx(on_ground.peak, rel=1e-3)
+
+
+def test_an_impulse_of_the_ground_sets_the_modes_swinging() -> None:
+    kick = Impulses(velocities=(0.7,), times=(0.4,))
+    floor = Floor(frequencies_hz=1.5, damping=0.05, shapes=0.75)
+    moved = floor.motion(kick, BLOCK, tolerance=1e-5)
+    found = moved.segments()
+    w, zeta = 2.0 * math.pi * 1.5 / BLOCK.p, 0.05
+    wd = w * math.sqrt(1.0 - zeta * zeta)
+    jumps = [piece.jump for piece in found if piece.jump]
+    assert jumps == [pytest.approx(0.25 * 0.7, rel=1e-12)]
+    s = np.linspace(0.01, 3.0, 50)
+    fade = np.exp(-zeta * w * s)
+    x = -0.7 * fade * np.sin(wd * s) / wd
+    v = -0.7 * fade * (np.cos(wd * s) - zeta * w / wd * np.sin(wd * s))
+    expected = -0.75 * (2.0 * zeta * w * v + w * w * x)
+    values = np.asarray(base_acceleration(segment_table(moved), 0.4 + s))
+    assert values == pytest.approx(expected, abs=1e-5 * 0.7 * w * 1.001)
+
+
+def test_the_vertical_component_stays_that_of_the_ground() -> None:
+    across, up = make_synthetic_suite(2)
+    both = floor_motion(BaseMotion(across, up), frequencies_hz=2.0)
+    assert both.vertical is up
+    assert both.horizontal == floor_motion(across, frequencies_hz=2.0)
+
+
+def test_levels_of_an_ensemble_are_those_of_the_ground() -> None:
+    suite = make_synthetic_suite(3)
+    floors = [floor_motion(each, frequencies_hz=1.0, shapes=1.3) for each in suite]
+    levels = Levels("pga_g", [0.2, 0.3])
+    on_ground, on_floor = (
+        run_ensemble([BLOCK], [*motions], levels=levels) for motions in (suite, floors)
+    )
+    assert (on_floor["scale"].values == on_ground["scale"].values).all()
+    assert on_floor["peak_angle"].values.sum() > on_ground["peak_angle"].values.sum()
+    scaled = floors[0].scaled(-2.0)
+    assert scaled.reference.peak_acceleration_m_s2 == 2.0 * suite[0].peak_acceleration_m_s2
+    assert scaled.reversed() == floors[0].scaled(2.0)
+    assert floors[0] != floor_motion(suite[1], frequencies_hz=1.0, shapes=1.3)
+
+
+@pytest.mark.parametrize(
+    ("modes", "name", "words"),
+    [
+        ({"frequencies_hz": 0.0}, "frequencies_hz", "(0, 10000]"),
+        ({"frequencies_hz": []}, "frequencies_hz", "1 to 50"),
+        ({"frequencies_hz": 1.0, "damping": 1.0}, "damping", "(0, 1)"),
+        ({"frequencies_hz": 1.0, "damping": 0.0}, "damping", "(0, 1)"),
+        ({"frequencies_hz": [1.0, 2.0], "shapes": 1.0}, "shapes", "each of 2 modes"),
+        ({"frequencies_hz": [1.0, 2.0], "shapes": [1.3, -1.4]}, "shapes", "add up to -0.1"),
+        ({"frequencies_hz": [1.0, 2.0], "shapes": [1.6, 1.4]}, "shapes", "add up to 3"),
+        ({"frequencies_hz": 1.0, "shapes": math.nan}, "shapes", "[-5, 5]"),
+        ({"frequencies_hz": "1"}, "frequencies_hz", "'1'"),
+    ],
+)
+def test_modes_that_are_none_are_refused(modes: dict[str, Any], name: str, words: str) -> None:
+    with pytest.raises(InputError, match=name) as error:
+        Floor(**modes)
+    assert words in str(error.value)
+
+
+def test_motions_in_the_measures_of_a_block_need_the_block() -> None:
+    pulse = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=3.0)
+    for block in (None, DimensionlessBlock(restitution=0.9)):
+        with pytest.raises((ModelError, InputError), match="block"):
+            floor_motion(pulse, frequencies_hz=2.0, block=block)  # type: ignore[arg-type]
+    assert floor_motion(Still(), frequencies_hz=2.0, block=BLOCK).segments() == ()
+
+
+def test_a_swing_that_hardly_decays_is_refused() -> None:
+    ground = Record(acceleration_m_s2=[0.0, 2.0, -2.0, 0.0], dt_s=0.01)
+    with pytest.raises(InputError, match="tolerance"):
+        floor_motion(ground, frequencies_hz=50.0, damping=1e-7, tolerance=1e-6)
+    pulse = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=3.0)
+    with pytest.raises(InputError, match="tolerance"):
+        floor_motion(pulse, frequencies_hz=50.0, damping=1e-7, block=BLOCK, tolerance=1e-6)
