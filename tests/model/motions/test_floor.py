@@ -1,5 +1,6 @@
 """Floors against an independent integrator, the closed form at resonance, and the rigid limit."""
 
+import itertools
 import math
 from typing import Any
 
@@ -47,7 +48,7 @@ def integrated(floor: Floor, ground: Any, times: Floats, breaks: Floats) -> Floa
         return np.concatenate([v, -2.0 * damping * w * v - w * w * x - ground(t)])
 
     y, found = np.zeros(2 * len(w)), np.empty(len(times))
-    for start, end in zip(breaks[:-1], breaks[1:], strict=True):
+    for start, end in itertools.pairwise(breaks):
         of = (times >= start) & (times < end)
         middle = np.clip(times[of], start + 1e-12, end - 1e-12)
         ends = solve_ivp(
@@ -81,7 +82,7 @@ def test_the_floor_of_a_record_is_that_of_an_integrator(
     if max(map(abs, samples)) < 0.1:
         samples[1] = 1.0
     samples[-1] = 0.0  # else the floor falls to its free swing within one step
-    ground = Record(acceleration_m_s2=samples, dt_s=dt)
+    ground = Record(acceleration_m_s2=np.array(samples), dt_s=dt)
     floor = Floor(frequencies_hz=hertz, damping=damping, shapes=[1.3 / len(hertz)] * len(hertz))
     found = floor.motion(ground, tolerance=tolerance)
     last = ground.duration_s
@@ -125,7 +126,8 @@ def test_the_floor_of_any_other_motion_is_that_of_an_integrator(motion: Any) -> 
     times = times[np.abs(times[:, None] - breaks).min(axis=1) > 1e-6]
 
     def ground(s: float) -> Floats:
-        return np.asarray(base_acceleration(table, np.array([s])))[0]
+        value: Floats = base_acceleration(table, np.array([s]))[0]
+        return value
 
     slow = Floor(
         frequencies_hz=[f / p for f in TWO["frequencies_hz"]],
@@ -144,7 +146,9 @@ def test_resonance_is_the_closed_form() -> None:
         floor = Floor(frequencies_hz=1.7, damping=zeta)
         assert floor.amplification(1.7) == pytest.approx(closed, rel=1e-12)
         shaking = Harmonic(amplitude=0.5, frequency_ratio=1.7 * 2.0 * math.pi / BLOCK.p)
-        assert floor.motion(shaking, BLOCK).amplitude == pytest.approx(0.5 * closed, rel=1e-12)
+        found = floor.motion(shaking, BLOCK)
+        assert isinstance(found, Harmonic)
+        assert found.amplitude == pytest.approx(0.5 * closed, rel=1e-12)
     assert Floor(frequencies_hz=1.0, damping=0.05).amplification(1.0) == pytest.approx(10.049876)
 
 
@@ -160,10 +164,7 @@ def test_lasting_shaking_is_what_is_left_of_shaking_from_rest() -> None:
     assert pieces[-1].duration == math.inf
     start = sum(piece.duration for piece in pieces[:-1])
     times = start + np.linspace(0.01, 6.0, 200)
-    both = [
-        np.asarray(base_acceleration(segment_table(each), times))
-        for each in (begun, lasting)
-    ]
+    both = [np.asarray(base_acceleration(segment_table(each), times)) for each in (begun, lasting)]
     assert both[0] == pytest.approx(both[1], abs=1e-5)
 
 
@@ -253,7 +254,7 @@ def test_motions_in_the_measures_of_a_block_need_the_block() -> None:
 
 
 def test_a_swing_that_hardly_decays_is_refused() -> None:
-    ground = Record(acceleration_m_s2=[0.0, 2.0, -2.0, 0.0], dt_s=0.01)
+    ground = Record(acceleration_m_s2=np.array([0.0, 2.0, -2.0, 0.0]), dt_s=0.01)
     with pytest.raises(InputError, match="tolerance"):
         floor_motion(ground, frequencies_hz=50.0, damping=1e-7, tolerance=1e-6)
     pulse = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=3.0)

@@ -108,4 +108,6 @@ def horizontal(motion: Record | BaseMotion) -> Record:
 
 def measured(motions: Motions, measure: Measure, block: Block | None = None) -> Floats:
     """Return a measure of each motion as it is, shape (motions,)."""
-    return np.array([compute_measure(horizontal(each).reference, measure, block) for each in motions])
+    return np.array(
+        [compute_measure(horizontal(each).reference, measure, block) for each in motions]
+    )

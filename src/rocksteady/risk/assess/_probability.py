@@ -169,30 +169,31 @@ def _restitutions(described: DescribedObject, most: int) -> str:
 
 def fit_fragilities(
     objects: Sequence[DescribedObject],
-    motions: Motions,
+    motions: Sequence[Motions],
     intensities: Sequence[Measure],
     fittings: Sequence[FitOptions],
     *,
     ranked: bool = True,
     run: Execution | None = None,
 ) -> list[Fragility]:
-    """Run objects on all motions at all levels of each object, and fit the curves of each.
+    """Run each object on its motions at all levels of it, and fit the curves of each.
 
     Measures of intensity beside that of the levels are computed only to be `ranked`: no curve
     depends on them, and they take longer than the runs.
 
-    Objects that share levels and restitutions are run in one sweep.  The first sweep is kept in the
-    store of `run`, further ones beside it: in runs-2.zarr, runs-3.zarr and so on beside runs.zarr.
+    Objects that share motions, levels and restitutions are run in one sweep.  The first sweep is
+    kept in the store of `run`, further ones beside it: in runs-2.zarr, runs-3.zarr and so on beside
+    runs.zarr.
     """
     groups: dict[object, list[int]] = {}
     sweeps = []
     for place, (described, intensity) in enumerate(zip(objects, intensities, strict=True)):
         block, options = described.block, described.given.assessment
-        wanted = levels_of(intensity, block, motions, options.levels)
+        wanted = levels_of(intensity, block, motions[place], options.levels)
         band = band_of(described, most=options.draws)
         levels = wanted.levels_for([block])
         # Equal coordinates in one group: an object's part of it is as if it ran alone.
-        key = (intensity, levels, band, block.symmetric, block.one_sided)
+        key = (id(motions[place]), intensity, levels, band, block.symmetric, block.one_sided)
         if key not in groups:
             beside = wanted.beside if ranked else ()
             sweeps.append((replace(wanted, levels=levels, beside=beside), band))
@@ -202,7 +203,7 @@ def fit_fragilities(
     for (wanted, band), places, sweep_run in zip(sweeps, groups.values(), runs, strict=True):
         ensemble = run_ensemble(
             [objects[place].block for place in places],
-            list(motions),
+            list(motions[places[0]]),
             levels=wanted,
             restitution=band,
             run=sweep_run,
@@ -233,20 +234,26 @@ class AtDemand(NamedTuple):
 
 def count_at_demand(
     objects: Sequence[DescribedObject],
-    motions: Motions,
+    motions: Sequence[Motions],
     levels: Sequence[DemandLevel],
     *,
     run: Execution | None = None,
 ) -> list[AtDemand]:
     """Return the runs of each object at its demand, without vertical motion, counted."""
-    groups: dict[tuple[DemandLevel, RestitutionBand], list[int]] = {}
+    groups: dict[tuple[int, DemandLevel, RestitutionBand], list[int]] = {}
     for place, (described, level) in enumerate(zip(objects, levels, strict=True)):
-        groups.setdefault((level, band_of(described, most=MOST_DRAWS)), []).append(place)
+        key = (id(motions[place]), level, band_of(described, most=MOST_DRAWS))
+        groups.setdefault(key, []).append(place)
     counted: dict[int, AtDemand] = {}
-    for (level, band), places in groups.items():
+    for (_, level, band), places in groups.items():
         blocks = [objects[place].block for place in places]
         all_counts = run_at(
-            blocks, motions, level.measure, [level.value], restitution=band, run=run
+            blocks,
+            motions[places[0]],
+            level.measure,
+            [level.value],
+            restitution=band,
+            run=run,
         )
         for place, counts in zip(places, all_counts, strict=True):
             lifted, trials = int(counts.lifted.sum()), int(counts.trials.sum())

@@ -53,6 +53,8 @@ class Findings:
         slides.
     remedy
         That of the least change, where one is needed.
+    on_floor
+        Whether it stands on a floor of a building, whose peaks are the demand's of the facts.
     """
 
     facts: ObjectFacts
@@ -63,16 +65,18 @@ class Findings:
     answer: Probability = NO_ANSWER
     cases: tuple[Case, ...] = ()
     remedy: Remedy | None = None
+    on_floor: bool = False
 
     @property
     def peak(self) -> str:
         """The peak acceleration in words, with the vertical motion."""
-        return peak_words(self.facts.demand)
+        return peak_words(self.facts.demand, on_floor=self.on_floor)
 
 
-def peak_words(demand: Demand) -> str:
+def peak_words(demand: Demand, *, on_floor: bool = False) -> str:
     """Return the peak acceleration of a demand in words, with its vertical motion."""
-    words = f"a PGA of {quantity(demand.pga_g or 0.0, 'g')}"
+    name = "peak floor acceleration" if on_floor else "PGA"
+    words = f"a {name} of {quantity(demand.pga_g or 0.0, 'g')}"
     return f"{words} with {demand.vertical_words}" if demand.vertical_words else words
 
 

@@ -38,6 +38,7 @@ from rocksteady.risk.assess._sensitivity import (
 )
 from rocksteady.risk.assess._verdicts import MET, Findings, answer_of
 from rocksteady.risk.assess.caveats import CAVEATS
+from rocksteady.risk.assess.described.building import Building, on_floors
 from rocksteady.risk.assess.described.facts import ObjectFacts, compute_object_facts
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of, parameter_words
 from rocksteady.risk.assess.described.schema import Options, own_states
@@ -325,6 +326,7 @@ def assess_object(
     described: DescribedObject,
     motions: Sequence[Record | BaseMotion],
     *,
+    buildings: Sequence[Building] = (),
     hazard: HazardCurve | Sequence[HazardCurve] | None = None,
     run: Execution | None = None,
 ) -> Assessment:
@@ -341,6 +343,9 @@ def assess_object(
         The object.
     motions
         Records of the ground or the floor, with a vertical one beside them as `BaseMotion`.
+    buildings
+        Building of the object, whose floor it then stands on; the motions and its demand are those
+        of the ground.  None by default.
     hazard
         A hazard curve or several; none by default.
     run
@@ -354,7 +359,8 @@ def assess_object(
     Raises
     ------
     InputError, ModelError
-        If a measure needs a demand that the object does not state, or a motion is of another type.
+        If a measure needs a demand that the object does not state, a motion is of another type, or
+        the object's building is not given or has no such floor.
 
     Examples
     --------
@@ -378,7 +384,8 @@ def assess_object(
     suite = [*motions]
     if not suite:
         raise InputError("motions", [], "an assessment needs motions", "give records")
-    given = described.given
+    (described,), (shaken,) = on_floors([described], suite, buildings)
+    suite, given = [*shaken], described.given
     facts = compute_object_facts(described)
     block = facts.block
     intensity = Measure(given.assessment.intensity_measure, given.assessment.period_s)
@@ -392,6 +399,7 @@ def assess_object(
         demand=_words_of(described, level),
         onset=onset,
         target=given.assessment.target_probability,
+        on_floor=described.amplified != (1.0, 1.0),
     )
     assessment = Assessment(
         described=described,
@@ -431,7 +439,7 @@ def _rocking(
     described, level = assessment.described, findings.level
     inner = None if run is None else replace(run, store=None, progress=None)
     fitting = _fitting(described.given.assessment)
-    (fragility,) = fit_fragilities([described], suite, [intensity], [fitting], run=run)
+    (fragility,) = fit_fragilities([described], [suite], [intensity], [fitting], run=run)
     cases = vary(described, suite, level, run=inner)
     answer = probability_of(
         described, findings.onset, fragility, level, cases[0].counted, cases[0].band
@@ -480,6 +488,8 @@ def _words_of(described: DescribedObject, level: DemandLevel) -> str:
     ]
     vertical = described.demand.vertical_words
     words = f"{' and '.join(peaks) or level.words}, of the {given.place}"
+    if described.amplified != (1.0, 1.0):
+        words += f", up to {number(described.amplified[0])} times that on its floor"
     return f"{words}, with {vertical}" if vertical else words
 
 

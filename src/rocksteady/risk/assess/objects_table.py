@@ -37,6 +37,7 @@ from rocksteady.risk.assess._verdicts import (
     with_article,
 )
 from rocksteady.risk.assess.caveats import CAVEATS
+from rocksteady.risk.assess.described.building import Building, on_floors
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.two_numbers import assess_by_formula, share_words
 from rocksteady.risk.fragility.damage_states import OVERTURNED
@@ -182,6 +183,7 @@ def assess_objects(
     objects: Sequence[DescribedObject],
     motions: Sequence[Record | BaseMotion],
     *,
+    buildings: Sequence[Building] = (),
     pga_g: Annotated[float | None, PGA] = None,
     pgv_m_s: Annotated[float | None, PGV] = None,
     target_probability: Annotated[float, Bounds(0.0, 1.0, "()", "give a probability")] = 0.1,
@@ -200,10 +202,14 @@ def assess_objects(
         vertical motion and its options, the target excepted.
     motions
         Records of the ground or the floor, as for `assess_object`.
+    buildings
+        Buildings of the objects that state a floor, as `read_buildings` returns them: each such
+        object has the motions of its floor, made once a floor, and motions and demand are those of
+        the ground.  None by default.
     pga_g, pgv_m_s
-        Peaks of the demand, [g] and [m/s]; one of the two at least.  With one alone it is the
-        measure of an object whose own measure needs the other.  An object that the PGA does not
-        lift stands.
+        Peaks of the demand, [g] and [m/s], of the objects that state none of their own; one of the
+        two at least.  With one alone it is the measure of an object whose own measure needs the
+        other.  An object that the PGA does not lift stands.
     target_probability
         Above it an object is red, above a fifth of it amber; default 0.1.
     run
@@ -218,7 +224,8 @@ def assess_objects(
     Raises
     ------
     InputError, ModelError
-        If there are no objects or no motions, or no peak.
+        If there are no objects or no motions, an object has no peak, or its building is not given
+        or has no such floor.
 
     Examples
     --------
@@ -239,21 +246,12 @@ def assess_objects(
     for name, things in (("objects", bodies), ("motions", suite)):
         if not things:
             raise InputError(name, [], "there must be one or more", "give a list")
-    if pga_g is None and pgv_m_s is None:
-        raise ModelError(
-            "pga_g, pgv_m_s",
-            Words("are both missing"),
-            "objects are assessed at a peak velocity, a peak acceleration or both",
-            "give the PGV, and the PGA where it is known",
-        )
-    asked = [
-        each.with_peaks(pga_g=pga_g, pgv_m_s=pgv_m_s).with_target(target_probability)
-        for each in bodies
-    ]
+    asked = [_asked(each, pga_g, pgv_m_s).with_target(target_probability) for each in bodies]
+    asked, shaken = on_floors(asked, suite, buildings)
     intensities = [_measure_of(each) for each in asked]
     levels = [
-        demand_level(intensity, each.given.demand, suite, each.block, each.source)
-        for each, intensity in zip(asked, intensities, strict=True)
+        demand_level(intensity, each.given.demand, moved, each.block, each.source)
+        for each, moved, intensity in zip(asked, shaken, intensities, strict=True)
     ]
     onsets = [onset_of(each) for each in asked]
     rocking = [place for place, onset in enumerate(onsets) if not onset.slides]
@@ -263,7 +261,7 @@ def assess_objects(
             rocking,
             fit_fragilities(
                 [asked[place] for place in rocking],
-                suite,
+                [shaken[place] for place in rocking],
                 [intensities[place] for place in rocking],
                 [fitting] * len(rocking),
                 ranked=False,
@@ -273,7 +271,7 @@ def assess_objects(
         )
     )
     inner = None if run is None else replace(run, store=None, progress=None)
-    counts = count_at_demand(asked, suite, levels, run=inner)
+    counts = count_at_demand(asked, shaken, levels, run=inner)
     rows = []
     for place, (each, onset, level) in enumerate(zip(asked, onsets, levels, strict=True)):
         answer = NO_ANSWER
@@ -289,6 +287,23 @@ def assess_objects(
         records=len(suite),
         seconds=time.perf_counter() - began,
     )
+
+
+def _asked(
+    described: DescribedObject, pga_g: float | None, pgv_m_s: float | None
+) -> DescribedObject:
+    """Return an object with the demand of all where it states none of its own."""
+    own = described.given.demand
+    if own.pga_g is not None or own.pgv_m_s is not None:
+        return described
+    if pga_g is None and pgv_m_s is None:
+        raise ModelError(
+            "pga_g, pgv_m_s",
+            Words(f"are both missing of {described.name}"),
+            "objects are assessed at a peak velocity, a peak acceleration or both",
+            "give the PGV, and the PGA where it is known",
+        )
+    return described.with_peaks(pga_g=pga_g, pgv_m_s=pgv_m_s)
 
 
 def _measure_of(described: DescribedObject) -> Measure:
@@ -314,8 +329,13 @@ def _row(
         described.demand,
         described.given.assessment.target_probability,
     )
-    closed = None
-    if demand.pga_g is not None and demand.pgv_m_s is not None and not block.one_sided:
+    closed, on_floor = None, described.amplified != (1.0, 1.0)
+    if (
+        not on_floor
+        and demand.pga_g is not None
+        and demand.pgv_m_s is not None
+        and not block.one_sided
+    ):
         closed = assess_by_formula(
             block,
             demand.pga_g,
@@ -328,6 +348,11 @@ def _row(
     row = {
         "name": described.name,
         "kind": described.given.kind,
+        "building": described.given.building,
+        "floor": described.given.floor,
+        "pga_g": described.given.demand.pga_g,
+        "pgv_m_s": described.given.demand.pgv_m_s,
+        "floor_pga_g": demand.pga_g if on_floor else None,
         "colour": colour,
         "class": WORDS[colour],
         "probability": answer.value,
@@ -358,15 +383,15 @@ def _sentence(
     described: DescribedObject, answer: Probability, level: DemandLevel, counts: AtDemand
 ) -> str:
     """Return the one sentence on an object."""
-    name, fell, runs = described.name, counts.fell, plural(counts.tried, "run")
+    name, fell, runs = described.label, counts.fell, plural(counts.tried, "run")
     if level.measure.given_uplift:
         runs += " that lift"
     if answer.value is None and answer.basis is not None:
         return f"No answer yet for {name}: no run lifts at {with_article(level.words)}."
     if answer.value is None:
-        return f"{name} slides at {peak_words(described.demand)}: rocking is no answer."
+        return f"{name} slides at {_peak(described)}: rocking is no answer."
     if answer.basis == "statics":
-        return f"{name} stands: {peak_words(described.demand)} does not lift it."
+        return f"{name} stands: {_peak(described)} does not lift it."
     if answer.by_curve is None:  # a share is no smaller than one of the runs
         return f"{name}: {counted(fell, f'its {runs}')} at {with_article(level.words)}."
     decides = ", which decides" if answer.basis == "count" else ""
@@ -375,3 +400,8 @@ def _sentence(
         f"{name}: {share} objects of its shape and size would fall at "
         f"{with_article(level.words)}; of its {runs} there {fell or 'none'} fell{decides}."
     )
+
+
+def _peak(described: DescribedObject) -> str:
+    """Return the peak acceleration of an object's demand in words."""
+    return peak_words(described.demand, on_floor=described.amplified != (1.0, 1.0))

@@ -140,7 +140,10 @@ class Levels:
 def measured(intensity: Measure, records: Sequence[Record], blocks: Sequence[Block]) -> Floats:
     """Return a measure of records as they are, shape (blocks, records)."""
     bodies: Sequence[Block | None] = blocks if intensity.needs_block else [None]
-    rows = [[compute_measure(record.reference, intensity, body) for record in records] for body in bodies]
+    rows = [
+        [compute_measure(record.reference, intensity, body) for record in records]
+        for body in bodies
+    ]
     return np.array(np.broadcast_to(np.array(rows), (len(blocks), len(records))))
 
 

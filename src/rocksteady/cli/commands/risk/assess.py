@@ -29,6 +29,7 @@ from rocksteady.show.export.folders import ASSESSMENT
 if TYPE_CHECKING:
     from rocksteady.results.description import Description
     from rocksteady.risk.assess.assessment import Assessment
+    from rocksteady.risk.assess.described.building import Building
     from rocksteady.risk.assess.described.objects import DescribedObject
     from rocksteady.risk.assess.objects_table import ObjectsTable
     from rocksteady.risk.assess.two_numbers import FormulaAssessment
@@ -74,6 +75,11 @@ def assess(
         Path | None,
         typer.Argument(metavar="FILE", help="An object in TOML, or a table of objects in CSV."),
     ] = None,
+    buildings: Path | None = file_flag(
+        "--buildings FILE",
+        "Read the buildings of objects that state a floor: periods or modes, storeys and rooms. "
+        "Motions and demand are then those of the ground.",
+    ),
     hazard: Path | None = file_flag(
         "--hazard FILE",
         "Read hazard curves of the site, as OpenQuake writes them or in two columns, and "
@@ -106,6 +112,8 @@ def assess(
     most = None if target is None else probability("--target", target)
     table = file is not None and file.suffix.lower() == ".csv"
     _refuse_idle(block, peaks, recorded, reading, kept, file, hazard, out, example=example)
+    if file is None:
+        refuse({"--buildings": buildings}, "it belongs to objects of a FILE", "leave it out")
     answer: FormulaAssessment | Assessment | ObjectsTable
     if file is None and not example:
         answer = quick_answer(block, peaks)
@@ -115,13 +123,13 @@ def assess(
         assert file is not None
         with kept.sweep.resumable(context.find_root().obj):
             answer = _answers(
-                context, file, peaks, recorded, reading, kept, out, most, output=output
+                context, file, peaks, recorded, reading, kept, buildings, out, most, output=output
             )
         met = answer.meets_target
     else:
         with kept.sweep.resumable(context.find_root().obj):
             answer = _answer(
-                context, file, recorded, reading, kept, hazard, out, most, output=output
+                context, file, recorded, reading, kept, buildings, hazard, out, most, output=output
             )
         met = answer.meets_target
     description = answer.describe()
@@ -179,6 +187,7 @@ def _answer(
     recorded: SuiteFlags,
     reading: ReadingFlags,
     kept: RunsFlags,
+    buildings: Path | None,
     hazard: Path | None,
     out: Path | None,
     target: float | None,
@@ -202,15 +211,19 @@ def _answer(
         described = described.with_target(target)
     curves = _hazard_curves(hazard)
     suite = _suite(file, recorded, reading, described)
-    read = [each for each in (file, hazard, *suite.read) if each is not None]
+    read = [each for each in (file, buildings, hazard, *suite.read) if each is not None]
     output.files.check_folder(ASSESSMENT, out, read)
     announce_compilation("records.record_fates")
     with sweeping("running the object", _cells(described, suite)) as meter:
         assessment = assess_object(
-            described, suite.motions, hazard=curves, run=replace(run, progress=meter)
+            described,
+            suite.motions,
+            buildings=_buildings(buildings),
+            hazard=curves,
+            run=replace(run, progress=meter),
         )
     if out is not None:
-        files = [each for each in (file, hazard, *suite.files) if each is not None]
+        files = [each for each in (file, buildings, hazard, *suite.files) if each is not None]
         _write_folder(context, assessment, out, files, force=output.force)
     return assessment
 
@@ -234,6 +247,7 @@ def _answers(
     recorded: SuiteFlags,
     reading: ReadingFlags,
     kept: RunsFlags,
+    buildings: Path | None,
     out: Path | None,
     target: float | None,
     *,
@@ -249,29 +263,32 @@ def _answers(
     from rocksteady.risk.assess.described.tables import read_objects
     from rocksteady.risk.assess.objects_table import assess_objects
 
-    if peaks.pga_g is None and peaks.pgv_m_s is None:
-        raise missing(
-            "--pgv-m-s",
-            valid="objects are assessed under one demand",
-            hint="add --pgv-m-s 0.4, and --pga-g 0.35 where it is known",
-        )
     output.files.check_folder(ASSESSMENT, out)
     run = kept.sweep.run(force=output.force)
     objects = read_objects(file)
+    stated = all(each.demand.pga_g or each.demand.pgv_m_s for each in objects)
+    if peaks.pga_g is None and peaks.pgv_m_s is None and not stated:
+        raise missing(
+            "--pgv-m-s",
+            valid="objects that state no peak of their own are assessed under one demand",
+            hint="add --pgv-m-s 0.4, and --pga-g 0.35 where it is known",
+        )
     suite = recorded.suite(reading)
-    output.files.check_folder(ASSESSMENT, out, [file, *suite.read])
+    beside = [file] if buildings is None else [file, buildings]
+    output.files.check_folder(ASSESSMENT, out, [*beside, *suite.read])
     announce_compilation("records.record_fates")
     with sweeping("running objects", sum(_cells(each, suite) for each in objects)) as meter:
         table = assess_objects(
             objects,
             suite.motions,
+            buildings=_buildings(buildings),
             pga_g=peaks.pga_g,
             pgv_m_s=peaks.pgv_m_s,
             target_probability=USUAL_TARGET if target is None else target,
             run=replace(run, progress=meter),
         )
     if out is not None:
-        _write_folder(context, table, out, [file, *suite.files], force=output.force)
+        _write_folder(context, table, out, [*beside, *suite.files], force=output.force)
     return table
 
 
@@ -301,6 +318,15 @@ def _suite(
     if recorded.records is None and named is not None:
         recorded = replace(recorded, records=[file.parent / named])
     return recorded.suite(reading)
+
+
+def _buildings(file: Path | None) -> "Sequence[Building]":
+    """Return the buildings of --buildings."""
+    if file is None:
+        return ()
+    from rocksteady.risk.assess.described.building import read_buildings
+
+    return read_buildings(file)
 
 
 def _hazard_curves(hazard: Path | None) -> "Sequence[HazardCurve] | None":

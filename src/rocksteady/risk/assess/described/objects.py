@@ -83,6 +83,8 @@ class DescribedObject(Result):
         Further columns of a table of objects, kept and not read.
     sha256
         Hash of the file; none by default.
+    amplified
+        By how much its floor multiplies PGA and PGV; 1 on the ground.
 
     Attributes
     ----------
@@ -114,6 +116,7 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
     source: str = "object"
     extra: Mapping[str, str] = field(default_factory=dict)
     sha256: str | None = None
+    amplified: tuple[float, float] = (1.0, 1.0)
     given: ObjectInput = field(init=False)
 
     def __post_init__(self) -> None:
@@ -131,6 +134,14 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
     def name(self) -> str:
         """Name of the object."""
         return self.given.name
+
+    @property
+    def label(self) -> str:
+        """Name of the object and where it stands, as "vase on floor 2 of museum"."""
+        given = self.given
+        floor = "" if given.floor is None else str(given.floor).strip()
+        words = f" on floor {floor}" if floor.isdecimal() else f" in {floor}" if floor else ""
+        return f"{given.name}{words}{f' of {given.building}' if given.building else ''}"
 
     @property
     def body(self) -> Body:
@@ -152,12 +163,16 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
 
     @property
     def demand(self) -> Demand:
-        """The demand, as the published formulas take it."""
+        """The demand where it stands, as the published formulas take it."""
         given = self.given.demand
         spectrum = given.spectrum
+        pga, pgv = (
+            None if peak is None else peak * factor
+            for peak, factor in zip((given.pga_g, given.pgv_m_s), self.amplified, strict=True)
+        )
         return Demand(
-            pga_g=given.pga_g,
-            pgv_m_s=given.pgv_m_s,
+            pga_g=pga,
+            pgv_m_s=pgv,
             spectrum=None
             if spectrum is None
             else np.column_stack([spectrum.period_s, spectrum.sa_g]),

@@ -94,6 +94,8 @@ class ObjectInput(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     name: str
     geometry: Geometry
     kind: str = "other"
+    building: str | None = None
+    floor: int | str | None = None
     friction: Value | None = None
     restitution: str | Value = "housner"
     against_wall: bool = False

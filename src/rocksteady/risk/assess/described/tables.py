@@ -14,31 +14,26 @@ from rocksteady.risk.screens.demand import VERTICAL
 COLUMNS: Mapping[str, tuple[str, str]] = {
     **{
         key: ("", key)
-        for key in ("name", "kind", "friction", "restitution", "against_wall", "gravity_m_s2")
+        for key in (
+            *("name", "kind", "building", "floor", "friction", "restitution", "against_wall"),
+            "gravity_m_s2",
+        )
     },
     **{key: ("geometry", key) for key in Geometry.__struct_fields__},
     **{f"content_{key}": ("content", key) for key in Content.__struct_fields__},
-    **{key: ("demand", key) for key in VERTICAL},
+    **{key: ("demand", key) for key in ("pga_g", "pgv_m_s", *VERTICAL)},
 }
 """Table and key of the object file for each column that is read."""
 
-TEXTS = ("name", "kind")
+TEXTS = ("name", "kind", "building", "floor")
 ANSWERS = {"yes": True, "true": True, "no": False, "false": False}
 """Words of the column against_wall."""
-
-DEMANDS = ("pga_g", "pgv_m_s")
-
-_ONE_DEMAND = (
-    "all objects of a table meet one demand",
-    "give it beside the table, as --pga-g and --pgv-m-s, and name the column otherwise",
-)
 
 TABLE = Columns(
     known=COLUMNS,
     needed={"name": ("each object has a name", "add a column name, and width_m and height_m")},
     things="objects",
     example="name,width_m,height_m",
-    refused=dict.fromkeys(DEMANDS, _ONE_DEMAND),
 )
 
 
@@ -52,8 +47,9 @@ def read_objects(path: Path | str) -> list[DescribedObject]:
         The file, in UTF-8, with the names of the columns in its first line: ``name``, and the keys
         of ``[geometry]`` of an object file, as ``width_m`` and ``height_m``; further ``kind``,
         ``friction``, ``restitution``, ``against_wall`` (yes or no), ``gravity_m_s2``,
-        ``content_mass_kg``, ``content_mass_centre_height_m``, ``vertical_g`` and
-        ``vertical_share``.  A cell holds a number, a range as
+        ``content_mass_kg``, ``content_mass_centre_height_m``, ``building`` and ``floor`` (of
+        `read_buildings`), and ``pga_g``, ``pgv_m_s``, ``vertical_g`` and ``vertical_share`` of its
+        own demand.  A cell holds a number, a range as
         ``0.3:0.5``, or nothing.  Cells are separated by commas, semicolons or tabs; other columns
         are kept in `DescribedObject.extra`.
 

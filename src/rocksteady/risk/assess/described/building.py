@@ -1,0 +1,335 @@
+"""Buildings: the floors on which objects stand, from a file, and the motions that they have."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import msgspec
+
+from rocksteady.errors import InputError, ModelError, RocksteadyError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.motions._oscillator import DEFAULT_DAMPING
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.floor import Floor
+from rocksteady.model.motions.record import Record
+from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.risk.observations.files.small_files import content_of, toml_of
+from rocksteady.risk.observations.files.toml_tables import TomlTables, named
+from rocksteady.seismic.measures.scalar import compute_measure
+
+HINT = "name a file of buildings in TOML"
+MOST_STOREYS = 200
+GROUND = ("", "0", "ground")
+"""What an object's floor is that stands on the ground."""
+
+Motions = Sequence[Record | BaseMotion]
+
+
+class BuildingTable(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A building of a file: its first mode, or its modes."""
+
+    name: str
+    storeys: int
+    period_s: float | None = None
+    participation: float | None = None
+    frequencies_hz: list[float] | None = None
+    shapes: list[list[float]] | None = None
+    damping: float | list[float] = DEFAULT_DAMPING
+    rooms: dict[str, int] = {}
+
+
+class BuildingsInput(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The whole file."""
+
+    buildings: list[BuildingTable]
+
+
+FILE = TomlTables(
+    kinds={"": BuildingsInput, "buildings": BuildingTable},
+    needs="a file has one [[buildings]] or more, with name, storeys and period_s",
+    lists=("buildings",),
+)
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Building:
+    """A building and its floors.
+
+    Parameters
+    ----------
+    name
+        Its name.
+    floors
+        Modes of each floor above the ground, the lowest first.
+    rooms
+        Number of the floor of each room that has a name; 0 is the ground.
+
+    Raises
+    ------
+    InputError
+        If there is no floor, or a room lies on none of them.
+
+    Examples
+    --------
+    >>> museum = Building.of_first_mode("museum", storeys=3, period_s=0.6, rooms={"hall": 1})
+    >>> print(museum.floor("hall").label)
+    floor of 1.667 Hz, damping 5 %, shape 0.4286
+    """
+
+    name: str
+    floors: Sequence[Floor]
+    rooms: Mapping[str, int] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        if not self.floors:
+            raise InputError("floors", [], "a building has one floor or more", "give a Floor")
+        object.__setattr__(self, "floors", tuple(self.floors))
+        for room, place in self.rooms.items():
+            hint = "give the number of its floor; 0 is the ground"
+            whole_number(f"rooms: {room}", place, at_least=0, at_most=len(self.floors), hint=hint)
+
+    @classmethod
+    def of_first_mode(
+        cls,
+        name: str,
+        *,
+        storeys: int,
+        period_s: float,
+        damping: float = DEFAULT_DAMPING,
+        participation: float | None = None,
+        rooms: Mapping[str, int] | None = None,
+    ) -> "Building":
+        """Return a building of equal storeys whose one mode is a straight line over its height.
+
+        Parameters
+        ----------
+        name, rooms
+            As for `Building`.
+        storeys
+            Floors above the ground, from 1 to 200.
+        period_s
+            Natural period of the mode [s].
+        damping
+            Over the critical one.
+        participation
+            Participation factor times mode shape at the roof; default 3 n/(2 n + 1) of n equal
+            masses.
+
+        Raises
+        ------
+        InputError
+            If a number is outside its range.
+        """
+        hint = "give the number of floors above the ground"
+        count = whole_number("storeys", storeys, at_least=1, at_most=MOST_STOREYS, hint=hint)
+        period = in_range("period_s", period_s, 1e-4, 1e4, "[]", hint="give T in seconds")
+        roof = 3.0 * count / (2.0 * count + 1.0) if participation is None else participation
+        floors = [
+            Floor(frequencies_hz=1.0 / period, damping=damping, shapes=roof * place / count)
+            for place in range(1, count + 1)
+        ]
+        return cls(name=name, floors=floors, rooms=rooms or {})
+
+    def floor(self, place: int | str) -> Floor | None:
+        """Return the floor of a number or of a room; None of the ground.
+
+        Raises
+        ------
+        InputError
+            If the building has no such floor and no such room.
+        """
+        text = str(place).strip()
+        number = self.rooms.get(text)
+        if number is None and text in GROUND:
+            number = 0
+        if number is None and text.isdecimal():
+            number = int(text)
+        if number is None or number > len(self.floors):
+            rooms = f", or a room: {', '.join(self.rooms)}" if self.rooms else ""
+            raise InputError(
+                "floor",
+                place,
+                f"{self.name} has the floors 0 to {len(self.floors)}{rooms}",
+                "give one of them",
+            )
+        return self.floors[number - 1] if number else None
+
+
+@checked
+def read_buildings(path: Path | str) -> tuple[Building, ...]:
+    r"""Read a file of buildings in TOML.
+
+    Parameters
+    ----------
+    path
+        The file: one ``[[buildings]]`` or more with ``name``, ``storeys`` and either ``period_s``
+        (of a straight mode shape, with ``participation`` at the roof) or ``frequencies_hz`` and
+        ``shapes``, a list for each mode with a number for each floor above the ground; ``damping``
+        and ``rooms``, the number of the floor of each room.
+
+    Returns
+    -------
+    tuple of Building
+        In the order of the file.
+
+    Raises
+    ------
+    InputError, ModelError
+        If it cannot be read, a key is unknown, missing or given twice over, a value is out of
+        range, or two buildings have one name; the line names file, building and key.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> text = '[[buildings]]\nname = "museum"\nstoreys = 3\nperiod_s = 0.6\n'
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "museum.toml")
+    ...     _ = file.write_text(text, "utf-8")
+    ...     (museum,) = read_buildings(file)
+    >>> print(museum.floor(3).label)
+    floor of 1.667 Hz, damping 5 %, shape 1.286
+    """
+    file = Path(path)
+    source = file.name
+    given = FILE.convert(
+        toml_of(content_of(file, "buildings", HINT), source), BuildingsInput, source
+    )
+    if not given.buildings:
+        raise InputError(source, Words("has no building"), FILE.needs, "add [[buildings]]")
+    made: dict[str, Building] = {}
+    for place, table in enumerate(given.buildings, 1):
+        at = f"{source}: [[buildings]] {place}"
+        try:
+            building = _building(table)
+        except RocksteadyError as error:
+            name = named(at, "", error.name)
+            raise type(error)(name, error.value, error.valid, error.hint) from None
+        if building.name in made:
+            raise InputError(
+                f"{at}: name", building.name, "another building has it", "give each its own"
+            )
+        made[building.name] = building
+    return tuple(made.values())
+
+
+def _building(table: BuildingTable) -> Building:
+    """Return a building of a table."""
+    first, modes = table.period_s is not None, table.frequencies_hz is not None
+    if first == modes:
+        raise ModelError(
+            "period_s",
+            table.period_s,
+            "a building has either period_s or frequencies_hz with shapes",
+            "give one of the two",
+        )
+    if table.period_s is not None:
+        if isinstance(table.damping, list) or table.shapes is not None:
+            key = "shapes" if table.shapes is not None else "damping"
+            raise ModelError(
+                key,
+                getattr(table, key),
+                "a building with period_s has one mode, straight over its height",
+                "give frequencies_hz in place of period_s",
+            )
+        return Building.of_first_mode(
+            table.name,
+            storeys=table.storeys,
+            period_s=table.period_s,
+            damping=table.damping,
+            participation=table.participation,
+            rooms=table.rooms,
+        )
+    shapes = table.shapes or []
+    count = len(table.frequencies_hz or [])
+    if len(shapes) != count or any(len(shape) != table.storeys for shape in shapes):
+        raise InputError(
+            "shapes",
+            shapes,
+            f"there must be {count} lists of {table.storeys} numbers",
+            "give a list for each frequency, with a number for each floor above the ground",
+        )
+    floors = [
+        Floor(
+            frequencies_hz=table.frequencies_hz or [],
+            damping=table.damping,
+            shapes=[shape[storey] for shape in shapes],
+        )
+        for storey in range(table.storeys)
+    ]
+    return Building(name=table.name, floors=floors, rooms=table.rooms)
+
+
+def on_floors(
+    objects: Sequence[DescribedObject], motions: Motions, buildings: Sequence[Building]
+) -> tuple[list[DescribedObject], list[Motions]]:
+    """Return objects with the peaks of their floors, and the motions of each, made once a floor.
+
+    Raises
+    ------
+    InputError, ModelError
+        If an object's building is not among those given, or has no such floor.
+    """
+    made: dict[Floor | None, tuple[Motions, tuple[float, float]]] = {}
+    standing: list[DescribedObject] = []
+    shaken: list[Motions] = []
+    for each in objects:
+        floor = _floor_of(each, buildings)
+        if floor not in made:
+            moved: Motions = (
+                [*motions] if floor is None else [floor.motion(motion) for motion in motions]
+            )
+            made[floor] = moved, _amplified(moved)
+        moved, amplified = made[floor]
+        standing.append(replace(each, amplified=amplified))
+        shaken.append(moved)
+    return standing, shaken
+
+
+def _floor_of(described: DescribedObject, buildings: Sequence[Building]) -> Floor | None:
+    """Return the floor on which an object stands; None of the ground."""
+    given, source = described.given, described.source
+    if given.floor is None and given.building is None:
+        return None
+    if given.demand.place == "floor":
+        raise ModelError(
+            named(source, "demand", "place"),
+            "floor",
+            "of an object in a building the demand is that of the ground",
+            "leave it out, or leave out building and floor",
+        )
+    names = [building.name for building in buildings]
+    if not names:
+        raise ModelError(
+            named(source, "", "floor"),
+            given.floor,
+            "a floor moves as its building does, and none is given",
+            "give a file of buildings, as --buildings museum.toml",
+        )
+    wanted = names[0] if given.building is None and len(names) == 1 else given.building
+    if wanted not in names:
+        raise InputError(
+            named(source, "", "building"),
+            given.building,
+            f"the buildings given are {', '.join(names)}",
+            "name one of them",
+        )
+    try:
+        return buildings[names.index(wanted)].floor("" if given.floor is None else given.floor)
+    except InputError as error:
+        raise InputError(named(source, "", "floor"), error.value, error.valid, error.hint) from None
+
+
+def _amplified(motions: Motions) -> tuple[float, float]:
+    """Return by how much the floor multiplies PGA and PGV, the largest of the motions."""
+    across = [each.horizontal if isinstance(each, BaseMotion) else each for each in motions]
+    floors = [each for each in across if isinstance(each, Record) and each.ground is not None]
+    if not floors:
+        return 1.0, 1.0
+    of_pga, of_pgv = (
+        max(compute_measure(each, name) / compute_measure(each.reference, name) for each in floors)
+        for name in ("pga_g", "pgv_m_s")
+    )
+    return of_pga, of_pgv
