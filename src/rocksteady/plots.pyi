@@ -51,6 +51,7 @@ from .show.plots.risk.fragility import plot_fragility_states as fragility_states
 from .show.plots.risk.hazard import plot_risk as risk
 from .show.plots.risk.hazard_curve import plot_hazard_curve as hazard_curve
 from .show.plots.risk.objects import plot_objects as objects
+from .show.plots.risk.plan import plot_plan as plan  # noqa: F401
 from .show.plots.risk.screens import plot_screens as screens
 from .show.plots.risk.tornado import plot_measure_efficiency as measure_efficiency
 from .show.plots.risk.tornado import plot_tornado as tornado

@@ -3,6 +3,8 @@
 from .assess.assessment import Assessment as Assessment
 from .assess.described.facts import ObjectFacts as ObjectFacts
 from .assess.described.facts import compute_object_facts as compute_object_facts
+from .assess.described.building import Building as Building
+from .assess.described.building import read_buildings as read_buildings
 from .assess.described.objects import DescribedObject as DescribedObject
 from .assess.objects_table import ObjectsTable as ObjectsTable
 from .assess.two_numbers import FormulaAssessment as FormulaAssessment

@@ -151,7 +151,7 @@ def answer_of_table(result: Any, rows: Sequence[Mapping[str, Any]]) -> Answer:
     without = f"; {colours['grey']} without an answer" if colours["grey"] else ""
     sentence = (
         f"{colours['red'] or 'None'} of {plural(len(rows), 'object')} {verb} above {target} at "
-        f"{demand_words(result.pga_g, result.pgv_m_s)}{without}."
+        f"{result.demand_words}{without}."
     )
     left = Counter(row["colour"] for row in rows[most:])
     kinds = ", ".join(f"{count:,} {colour}" for colour, count in left.items())
@@ -160,7 +160,7 @@ def answer_of_table(result: Any, rows: Sequence[Mapping[str, Any]]) -> Answer:
         if result.records < FEW_RECORDS
         else ""
     )
-    if result.pga_g is None:
+    if any(row["pga_g"] is None for row in rows):
         few += "; the PGA is taken to lift each object"
     facts = [
         left_out(sum(left.values()), kinds),

@@ -13,9 +13,9 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import MOST_MISFIT
-from rocksteady.results.numbers import counted, number, number_or_none, plural, quantity
+from rocksteady.results.numbers import counted, number, number_or_none, plural
 from rocksteady.results.result import Result
-from rocksteady.risk.assess._answers import answer_of_table
+from rocksteady.risk.assess._answers import answer_of_table, demand_words
 from rocksteady.risk.assess._demand_level import PEAKS, DemandLevel, demand_level
 from rocksteady.risk.assess._probability import (
     NO_ANSWER,
@@ -66,7 +66,9 @@ class ObjectsTable(Result):
     Attributes
     ----------
     rows
-        One mapping per object, in the order given: ``name``, ``kind``, ``alpha_rad``, ``p_rad_s``,
+        One mapping per object, in the order given: ``name``, ``kind``, ``building``, ``floor`` and
+        its number ``storey``, its demand ``pga_g`` and ``pgv_m_s``, on a floor the largest
+        ``floor_pga_g`` of the motions at that PGA, ``alpha_rad``, ``p_rad_s``,
         ``uplift_pga_g``, ``friction_needed``, ``friction_cause``, ``vertical_g`` and
         ``vertical_share``, ``lifted``, ``fell`` and ``trials`` of the runs at the demand,
         ``probability`` (with a PGV of the runs that lift) with its ``basis`` and ``method`` as in
@@ -75,7 +77,8 @@ class ObjectsTable(Result):
         by the ``closed_form``, ``colour``, ``class``, ``verdict`` and ``sentence``; further columns
         of its table after them.
     pga_g, pgv_m_s
-        The demand; the motions are scaled to its PGV, without one to its PGA.
+        The demand of objects that state none of their own; the motions are scaled to its PGV,
+        without one to its PGA.
     target_probability
         Above it an object is red, above a fifth of it amber.
     records, seconds
@@ -93,6 +96,12 @@ class ObjectsTable(Result):
     def meets_target(self) -> bool:
         """Whether every object stands, or is below the target."""
         return all(row["verdict"] in MET for row in self.rows)
+
+    @property
+    def demand_words(self) -> str:
+        """The demand in words, as "0.35 g and 0.4 m/s"."""
+        peaks = {(row["pga_g"], row["pgv_m_s"]) for row in self.rows}
+        return demand_words(*peaks.pop()) if len(peaks) == 1 else "the demand of each"
 
     def sorted_by(self, column: str, *, descending: bool = True) -> tuple[dict[str, Any], ...]:
         """Return the rows in the order of a column; those without a value come last.
@@ -134,11 +143,7 @@ class ObjectsTable(Result):
             Column("colour", "colour", left=True),
             Column("verdict", "verdict", left=True),
         ]
-        demand = " and ".join(
-            quantity(value, unit)
-            for value, unit in ((self.pga_g, "g of PGA"), (self.pgv_m_s, "m/s of PGV"))
-            if value is not None
-        )
+        demand = self.demand_words
         words = ", ".join(f"{count} {colour}" for colour, count in counts.items() if count)
         facts = [
             Fact("objects", len(self.rows), "objects"),
@@ -350,6 +355,7 @@ def _row(
         "kind": described.given.kind,
         "building": described.given.building,
         "floor": described.given.floor,
+        "storey": described.storey,
         "pga_g": described.given.demand.pga_g,
         "pgv_m_s": described.given.demand.pgv_m_s,
         "floor_pga_g": demand.pga_g if on_floor else None,

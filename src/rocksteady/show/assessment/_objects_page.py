@@ -8,10 +8,13 @@ from rocksteady.results.numbers import chance, interval, number
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.export.provenance import provenance
-from rocksteady.show.report import render
+from rocksteady.show.plots.risk.plan import floors_of, plot_plan
+from rocksteady.show.report import picture, render
 from rocksteady.show.style.markup import badge
 from rocksteady.show.style.wording import BADGES, NOTHING, cleaned, greek
 
+FLOOR = 0.8
+"""Height of a floor in the plan [inches]."""
 ORDERS = (
     ("probability", "probability of falling", True),
     ("uplift_pga_g", "acceleration that lifts it", False),
@@ -65,6 +68,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         ],
         "demand": facts["demand"].words,
         "notes": [greek(note) for note in description.notes if note not in CAVEATS],
+        "plan": _plan(table),
         "orders": [{"key": key, "words": words} for key, words, _ in ORDERS],
         "provenance": provenance(manifest),
         "records": f"{table.records:,}",
@@ -72,6 +76,20 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         "target": chance(table.target_probability),
     }
     return render(__package__, "objects.html.j2", **cleaned(values))
+
+
+def _plan(table: ObjectsTable) -> dict[str, str] | None:
+    """Return the picture of the floors, and its words; None where all stand on the ground."""
+    if not any(row["storey"] for row in table.rows):
+        return None
+    floors = floors_of(table)
+    named = "; ".join(f"{name}: {', '.join(row['name'] for row in rows)}" for name, rows in floors)
+    return picture(
+        lambda axes: plot_plan(table, axes),
+        1.1 + FLOOR * len(floors),
+        f"Objects on each floor, the worst first: {named}.",
+        rows=True,
+    )
 
 
 def _places(rows: Sequence[dict[str, Any]], key: str, descending: bool) -> list[int]:

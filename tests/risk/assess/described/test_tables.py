@@ -16,6 +16,13 @@ def written(tmp_path: Path, text: str | bytes) -> Path:
     return file
 
 
+def test_an_object_has_its_place_and_its_demand(tmp_path: Path) -> None:
+    text = "name,width_m,height_m,building,floor,pga_g\na,0.3,1.5,museum,2,0.3\nb,0.2,1,,attic,\n"
+    first, second = read_objects(written(tmp_path, text))
+    assert (first.label, second.label) == ("a on floor 2 of museum", "b in attic")
+    assert (first.demand.pga_g, second.demand.pga_g) == (0.3, None)
+
+
 def test_objects_keep_their_order_their_ranges_and_their_further_columns(tmp_path: Path) -> None:
     text = (
         "name,room,width_m,height_m,friction,mass_kg,content_mass_kg,content_mass_centre_height_m\n"
@@ -60,7 +67,7 @@ def test_a_spreadsheet_may_separate_and_end_lines_its_way(
         ("name,Height_m,width_m\na,1,0.3\n", "did you mean height_m?"),
         ("name,width_m,width_m\na,1,2\n", "column 3 = 'width_m' is not valid: it occurs twice"),
         ("name,,width_m\na,1,2\n", "give it a name"),
-        ("name,width_m,pga_g\na,1,2\n", "all objects of a table meet one demand"),
+        ("name,width_m,height_m,pga_g\na,1,2,-1\n", "[demand] pga_g = -1.0 is not valid"),
         ("name,width_m,height_m\na,0.3\n", "line 2 has 2 cells: the first line names 3 columns"),
         ("name,width_m,height_m\na,0.3 m,1\n", "line 2, width_m = '0.3 m' is not valid"),
         ('name;width_m;height_m\na;"0,3";1\n', "write a point for a decimal comma"),

@@ -46,6 +46,7 @@ BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
 """Lowest and highest number of each key, whether they belong to it, and what to do."""
 
 WHOLE: Mapping[str, tuple[int, int, str]] = {
+    "floor": (0, 1000, "give the number of its floor, 0 for the ground, or the name of a room"),
     "draws": (1, 1000, "give the number of restitutions, as 5"),
     "levels": (2, 1000, "give the number of levels of intensity, as 20"),
     "replicates": (0, 100_000, "give the number of suites of the bands, as 1000; 0 for no bands"),

@@ -133,8 +133,8 @@ class Building:
         ]
         return cls(name=name, floors=floors, rooms=rooms or {})
 
-    def floor(self, place: int | str) -> Floor | None:
-        """Return the floor of a number or of a room; None of the ground.
+    def storey(self, place: int | str) -> int:
+        """Return the number of the floor of a number or of a room; 0 is the ground.
 
         Raises
         ------
@@ -155,6 +155,17 @@ class Building:
                 f"{self.name} has the floors 0 to {len(self.floors)}{rooms}",
                 "give one of them",
             )
+        return number
+
+    def floor(self, place: int | str) -> Floor | None:
+        """Return the floor of a number or of a room; None of the ground.
+
+        Raises
+        ------
+        InputError
+            As for `storey`.
+        """
+        number = self.storey(place)
         return self.floors[number - 1] if number else None
 
 
@@ -276,23 +287,25 @@ def on_floors(
     standing: list[DescribedObject] = []
     shaken: list[Motions] = []
     for each in objects:
-        floor = _floor_of(each, buildings)
+        storey, floor = _floor_of(each, buildings)
         if floor not in made:
             moved: Motions = (
                 [*motions] if floor is None else [floor.motion(motion) for motion in motions]
             )
             made[floor] = moved, _amplified(moved)
         moved, amplified = made[floor]
-        standing.append(replace(each, amplified=amplified))
+        standing.append(replace(each, amplified=amplified, storey=storey))
         shaken.append(moved)
     return standing, shaken
 
 
-def _floor_of(described: DescribedObject, buildings: Sequence[Building]) -> Floor | None:
-    """Return the floor on which an object stands; None of the ground."""
+def _floor_of(
+    described: DescribedObject, buildings: Sequence[Building]
+) -> tuple[int, Floor | None]:
+    """Return the floor on which an object stands, and its number; 0 and None of the ground."""
     given, source = described.given, described.source
     if given.floor is None and given.building is None:
-        return None
+        return 0, None
     if given.demand.place == "floor":
         raise ModelError(
             named(source, "demand", "place"),
@@ -317,7 +330,9 @@ def _floor_of(described: DescribedObject, buildings: Sequence[Building]) -> Floo
             "name one of them",
         )
     try:
-        return buildings[names.index(wanted)].floor("" if given.floor is None else given.floor)
+        building = buildings[names.index(wanted)]
+        place = "" if given.floor is None else given.floor
+        return building.storey(place), building.floor(place)
     except InputError as error:
         raise InputError(named(source, "", "floor"), error.value, error.valid, error.hint) from None
 

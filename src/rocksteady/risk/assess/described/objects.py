@@ -85,6 +85,8 @@ class DescribedObject(Result):
         Hash of the file; none by default.
     amplified
         By how much its floor multiplies PGA and PGV; 1 on the ground.
+    storey
+        Number of its floor; 0 is the ground.
 
     Attributes
     ----------
@@ -117,6 +119,7 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
     extra: Mapping[str, str] = field(default_factory=dict)
     sha256: str | None = None
     amplified: tuple[float, float] = (1.0, 1.0)
+    storey: int = 0
     given: ObjectInput = field(init=False)
 
     def __post_init__(self) -> None:

@@ -1,0 +1,155 @@
+"""Plot of the floors of buildings with the objects on them, in the colours of their risk."""
+
+import math
+from collections import defaultdict
+from typing import TYPE_CHECKING, Any
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.show.style import palette
+from rocksteady.show.style.escaping import literal
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import draw_legend, size_of, text_size
+from rocksteady.show.style.tokens import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+TALLEST = 0.5
+"""Height of the tallest object over the distance of two floors."""
+
+
+def floors_of(table: ObjectsTable) -> list[tuple[str, list[dict[str, Any]]]]:
+    """Return the floors with an object, the lowest first, and their objects, the worst first."""
+    floors: dict[tuple[str, int, str], list[dict[str, Any]]] = defaultdict(list)
+    for row in table.worst:
+        storey, place = row["storey"], row["floor"]
+        number = storey if storey is not None else 0
+        room = str(place).strip() if place is not None else ""
+        where = f"floor {number}" if number else "ground"
+        named = f"{where}, {room}" if room and not room.isdecimal() and room != where else where
+        building = row["building"] or ""
+        floors[building, number, named].append(row)
+    several = len({building for building, _, _ in floors}) > 1
+    return [
+        (f"{building}: {name}" if several and building else name, rows)
+        for (building, _, name), rows in sorted(floors.items())
+    ]
+
+
+@checked
+def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
+    """Draw each floor with its objects in proportion, coloured by the probability of falling.
+
+    The worst stands on the left, with its name below where there is room.  An object without an
+    answer is crosshatched.
+
+    Parameters
+    ----------
+    table
+        From `rocksteady.assess_objects` with `buildings`.
+    ax
+        Axes to draw on; default: axes of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: a row for each floor, the ground at the bottom.
+
+    Raises
+    ------
+    InputError
+        If no object stands on a floor of a building.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import assess_objects
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> from rocksteady.risk import Building, DescribedObject
+    >>> house = Building.of_first_mode("house", storeys=2, period_s=0.3)
+    >>> vase = DescribedObject(
+    ...     values={"name": "vase", "floor": 2, "geometry": {"width_m": 0.12, "height_m": 0.5}}
+    ... )
+    >>> table = assess_objects([vase], make_synthetic_suite(4), buildings=[house], pga_g=0.2)
+    >>> axes = plot_plan(table, Figure().add_subplot())
+    >>> [name.get_text() for name in axes.get_yticklabels()]
+    ['floor 2']
+    """
+    from matplotlib.patches import Patch, Rectangle
+
+    if not any(row["storey"] for row in table.rows):
+        raise InputError(
+            "table",
+            Words("has no object on a floor"),
+            "a plan shows the floors of buildings",
+            "give floors and buildings to assess_objects, or draw rs.plots.objects",
+        )
+    axes = axes_or_new(ax)
+    inks, small = inks_of(axes), text_size(axes, 6.5)
+    floors = floors_of(table)
+    sizes = {id(row): _size(row) for row in table.rows}
+    most = max(len(rows) for _, rows in floors)
+    step = 1.0 / most
+    wide, high = size_of(axes)
+    shape = high / wide / (len(floors) + TALLEST - 0.35)  # a unit across over one upwards
+    up = min(
+        TALLEST / max(height for _, height in sizes.values()),
+        0.9 * step / shape / max(width for width, _ in sizes.values()),
+    )
+    across = up * shape
+    for place, (_, rows) in enumerate(floors):
+        axes.plot([0.0, 1.0], [place, place], color=inks.edge, lw=1.0, zorder=1)
+        for at, row in enumerate(rows):
+            width, height = sizes[id(row)]
+            middle, share = (at + 0.5) * step, row["probability"]
+            axes.add_patch(
+                Rectangle(
+                    (middle - 0.5 * across * width, place),
+                    across * width,
+                    up * height,
+                    facecolor=inks.undecided if share is None else inks.risk_step(share),
+                    hatch="xxxx" if share is None else None,
+                    edgecolor=inks.edge,
+                    lw=0.6,
+                    zorder=2,
+                )
+            )
+            name = literal(palette.shortened(row["name"], 12))
+            axes.text(
+                middle,
+                place - 0.04,
+                name,
+                rotation=20 if most > 3 else 0,
+                ha="right" if most > 3 else "center",
+                va="top",
+                rotation_mode="anchor",
+                size=small,
+                color=inks.ink,
+            )
+    steps = len(inks.risk_ramp)
+    handles = [
+        Patch(
+            fc=colour,
+            ec=inks.edge,
+            lw=0.6,
+            label=f"{100 * k // steps} to {100 * (k + 1) // steps} %",
+        )
+        for k, colour in enumerate(inks.risk_ramp)
+    ]
+    if any(row["probability"] is None for row in table.rows):
+        handles.append(Patch(fc=inks.undecided, hatch="xxxx", ec=inks.edge, label="no answer"))
+    axes.set_yticks(range(len(floors)), [literal(name) for name, _ in floors])
+    axes.set(xlim=(0.0, 1.0), ylim=(-0.55, len(floors) - 1 + TALLEST + 0.1), xticks=[])
+    axes.tick_params(length=0)
+    axes.spines[:].set_visible(False)
+    draw_legend(axes, "below", handles=handles, title=palette.LABELS["falling"])
+    return axes
+
+
+def _size(row: dict[str, Any]) -> tuple[float, float]:
+    """Return width and height of the homogeneous rectangle that rocks as an object does [m]."""
+    radius = 0.75 * STANDARD_GRAVITY / row["p_rad_s"] ** 2
+    return 2.0 * radius * math.sin(row["alpha_rad"]), 2.0 * radius * math.cos(row["alpha_rad"])
