@@ -40,7 +40,7 @@ TWO: dict[str, Any] = {
 
 def integrated(floor: Floor, ground: Any, times: Floats, breaks: Floats) -> Floats:
     """Return the acceleration of a floor by DOP853, begun again where the ground has corners."""
-    hertz, damping, shapes = (np.array(each) for each in floor._modes)
+    hertz, damping, shapes = np.array(floor.modes).T
     w = 2.0 * math.pi * hertz
 
     def rate(t: float, y: Floats) -> Floats:

@@ -126,19 +126,22 @@ class Floor:
     @property
     def label(self) -> str:
         """The modes in words, as "floor of 1.5 Hz, damping 5 %, shape 1.3"."""
+        columns = zip(*self.modes, strict=True)
         hertz, damping, shapes = (
-            ", ".join(f"{factor * value:.4g}" for value in values)
-            for values, factor in zip(self._modes, (1.0, 100.0, 1.0), strict=True)
+            [f"{factor * value:.4g}" for value in values]
+            for values, factor in zip(columns, (1.0, 100.0, 1.0), strict=True)
         )
-        dampings = set(self._modes[1])
-        if len(dampings) == 1:
-            damping = f"{100.0 * dampings.pop():.4g}"
-        return f"floor of {hertz} Hz, damping {damping} %, shape {shapes}"
+        kept = damping[:1] if len(set(damping)) == 1 else damping
+        return (
+            f"floor of {', '.join(hertz)} Hz, damping {', '.join(kept)} %, "
+            f"shape {', '.join(shapes)}"
+        )
 
     @property
-    def _modes(self) -> tuple[tuple[float, ...], ...]:
-        """Frequencies, dampings and shapes."""
-        return self.frequencies_hz, self.damping, self.shapes  # type: ignore[return-value]
+    def modes(self) -> tuple[tuple[float, float, float], ...]:
+        """Frequency [Hz], damping and shape of each mode."""
+        rows = zip(self.frequencies_hz, self.damping, self.shapes, strict=True)  # type: ignore[arg-type]
+        return tuple(rows)
 
     def amplification(self, frequency_hz: "ArrayLike") -> "Floats":
         """Return the amplitude of the floor over the ground's under lasting harmonic shaking.
@@ -207,11 +210,8 @@ class Floor:
 
     def _modes_at(self, p: float) -> "_Modes":
         """Return the modes in units of a block's p."""
-        hertz, damping, shapes = self._modes
-        rates = [
-            rate_of(2.0 * math.pi * f / p, zeta) for f, zeta in zip(hertz, damping, strict=True)
-        ]
-        return _Modes(rates, shapes)
+        rates = [rate_of(2.0 * math.pi * hertz / p, zeta) for hertz, zeta, _ in self.modes]
+        return _Modes(rates, [shape for _, _, shape in self.modes])
 
     def _recorded(self, ground: Record, tolerance: float) -> Record:
         """Return the record of the floor, at a whole part of the interval of the ground's."""

@@ -14,6 +14,8 @@ from rocksteady.risk.assess.described.objects import parameter_words
 
 FEWEST_ROWS = 5
 """Rows of a table on the first screen, unless more objects are above the target."""
+EACH = "the demand of each"
+"""Of objects whose demands differ."""
 MOST_SCALED = 10.0
 """Factor of a record beyond which an answer states the largest."""
 
@@ -151,7 +153,7 @@ def answer_of_table(result: Any, rows: Sequence[Mapping[str, Any]]) -> Answer:
     without = f"; {colours['grey']} without an answer" if colours["grey"] else ""
     sentence = (
         f"{colours['red'] or 'None'} of {plural(len(rows), 'object')} {verb} above {target} at "
-        f"{result.demand_words}{without}."
+        f"{EACH if result.demand is None else demand_words(*result.demand)}{without}."
     )
     left = Counter(row["colour"] for row in rows[most:])
     kinds = ", ".join(f"{count:,} {colour}" for colour, count in left.items())

@@ -13,9 +13,9 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import MOST_MISFIT
-from rocksteady.results.numbers import counted, number, number_or_none, plural
+from rocksteady.results.numbers import counted, number, number_or_none, plural, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.assess._answers import answer_of_table, demand_words
+from rocksteady.risk.assess._answers import EACH, answer_of_table
 from rocksteady.risk.assess._demand_level import PEAKS, DemandLevel, demand_level
 from rocksteady.risk.assess._probability import (
     NO_ANSWER,
@@ -98,10 +98,10 @@ class ObjectsTable(Result):
         return all(row["verdict"] in MET for row in self.rows)
 
     @property
-    def demand_words(self) -> str:
-        """The demand in words, as "0.35 g and 0.4 m/s"."""
+    def demand(self) -> tuple[float | None, float | None] | None:
+        """PGA [g] and PGV [m/s] of all objects; None where these differ."""
         peaks = {(row["pga_g"], row["pgv_m_s"]) for row in self.rows}
-        return demand_words(*peaks.pop()) if len(peaks) == 1 else "the demand of each"
+        return peaks.pop() if len(peaks) == 1 else None
 
     def sorted_by(self, column: str, *, descending: bool = True) -> tuple[dict[str, Any], ...]:
         """Return the rows in the order of a column; those without a value come last.
@@ -143,7 +143,9 @@ class ObjectsTable(Result):
             Column("colour", "colour", left=True),
             Column("verdict", "verdict", left=True),
         ]
-        demand = self.demand_words
+        peaks = zip(self.demand or (), ("g of PGA", "m/s of PGV"), strict=False)
+        known = [quantity(value, unit) for value, unit in peaks if value is not None]
+        demand = " and ".join(known) or EACH
         words = ", ".join(f"{count} {colour}" for colour, count in counts.items() if count)
         facts = [
             Fact("objects", len(self.rows), "objects"),
