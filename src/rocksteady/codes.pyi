@@ -16,6 +16,7 @@ from .risk.facades.read_facade import DescribedFacade as DescribedFacade
 from .risk.facades.record_demand import RecordDemand as RecordDemand
 from .risk.facades.spectrum_table import SpectrumTable as SpectrumTable
 from .risk.facades.spectrum_table import read_spectrum_table as read_spectrum_table
+from .risk.screens.floors import floor_accelerations as floor_accelerations
 from .risk.screens.screen import Screen as Screen
 from .risk.screens.screens import Screens as Screens
 

@@ -46,12 +46,13 @@ from .show.plots.records import plot_husid as husid
 from .show.plots.records import plot_integrated_record as integrated_record
 from .show.plots.records import plot_response_spectra as response_spectra
 from .show.plots.risk.assessment import plot_assessment as assessment
+from .show.plots.risk.floor_spectra import plot_floor_spectra as floor_spectra
 from .show.plots.risk.fragility import plot_fragility as fragility
 from .show.plots.risk.fragility import plot_fragility_states as fragility_states
 from .show.plots.risk.hazard import plot_risk as risk
 from .show.plots.risk.hazard_curve import plot_hazard_curve as hazard_curve
 from .show.plots.risk.objects import plot_objects as objects
-from .show.plots.risk.plan import plot_plan as plan  # noqa: F401
+from .show.plots.risk.plan import plot_plan as plan
 from .show.plots.risk.screens import plot_screens as screens
 from .show.plots.risk.tornado import plot_measure_efficiency as measure_efficiency
 from .show.plots.risk.tornado import plot_tornado as tornado
@@ -86,6 +87,7 @@ __all__ = [
     "facade_section",
     "fatal_kicks",
     "fate_basins",
+    "floor_spectra",
     "fragility",
     "fragility_states",
     "free_rocking",
@@ -103,6 +105,7 @@ __all__ = [
     "overturning",
     "overturning_scales",
     "phase_portrait",
+    "plan",
     "poincare_section",
     "posterior",
     "predictions",
