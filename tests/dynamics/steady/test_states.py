@@ -188,7 +188,7 @@ def test_residuals_of_equations_12_and_13_at_a_hundred_thousand_points() -> None
     a = existence * (1.0 + 10.0 ** rng.uniform(-6.0, 1.5, count))
     a = np.where(a > 0.0, a, 1.0)
     a = np.minimum(a, np.maximum(12.0, 1.01 * existence))
-    states = steady_states(a, w, r, order=n, shapes=False)
+    states = steady_states(a, w, r, order=n, with_shapes=False)
     assert (states.region != 4).all()
     end, shrunk = np.tanh(n * math.pi / w), 1.0 / np.cosh(np.minimum(n * math.pi / w, 700.0))
     beta = a / (1.0 + w * w)

@@ -70,11 +70,11 @@ def test_nothing_exists_without_shaking(restitution: float) -> None:
 
 
 def test_without_shapes_the_rest_is_the_same_and_stability_is_refused() -> None:
-    whole, bare = steady_states(2.0, 4.0, 0.8), steady_states(2.0, 4.0, 0.8, shapes=False)
+    whole, bare = steady_states(2.0, 4.0, 0.8), steady_states(2.0, 4.0, 0.8, with_shapes=False)
     np.testing.assert_array_equal(whole.phase, bare.phase)
     np.testing.assert_array_equal(whole.multipliers, bare.multipliers)
     assert [bare.peak, bare.extrema, bare.admissible] == [None, None, None]
-    with pytest.raises(AttributeError, match="shapes=True"):
+    with pytest.raises(AttributeError, match="with_shapes=True"):
         _ = bare.stable
 
 
@@ -159,6 +159,6 @@ def test_the_dataset_names_its_dimensions_units_and_classes() -> None:
 
 
 def test_a_dataset_without_shapes_leaves_out_what_was_not_computed() -> None:
-    data = steady_states(2.0, 4.0, 0.8, shapes=False).to_dataset()
+    data = steady_states(2.0, 4.0, 0.8, with_shapes=False).to_dataset()
     assert "phase" in data
     assert not {"peak", "admissible", "stable"} & set(data.data_vars)

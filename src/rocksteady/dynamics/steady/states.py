@@ -133,9 +133,9 @@ class SteadyStates(OfLinear, Result):
         Trace of the half-cycle map of (phase, velocity), whose determinant is restitution^2.
     peak, extrema
         Largest u among the extrema of the positive half cycle, and their number; None without
-        `shapes`.  For an inadmissible orbit that begins downwards it may be negative.
+        `with_shapes`.  For an inadmissible orbit that begins downwards it may be negative.
     admissible
-        Whether the half cycle stays above the floor; None without `shapes`.
+        Whether the half cycle stays above the floor; None without `with_shapes`.
     block
         The block whose degrees, g and Hz stand beside; None for none.
     """
@@ -204,7 +204,7 @@ class SteadyStates(OfLinear, Result):
     @property
     def _allowed(self) -> Bools:
         if self.admissible is None:
-            hint = "call rs.formulas.steady_states(..., shapes=True)"
+            hint = "call rs.formulas.steady_states(..., with_shapes=True)"
             message = f"stability needs admissibility: {hint}"
             raise AttributeError(message)
         return self.admissible
@@ -325,7 +325,7 @@ def steady_states(
     restitution: ArrayLike,
     *,
     order: ArrayLike = 1,
-    shapes: bool = True,
+    with_shapes: bool = True,
 ) -> SteadyStates:
     """Return both branches of symmetric steady states (eqs 12 to 25) over broadcast arrays.
 
@@ -342,7 +342,7 @@ def steady_states(
         Ratio of angular velocities, in (0, 1].
     order
         n = 1, 3, 5, ...: half periods of the shaking in one half cycle.
-    shapes
+    with_shapes
         Whether to follow the half cycles for peaks, extrema and admissibility, without which
         stability has no meaning.  Phase, velocity and trace alone are some ten times faster.
 
@@ -375,13 +375,13 @@ def steady_states(
     size = amplitudes.size
     boundaries = np.empty((3, size))
     phase, velocity, trace = np.empty((3, 2, size))
-    peak = np.empty((2, size if shapes else 0))
+    peak = np.empty((2, size if with_shapes else 0))
     extrema = np.zeros(peak.shape, dtype=np.int64)
     admissible = np.zeros(peak.shape, dtype=np.bool_)
     region = np.empty(size, dtype=np.int64)
     fill_steady(
         Points(amplitudes.ravel(), ratios.ravel(), restitutions.ravel(), orders.ravel()),
-        shapes,
+        with_shapes,
         Steady(region, boundaries, phase, velocity, trace, peak, extrema, admissible),
     )
     grid = (2, *shape)
@@ -397,9 +397,9 @@ def steady_states(
         phase=phase.reshape(grid),
         velocity_tau=velocity.reshape(grid),
         trace=trace.reshape(grid),
-        peak=peak.reshape(grid) if shapes else None,
-        extrema=extrema.reshape(grid) if shapes else None,
-        admissible=admissible.reshape(grid) if shapes else None,
+        peak=peak.reshape(grid) if with_shapes else None,
+        extrema=extrema.reshape(grid) if with_shapes else None,
+        admissible=admissible.reshape(grid) if with_shapes else None,
     )
 
 
@@ -512,7 +512,7 @@ def compute_steady_orbit(
             "give an odd number, as 801",
         )
     a, w, r, n = validated_grid(amplitude, frequency_ratio, restitution, order)
-    states = steady_states(a, w, r, order=n, shapes=False)
+    states = steady_states(a, w, r, order=n, with_shapes=False)
     if states.region == 4:
         raise InputError(
             "amplitude",

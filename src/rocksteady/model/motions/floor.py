@@ -252,7 +252,13 @@ class Floor:
             )
             tail = tail + imaginary(last, grown(rate, free))
         samples = np.append(values.ravel(), tail)
-        return replace(ground, acceleration_m_s2=samples, dt_s=dt / parts, ground=ground.reference)
+        lowest = f"floor {min(self.modes)[0]:.3g} Hz"
+        return Record(
+            acceleration_m_s2=samples,
+            dt_s=dt / parts,
+            name=None if ground.name is None else f"{ground.name} ({lowest})",
+            ground=ground.reference,
+        )
 
 
 @overload

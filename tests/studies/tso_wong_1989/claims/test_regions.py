@@ -167,7 +167,8 @@ def test_e5_region_1_grows_and_region_2_gains_what_region_5_had() -> None:
     w = 0.05 + (np.arange(500) + 0.5) * 13.95 / 500
     a = (np.arange(500) + 0.5) * 6.0 / 500
     few, many = (
-        steady_states(a[:, np.newaxis], w, r, order=3, shapes=False).region for r in (0.5, 0.95)
+        steady_states(a[:, np.newaxis], w, r, order=3, with_shapes=False).region
+        for r in (0.5, 0.95)
     )
     for number in (1, 2):
         counted = float((many == number).sum() / (few == number).sum())

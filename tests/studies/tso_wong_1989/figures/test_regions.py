@@ -125,7 +125,7 @@ def test_shares_are_those_of_points_counted_on_a_fine_grid(restitution: float, o
     points = 700
     w = low + (np.arange(points) + 0.5) * (high - low) / points
     a = (np.arange(points) + 0.5) * HIGHEST_AMPLITUDE / points
-    region = steady_states(a[:, np.newaxis], w, restitution, order=order, shapes=False).region
+    region = steady_states(a[:, np.newaxis], w, restitution, order=order, with_shapes=False).region
     shares = region_shares(compute_region_map(FREQUENCIES, restitution, order=order))
     for number, share in shares.items():
         assert share == pytest.approx(float((region == number).mean()), abs=1.5e-3), number

@@ -29,7 +29,7 @@ def plot_floor_spectra(
     building_period_s: Annotated[float, PERIOD],
     height_ratio: Annotated[float, HEIGHT_RATIO],
 ) -> "Axes":
-    """Draw the spectra of a floor over the peak of the ground, and what three codes give for it.
+    """Draw the spectra of a floor over the ground's peak, with three codes.
 
     Parameters
     ----------
@@ -71,9 +71,7 @@ def plot_floor_spectra(
         for floor in floors
     ]
     low, middle, high = np.quantile(shares, (0.16, 0.5, 0.84), axis=0)
-    axes.fill_between(
-        PERIODS, low, high, color=inks.base, alpha=DOUBT, lw=0.0, label="16 to 84 %"
-    )
+    axes.fill_between(PERIODS, low, high, color=inks.base, alpha=DOUBT, lw=0.0, label="16 to 84 %")
     axes.plot(PERIODS, middle, color=inks.base, label=f"median of {len(floors):,} records")
     found = floor_accelerations(
         PERIODS, pga_g=1.0, building_period_s=building_period_s, height_ratio=height_ratio

@@ -347,7 +347,7 @@ def too_large(_: Evidence) -> Finding:
     restitution = drawn_between(draw, 0.1, 0.99, points)
     counts = {}
     for order in (1, 3):
-        base = steady_states(1.0, ratio, restitution, order=order, shapes=False)
+        base = steady_states(1.0, ratio, restitution, order=order, with_shapes=False)
         amplitude = np.maximum(base.sign, base.kind) * drawn_between(draw, 1.01, 20.0, points)
         states = steady_states(amplitude, ratio, restitution, order=order)
         assert states.admissible is not None

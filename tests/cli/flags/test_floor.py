@@ -1,0 +1,100 @@
+"""Flags of floors: the same motion as `floor_motion`, levels of the ground, one line a mistake."""
+
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rocksteady import Block, Nonlinear, Pulse, Record, floor_motion, simulate
+from tests.cli.motion_files import at2, samples
+from tests.cli.program import refused, rocksteady
+
+BLOCK = Block.rectangle(width=0.4, height=1.6)
+SIZE = "--width-m 0.4 --height-m 1.6"
+FLOOR = "--floor-hz 1.5,4 --floor-damping 0.03,0.05 --participation 1.2,-0.3"
+MODES: dict[str, Any] = {"frequencies_hz": [1.5, 4.0], "damping": [0.03, 0.05], "shapes": [1.2, -0.3]}
+
+
+@pytest.fixture(name="file")
+def _file(tmp_path: Path) -> Path:
+    return at2(tmp_path / "across.AT2", samples())
+
+
+def test_a_record_is_that_of_the_floor_at_the_level_of_the_ground(file: Path) -> None:
+    command = f"simulate {SIZE} --json --pga-g 0.3 {FLOOR} --record"
+    values = rocksteady(command, file).json
+    ground = Record(acceleration_m_s2=9.80665 * 0.5 * samples(), dt_s=0.02)  # of .6 g
+    moved = floor_motion(ground, **MODES)
+    truth = simulate(BLOCK, moved, model=Nonlinear())
+    assert values["status"] == truth.status.label
+    assert values["peak"] == pytest.approx(truth.peak, rel=1e-6)
+    assert values["pga_g"] == pytest.approx(moved.peak_acceleration_m_s2 / 9.80665, rel=1e-9)
+    assert values["record"] == "across (floor 1.5 Hz)"
+    words = "floor of 1.5, 4 Hz, damping 3, 5 %, shape 1.2, -0.3"
+    assert words in values["record_processing"]
+
+
+def test_a_pulse_and_shaking_are_those_of_the_floor() -> None:
+    shaken = f"{SIZE} --accel-g 0.3 --freq-hz 1 --json {FLOOR}"
+    pulse = Pulse.from_si(
+        BLOCK, shape="one-sine", acceleration_m_s2=0.3 * 9.80665, frequency_hz=1.0
+    )
+    found = rocksteady(f"simulate {shaken} --pulse one-sine").json
+    truth = simulate(BLOCK, floor_motion(pulse, block=BLOCK, **MODES), model=Nonlinear())
+    assert found["peak"] == pytest.approx(truth.peak, rel=1e-6)
+    zeta = 0.05
+    alone = f"simulate {SIZE} --accel-g 0.3 --freq-hz 2 --json --cycles 5"
+    resonant = rocksteady(f"{alone} --floor-hz 2").json["amplitude"]
+    closed = math.sqrt(1.0 + 4.0 * zeta**2) / (2.0 * zeta)
+    assert resonant == pytest.approx(closed * rocksteady(alone).json["amplitude"], rel=1e-9)
+
+
+def test_measures_of_a_file_are_those_of_the_floor(file: Path) -> None:
+    ground, floor = (
+        rocksteady(f"record --json {each}", file).json["pga_g"] for each in ("", "--floor-hz 2")
+    )
+    moved = floor_motion(
+        Record(acceleration_m_s2=9.80665 * samples(), dt_s=0.02), frequencies_hz=2.0
+    )
+    assert ground == pytest.approx(0.6, rel=1e-6)
+    assert floor == pytest.approx(moved.peak_acceleration_m_s2 / 9.80665, rel=1e-6)
+
+
+def test_the_vertical_component_stays_that_of_the_ground(file: Path, tmp_path: Path) -> None:
+    up = at2(tmp_path / "up.AT2", samples(9, 0.4), component="UP")
+    command = f"simulate {SIZE} --json --record {file} --vertical {up}"
+    ground, floor = (rocksteady(f"{command}{each}").json for each in ("", " --floor-hz 2"))
+    assert floor["vertical_pga_g"] == ground["vertical_pga_g"]
+    assert floor["peak"] != ground["peak"]
+
+
+def test_levels_of_a_fragility_are_those_of_the_ground(file: Path) -> None:
+    command = f"overturn {SIZE} --json --record {file} --scales 0.1:3"
+    ground, floor = (rocksteady(f"{command}{each}").json for each in ("", " --floor-hz 1"))
+    assert floor["records"][0]["first"] != ground["records"][0]["first"]
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ("--floor-hz 0", ["--floor-hz = 0.0", "(0, 10000]"]),
+        ("--floor-hz x", ["--floor-hz", "x"]),
+        ("--floor-hz 1 --floor-damping 1", ["--floor-damping = 1.0", "(0, 1)"]),
+        ("--floor-hz 1,2", ["--participation", "2 modes"]),
+        ("--floor-hz 1,2 --participation 1,-2", ["--participation", "add up to -1"]),
+        ("--participation 1", ["--participation", "without --floor-hz"]),
+        ("--floor-damping 0.1", ["--floor-damping", "without --floor-hz"]),
+    ],
+)
+def test_a_mistake_is_one_line(flags: str, words: list[str], file: Path) -> None:
+    line = refused(f"simulate {SIZE} --record {file} {flags}")
+    assert all(word in line for word in words), line
+
+
+def test_hertz_need_a_block_and_windows_of_pulses_a_ground() -> None:
+    line = refused("simulate -A 2 -W 2 -r 0.8 --pulse one-sine --floor-hz 2")
+    assert "--floor-hz" in line
+    assert "describe a block" in line
+    line = refused(f"overturn {SIZE} --pulse one-sine --freq-hz 1 --floor-hz 2")
+    assert "--floor-hz" in line
