@@ -74,6 +74,18 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.motions.make_synthetic_suite: {"count": 2},
         rs.read_object: {"path": "object.toml"},
         rs.read_objects: {"path": "objects.csv"},
+        rs.risk.read_buildings: {"path": "buildings.toml"},
+        rs.risk.Building: {"name": "house", "floors": t["house"].floors},
+        rs.risk.Building.of_first_mode: {"name": "house", "storeys": 2, "period_s": 0.3},
+        t["house"].floor: {"place": 1},
+        t["house"].storey: {"place": 1},
+        rs.codes.floor_accelerations: {
+            "periods_s": [0.0, 0.5], "pga_g": 0.2, "building_period_s": 0.5, "height_ratio": 1.0,
+        },
+        rs.plots.plan: {"table": t["on floors"]},
+        rs.plots.floor_spectra: {
+            "floors": [record], "building_period_s": 0.5, "height_ratio": 1.0,
+        },
         rs.plots.fragility: {"fragility": t["fragility"]},
         rs.plots.fragility_states: {"fragility": t["fragility"]},
         rs.plots.measure_efficiency: {"fragility": t["fragility"]},

@@ -32,6 +32,16 @@ def resting_branches() -> rs.branches.RestingBranches:
     )
 
 
+def on_floors(described: rs.risk.DescribedObject, motions: list[rs.Record]) -> dict[str, Any]:
+    """Return a building, whose file is written, and a table of objects in it."""
+    house = rs.risk.Building.of_first_mode("house", storeys=2, period_s=0.3)
+    text = '[[buildings]]\nname = "house"\nstoreys = 2\nperiod_s = 0.3\n'
+    Path("buildings.toml").write_text(text, encoding="utf-8")
+    upstairs = rs.risk.DescribedObject(values={**described.values, "floor": 2})
+    table = rs.assess_objects([upstairs], motions, buildings=[house], pga_g=0.3)
+    return {"house": house, "on floors": table}
+
+
 @functools.cache
 def things() -> dict[str, Any]:
     """Return one of every class, made once."""
@@ -165,6 +175,7 @@ def things() -> dict[str, Any]:
             described.with_peaks(pga_g=0.5, pgv_m_s=0.3), [record, other]
         ),
         "objects": rs.assess_objects([described], [record, other], pga_g=0.3, pgv_m_s=0.3),
+        **on_floors(described, [record, other]),
         "output": rs.sweeps.Output(name="value"),
         "map": maps,
         "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, max_cycles=20),

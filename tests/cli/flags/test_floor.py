@@ -13,7 +13,11 @@ from tests.cli.program import refused, rocksteady
 BLOCK = Block.rectangle(width=0.4, height=1.6)
 SIZE = "--width-m 0.4 --height-m 1.6"
 FLOOR = "--floor-hz 1.5,4 --floor-damping 0.03,0.05 --participation 1.2,-0.3"
-MODES: dict[str, Any] = {"frequencies_hz": [1.5, 4.0], "damping": [0.03, 0.05], "shapes": [1.2, -0.3]}
+MODES: dict[str, Any] = {
+    "frequencies_hz": [1.5, 4.0],
+    "damping": [0.03, 0.05],
+    "shapes": [1.2, -0.3],
+}
 
 
 @pytest.fixture(name="file")

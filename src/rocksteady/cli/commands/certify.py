@@ -104,6 +104,7 @@ def certify(
     if what is not None and what not in KINDS:
         raise InputError("WHAT", what, "there is no such proof", "give " + ", ".join(KINDS))
     if print_checker:
+        refuse({"--json": as_json}, "the checker is a program, and no object", "leave one out")
         name = "fate_checker.py" if what == "fate" else "checker.py"
         print(files("rocksteady.certify").joinpath(name).read_text(encoding="utf-8"), end="")
         return 0

@@ -119,7 +119,7 @@ class FloorFlags:
             )
 
     def on_floor(self, motion: Any, body: object = None) -> Any:
-        """Return a motion as the floor has it; as it is on the ground.
+        """Return the motion of the floor; on the ground the motion itself.
 
         Raises
         ------

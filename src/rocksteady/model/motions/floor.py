@@ -340,7 +340,7 @@ def floor_motion(
     >>> ground = Record(acceleration_m_s2=[0.0, 2.0, -2.0, 0.0], dt_s=0.25)
     >>> floor = floor_motion(ground, frequencies_hz=2.0, shapes=1.3)
     >>> print(f"{floor.peak_acceleration_m_s2:.2f} m/s^2 on {ground.peak_acceleration_m_s2:.2f}")
-    4.02 m/s^2 on 2.00
+    5.90 m/s^2 on 2.00
     """
     floor = Floor(frequencies_hz=frequencies_hz, damping=damping, shapes=shapes)
     return floor.motion(motion, block, tolerance=tolerance)

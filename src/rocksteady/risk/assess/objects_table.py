@@ -300,8 +300,8 @@ def _asked(
     described: DescribedObject, pga_g: float | None, pgv_m_s: float | None
 ) -> DescribedObject:
     """Return an object with the demand of all where it states none of its own."""
-    own = described.given.demand
-    if own.pga_g is not None or own.pgv_m_s is not None:
+    demand = described.given.demand
+    if demand.pga_g is not None or demand.pgv_m_s is not None:
         return described
     if pga_g is None and pgv_m_s is None:
         raise ModelError(

@@ -178,8 +178,8 @@ def _drop(drop: IntegrityDrop) -> Rows:
 
 def _formula(assessment: FormulaAssessment) -> Rows:
     """Return the probability of falling by the formula and by runs of this package."""
-    own, other = assessment.probability, assessment.other_probability
-    pairs = (("formula", own), ("runs of this package", other))
+    formula, counted = assessment.probability, assessment.other_probability
+    pairs = (("formula", formula), ("runs of this package", counted))
     bars = [Row(name, value, chance(value)) for name, value in pairs if value is not None]
     return _falling(bars)
 

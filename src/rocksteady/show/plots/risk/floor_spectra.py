@@ -73,10 +73,10 @@ def plot_floor_spectra(
     low, middle, high = np.quantile(shares, (0.16, 0.5, 0.84), axis=0)
     axes.fill_between(PERIODS, low, high, color=inks.base, alpha=DOUBT, lw=0.0, label="16 to 84 %")
     axes.plot(PERIODS, middle, color=inks.base, label=f"median of {len(floors):,} records")
-    found = floor_accelerations(
+    codes = floor_accelerations(
         PERIODS, pga_g=1.0, building_period_s=building_period_s, height_ratio=height_ratio
     )
-    for (code, values), style in zip(found.items(), STYLES, strict=True):
+    for (code, values), style in zip(codes.items(), STYLES, strict=True):
         name = code + ", peak of the floor" * code.startswith("ASCE")
         axes.plot(PERIODS, values, color=inks.limit, ls=style, lw=1.2, label=name)
     axes.set(
