@@ -3,15 +3,17 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Annotated
 
 import msgspec
 
 from rocksteady.errors import InputError, ModelError, RocksteadyError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.checks.bounds import Bounds, Whole
+from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.motions._oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.model.motions.floor import Floor
+from rocksteady.model.motions.floor import DAMPING, LARGEST_SUM, SHAPE, Floor
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
@@ -19,7 +21,9 @@ from rocksteady.risk.observations.files.toml_tables import TomlTables, named
 from rocksteady.seismic.measures.scalar import compute_measure
 
 HINT = "name a file of buildings in TOML"
-MOST_STOREYS = 200
+STOREYS = Whole(1, 200, "give the number of floors above the ground")
+PARTICIPATION = Bounds(0.0, LARGEST_SUM, "(]", SHAPE.hint)
+PERIOD = Bounds(1e-4, 1e4, "[]", "give T of the first mode in seconds")
 GROUND = ("", "0", "ground")
 """What an object's floor is that stands on the ground."""
 
@@ -80,7 +84,7 @@ class Building:
 
     name: str
     floors: Sequence[Floor]
-    rooms: Mapping[str, int] = field(default_factory=dict)
+    rooms: Mapping[str, int] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
         """Validate."""
@@ -92,14 +96,15 @@ class Building:
             whole_number(f"rooms: {room}", place, at_least=0, at_most=len(self.floors), hint=hint)
 
     @classmethod
+    @checked
     def of_first_mode(
         cls,
         name: str,
         *,
-        storeys: int,
-        period_s: float,
-        damping: float = DEFAULT_DAMPING,
-        participation: float | None = None,
+        storeys: Annotated[int, STOREYS],
+        period_s: Annotated[float, PERIOD],
+        damping: Annotated[float, DAMPING] = DEFAULT_DAMPING,
+        participation: Annotated[float | None, PARTICIPATION] = None,
         rooms: Mapping[str, int] | None = None,
     ) -> "Building":
         """Return a building of equal storeys whose one mode is a straight line over its height.
@@ -123,13 +128,10 @@ class Building:
         InputError
             If a number is outside its range.
         """
-        hint = "give the number of floors above the ground"
-        count = whole_number("storeys", storeys, at_least=1, at_most=MOST_STOREYS, hint=hint)
-        period = in_range("period_s", period_s, 1e-4, 1e4, "[]", hint="give T in seconds")
-        roof = 3.0 * count / (2.0 * count + 1.0) if participation is None else participation
+        roof = 3.0 * storeys / (2.0 * storeys + 1.0) if participation is None else participation
         floors = [
-            Floor(frequencies_hz=1.0 / period, damping=damping, shapes=roof * place / count)
-            for place in range(1, count + 1)
+            Floor(frequencies_hz=1.0 / period_s, damping=damping, shapes=roof * place / storeys)
+            for place in range(1, storeys + 1)
         ]
         return cls(name=name, floors=floors, rooms=rooms or {})
 
