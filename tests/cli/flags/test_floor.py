@@ -76,7 +76,9 @@ def test_the_vertical_component_stays_that_of_the_ground(file: Path, tmp_path: P
 def test_levels_of_a_fragility_are_those_of_the_ground(file: Path) -> None:
     command = f"overturn {SIZE} --json --record {file} --scales 0.1:3"
     ground, floor = (rocksteady(f"{command}{each}").json for each in ("", " --floor-hz 1"))
-    assert floor["records"][0]["first"] != ground["records"][0]["first"]
+    ground, floor = ground["records"][0], floor["records"][0]
+    assert floor["first"] != ground["first"]
+    assert (floor["pga_g"], floor["pgv_m_s"]) == (ground["pga_g"], ground["pgv_m_s"])
 
 
 @pytest.mark.parametrize(

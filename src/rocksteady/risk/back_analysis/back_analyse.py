@@ -131,7 +131,7 @@ def back_analyse(
             "give more records, or rs.calibration.ScanOptions(temper=0.3, trials=0)",
         )
     at_one = np.array(
-        [[compute_measure(ground.record, each) for each in words] for ground in grounds]
+        [[compute_measure(ground.record.reference, each) for each in words] for ground in grounds]
     )
     equations = model_of(survey, grounds, model)
     draws = options.draws_of(len(survey))

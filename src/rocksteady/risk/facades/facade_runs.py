@@ -302,7 +302,7 @@ def run_facade(
     """
     grounds = grounds_of(records)
     different = different_motions(grounds)
-    peaks = np.array([ground.record.peak_acceleration_m_s2 for ground in grounds])
+    peaks = np.array([ground.record.reference.peak_acceleration_m_s2 for ground in grounds])
     factors = _factors(scale, pga_g, peaks)
     mechanism = facade.mechanism
     motions = []

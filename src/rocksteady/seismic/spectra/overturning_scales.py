@@ -386,7 +386,7 @@ def find_overturning_scales(
         run=run,
         batch=1,
     )
-    courses = [integrate_record(ground.record) for ground in grounds]
+    courses = [integrate_record(ground.record.reference) for ground in grounds]
     return OverturningScales(
         block=block,
         motions=tuple(

@@ -142,7 +142,7 @@ def test_a_place_that_is_none_is_refused_in_one_line(
         ('[[buildings]]\nname = "a"\nstoreys = 0\nperiod_s = 1', "storeys"),
         ('[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 1\ndamping = 1.0', "damping"),
         ('[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 1\nshapes = [[1]]', "one mode"),
-        ('[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 1\nparticipation = -1', "participation"),
+        ('[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 1\nparticipation = -1', "ticipation"),
         ('[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 1\nrooms = { hall = 3 }', "hall"),
         ('[[buildings]]\nname = "a"\nstoreys = 2\nfrequencies_hz = [1]\nshapes = [[1]]', "2 numb"),
         ('[[buildings]]\nname = "a"\nstoreys = 2\nperiods = 1', "did you mean period_s"),
