@@ -22,12 +22,10 @@ const BASIN_KEYS = /** @type {const} */ ({ x: ['u0', 'u1'], y: ['v0', 'v1'] });
 export function makeBasinsPanel(app) {
   const { plane, labels, attractorOf } = makeBasinPlane(app, () => panel, {
     axes(state) {
-      const { angle, velocity } = unitsOf(state);
+      const { startAngle, startVelocity } = unitsOf(state);
       return {
-        x: axisOf(state, BASIN_KEYS.x,
-          { unit: angle.factor, label: `initial ${angle.label}` }),
-        y: axisOf(state, BASIN_KEYS.y,
-          { unit: velocity.factor, label: `initial ${velocity.label}` }),
+        x: axisOf(state, BASIN_KEYS.x, startAngle),
+        y: axisOf(state, BASIN_KEYS.y, startVelocity),
       };
     },
     point(state) {

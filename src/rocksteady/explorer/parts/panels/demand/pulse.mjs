@@ -99,12 +99,10 @@ export function makePulsePanel(app) {
     look: (k) => pulseLook(fates(), k),
     undecided: (k) => pulseLook(fates(), k) === PULSE_LOOK.undecided,
     axes(state) {
-      const units = unitsOf(app, state), log = state.plog === 1;
+      const { axes: units } = unitsOf(app, state), log = state.plog === 1;
       return {
-        x: axisOf(state, PULSE_KEYS.x, { log, unit: units.frequency, label: units.si
-          ? 'frequency of the pulse [Hz]' : 'frequency ratio of the pulse Ω = ω/p' }),
-        y: axisOf(state, PULSE_KEYS.y, { log, unit: units.amplitude, label: units.si
-          ? 'acceleration a_max [g]' : 'amplitude A = a_max/(αg)' }),
+        x: axisOf(state, PULSE_KEYS.x, units.frequency, log),
+        y: axisOf(state, PULSE_KEYS.y, units.amplitude, log),
       };
     },
     point: ({ pW, pA }) => ({ x: pW, y: pA }),

@@ -105,9 +105,9 @@ export function makeHistoryPanel(app) {
         theme,
         x: {
           from: from * time.factor, to: to * time.factor,
-          label: `${time.label}; lowest curve: base acceleration`,
+          label: `${time.label}; lowest curve: base acceleration`, far: time.far,
         },
-        y: { from: -limit * angle.factor * 1.35, to: limit * angle.factor, label: angle.label },
+        y: { ...angle, from: -limit * angle.factor * 1.35, to: limit * angle.factor },
       });
       seen = onto;
       const scaled = (/** @type {Course} */ course) => ({

@@ -73,8 +73,8 @@ export function makePhasePanel(app) {
       const { across, along } = limitsOf(followed, curves.map(({ course }) => course));
       const onto = frame(pen, size, {
         theme,
-        x: { from: -across * angle.factor, to: across * angle.factor, label: angle.label },
-        y: { from: -along * velocity.factor, to: along * velocity.factor, label: velocity.label },
+        x: { ...angle, from: -across * angle.factor, to: across * angle.factor },
+        y: { ...velocity, from: -along * velocity.factor, to: along * velocity.factor },
       });
       seen = onto;
       const put = (/** @type {Course} */ course, /** @type {object} */ style) => curve(pen, onto,
