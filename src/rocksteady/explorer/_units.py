@@ -17,6 +17,7 @@ QUANTITIES: Final = {
     "startAngle": ("angle", "angle_deg_at_start", "angle_at_start"),
     "startVelocity": ("velocity", "velocity_deg_s_at_start", "velocity_at_start"),
     "speed": ("speed_per_pivot_time", "speed_deg_s", "speed"),
+    "peak": ("peak", "peak_deg", "peak"),
     "flight": ("peak", "flight_peak_deg", "flight_peak"),
     "base": ("base_acceleration_per_alpha_g", "base_g", "base"),
 }

@@ -60,7 +60,7 @@ export function frame(pen, size, options) {
   pen.font = width < NARROW ? theme.small : theme.font;
   const above = [...wrapped(pen, title, width - 8), ...wrapped(pen, y.label ?? '', width - 8)];
   const below = wrapped(pen, x.label ?? '', width - 8);
-  const roomy = width >= FAR_ROOM.width && height >= FAR_ROOM.height;
+  const roomy = hasFarRoom(size);
   const up = roomy ? x.far : undefined, beside = roomy ? y.far : undefined;
   // The label of the scale on the right stands at the end of the line, or in one of its own.
   const words = shortenedTo(pen, beside?.label ?? '', width - 8);
@@ -149,6 +149,11 @@ function drawFar(pen, { x, y, box, theme }, rows, columns) {
     pen.fillText(label, x.at(value), top - TICK - LINE / 2);
   }
   pen.stroke();
+}
+
+/** Return whether scales on far sides have room. @param {{ width: number, height: number }} size */
+export function hasFarRoom({ width, height }) {
+  return width >= FAR_ROOM.width && height >= FAR_ROOM.height;
 }
 
 /**

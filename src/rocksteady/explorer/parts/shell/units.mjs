@@ -2,6 +2,7 @@
 
 /** @import { App } from './app.mjs' */
 /** @import { State } from './state.mjs' */
+import { numeral } from '../draw/scale.mjs';
 import { blockNumbers } from './state.mjs';
 
 /** @typedef {{ near: string, far: string, factor: [number, number, number] }} Quantity */
@@ -10,7 +11,7 @@ import { blockNumbers } from './state.mjs';
  * @typedef {{ factor: number, label: string, unit: string, far?: { factor: number, label: string } }} Shown
  */
 /** @typedef {'amplitude' | 'frequency' | 'time' | 'angle' | 'velocity' | 'startAngle' | 'startVelocity'
- *   | 'speed' | 'flight' | 'base'} QuantityName */
+ *   | 'speed' | 'peak' | 'flight' | 'base'} QuantityName */
 /** @typedef {Record<QuantityName, Quantity>} Quantities */
 
 /**
@@ -27,6 +28,16 @@ export function shownUnits(table, { alpha, p }, si) {
     return [name, { factor, label: near, unit: unit === '°' ? unit : ` ${unit}`, far: { factor, label: far } }];
   });
   return Object.fromEntries(shown);
+}
+
+/**
+ * Return a shaking in words.
+ * @param {Record<QuantityName, Shown>} units
+ * @param {{ A: number, W: number }} shaking
+ */
+export function shakingWords({ amplitude, frequency }, { A, W }) {
+  const [a, w] = [`${numeral(A * amplitude.factor)}${amplitude.unit}`, `${numeral(W * frequency.factor)}${frequency.unit}`];
+  return amplitude.unit ? `${a}, ${w}` : `A = ${a}, Ω = ${w}`;
 }
 
 /**

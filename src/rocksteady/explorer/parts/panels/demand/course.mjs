@@ -3,7 +3,7 @@
 /** @import { Theme } from '../../draw/theme.mjs' */
 /** @import { ShownUnits } from './words.mjs' */
 /** @import { SampledRun } from '../../physics/demand/run.mjs' */
-import { frame } from '../../draw/frame.mjs';
+import { frame, hasFarRoom } from '../../draw/frame.mjs';
 import { curve, note, points, rule } from '../../draw/marks.mjs';
 import { numeral } from '../../draw/scale.mjs';
 
@@ -29,7 +29,8 @@ export function drawCourse(pen, size, theme, run, units) {
   // A small motion is enlarged; where alpha is outside the axes it is named.
   const small = largest > 0 && largest < COURSE_SMALL * units.angle;
   const widest = small ? 1.6 * largest : Math.max(1.15 * units.angle, 1.06 * largest);
-  const above = Math.round(size.height * COURSE_BASE), margin = { left: 44, right: units.si ? 40 : 12 };
+  const above = Math.round(size.height * COURSE_BASE), lower = { ...size, height: size.height - above };
+  const margin = { left: 44, right: units.si && hasFarRoom(lower) ? 44 : 12 };
   const { time, angle, base: push } = units.axes, x = { from: 0, to, label: time.label };
   const top = frame(pen, { width: size.width, height: above }, {
     theme, x: { ...x, label: '', bare: true }, margin,
@@ -43,7 +44,7 @@ export function drawCourse(pen, size, theme, run, units) {
   curve(pen, top, [0, ...times], [0, ...base], { colour: theme.base, width: 1.8 });
   pen.save();
   pen.translate(0, above);
-  const low = frame(pen, { width: size.width, height: size.height - above }, {
+  const low = frame(pen, lower, {
     theme, x, margin,
     y: { from: -widest, to: widest, label: angle.label, far: angle.far },
   });

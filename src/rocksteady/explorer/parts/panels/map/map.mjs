@@ -17,7 +17,7 @@ import { numeral } from '../../draw/scale.mjs';
 import { regionAt, regionBoundaries } from '../../physics/boundaries.mjs';
 import { MAP_KIND, axisValues, emptyTile, mapCycles } from '../../physics/tiles.mjs';
 import { caseOf, startOf } from '../../shell/state.mjs';
-import { pageUnits } from '../../shell/units.mjs';
+import { pageUnits, shakingWords } from '../../shell/units.mjs';
 import { axisOf, partOf, placeIn, roundPlace, shownAxes } from '../plane/axis.mjs';
 import { makePlane, wholeNumber } from '../plane/plane.mjs';
 import { makeMapBar } from './bar.mjs';
@@ -107,9 +107,7 @@ export function makeMapPanel(app) {
   const colouring = () => /** @type {MapColouring} */ (app.state.hue);
   const angle = (/** @type {number} */ peak) =>
     (degrees ? `${numeral(peak * degrees, 3)}°` : `${numeral(peak, 3)} α`);
-  const placeWords = (/** @type {PlanePlace} */ { x, y }) =>
-    (si() ? `${numeral(y * by.a, 3)} g, ${numeral(x * by.w, 3)} Hz`
-      : `A = ${numeral(y)}, Ω = ${numeral(x)}`);
+  const placeWords = (/** @type {PlanePlace} */ { x, y }) => shakingWords(units, { A: y, W: x });
   const regionOf = (/** @type {PlanePlace} */ { x, y }) => {
     const at = regionBoundaries(app.kernels, [x], given.restitution);
     return regionAt(y, at.existence[0], at.sign[0], at.kind[0]);

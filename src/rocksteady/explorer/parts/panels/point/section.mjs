@@ -7,6 +7,7 @@ import { numeral } from '../../draw/scale.mjs';
 import { sectionOf } from '../../physics/history.mjs';
 import { FULL_TURN } from '../../physics/start.mjs';
 import { make } from '../../shell/layout.mjs';
+import { tableOf } from '../../shell/tables.mjs';
 import { FOLLOWED_KEYS, cursorState, followIn, ghostsOf } from './followed.mjs';
 import { otherMotions } from './motions.mjs';
 import { GHOST_ALPHAS } from './phase.mjs';
@@ -83,11 +84,9 @@ export function makeSectionPanel(app) {
     },
     table() {
       if (!followed) return { columns: [], rows: [] };
-      const { velocity, si } = panelUnits(app, followed.block);
-      const rows = sectionOf(followed.history).map(({ side, phase, speed }) =>
-        [side, phase, speed * velocity.factor]);
-      return { columns: ['side', 'phase [rad]', si ? 'speed after [deg/s]'
-        : 'speed after d(theta/alpha)/d(pt)'], rows };
+      const { speed } = panelUnits(app, followed.block), met = sectionOf(followed.history);
+      return tableOf(['side', met.map(({ side }) => side)], ['phase [rad]', met.map(({ phase }) => phase)],
+        [speed, met.map((each) => each.speed)]);
     },
   };
   return panel;
