@@ -20,16 +20,19 @@ import { describePanels } from './tables.mjs';
 /** Begin. */
 export function start() {
   if (typeof document === 'undefined') serve(jobs);
-  else openPage().catch(refusal);
+  else {
+    element('story').hidden = true; // until it is known that it can compute
+    turn().then(openPage).catch(refusal);
+  }
 }
 
 async function openPage() {
-  element('story').hidden = true; // until it is known that it can compute
   const { module, found } = await openKernels();
   const pool = makePool(module, blockText('program'), (job, args) => jobs[job](found, args));
   const app = makeApp(found, pool, JSON.parse(blockText('first-view')));
   app.motions = motionsPutIn(blockText('motions'));
   applyTheme(app);
+  await turn();
   await openPlaces(app, { story: () => makeStory(app), lab: () => openLab(app) });
   darkSystem().addEventListener('change', () => applyTheme(app));
   let { look } = app.state;
