@@ -198,8 +198,9 @@ export function lookTiles(looks, ratio = 1) {
     const [fill, mark] = [rgbOf(look.fill), rgbOf(look.mark ?? look.fill)];
     const tile = new Uint32Array(size * size).fill(wordOf(fill));
     for (let at = 0; look.kind && at < tile.length; at++) {
-      const [x, y] = [at % size, Math.floor(at / size)].map((place) => (place + 0.5) / whole);
-      tile[at] = mixedPixel(fill, mark, markShare(look, x, y, 1 / whole));
+      const x = ((at % size) + 0.5) / whole, y = (Math.floor(at / size) + 0.5) / whole;
+      const share = markShare(look, x, y, 1 / whole);
+      if (share > 0) tile[at] = mixedPixel(fill, mark, share);
     }
     return tile;
   });

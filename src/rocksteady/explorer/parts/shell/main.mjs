@@ -4,6 +4,7 @@
 import { jobs } from '../work/jobs.mjs';
 import { makePool } from '../work/pool.mjs';
 import { serve } from '../work/worker.mjs';
+import { warmUp } from '../panels/point/followed.mjs';
 import { makeStory } from '../story/story.mjs';
 import { element, makeApp } from './app.mjs';
 import { makeControls } from './controls.mjs';
@@ -29,6 +30,7 @@ export function start() {
 async function openPage() {
   const { module, found } = await openKernels();
   const pool = makePool(module, blockText('program'), (job, args) => jobs[job](found, args));
+  await turn();
   const app = makeApp(found, pool, JSON.parse(blockText('first-view')));
   app.motions = motionsPutIn(blockText('motions'));
   applyTheme(app);
@@ -52,6 +54,7 @@ async function openLab(app) {
   await turn();
   makeControls(app);
   await turn();
+  await warmUp(app, turn);
   await placePanels(app, turn);
   addExamples(app);
   addMenus(app);

@@ -27,7 +27,7 @@ import { REGION_WORDS, cellClass, cellWords, drawColourBar, drawMapLegend, legen
   mapLooks, peakLook, peakOf, periodLook, shareWords } from './words.mjs';
 
 const CURVE_POINTS = 320;
-const MAP_MARGIN = { left: 44, right: 12 };
+const MAP_MARGIN = { left: 44, right: 36 }; // [px] whatever the numbers are
 const UNDER_AXIS = 40; // [px] of tick labels and the label of the axis
 const COLOUR_BAR = 17; // [px]
 const NARROW_MAP = 420; // [px]

@@ -93,6 +93,23 @@ function followFirst({ kernels, state }) {
 }
 
 /**
+ * Have the browser compile, a part a turn, what the first view needs at once.
+ * @param {App} app
+ * @param {() => Promise<void>} turn
+ */
+export async function warmUp({ kernels, state }, turn) {
+  const given = caseOf(kernels, state), start = startOf(state);
+  for (const follow of [historyOf, attractorOf]) {
+    try {
+      follow(kernels, given, start, 1, FIRST_FLIGHTS);
+    } catch (error) {
+      if (!(error instanceof NoStart)) throw error; // the panels say so
+    }
+    await turn();
+  }
+}
+
+/**
  * Return what is known of the attractor of a motion that has not been followed.
  * @param {History} history
  * @returns {Attractor}
