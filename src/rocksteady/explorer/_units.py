@@ -22,7 +22,13 @@ QUANTITIES: Final = {
     "base": ("base_acceleration_per_alpha_g", "base_g", "base"),
 }
 """Conversion, label in the unit and dimensionless label of each quantity of the page."""
-_LETTERS: Final = {r"\dot\theta": "dθ/dt", r"\alpha g": "αg", r"\alpha": "α", r"\theta": "θ", r"\omega": "ω"} | {
+_LETTERS: Final = {
+    r"\dot\theta": "dθ/dt",
+    r"\alpha g": "αg",
+    r"\alpha": "α",
+    r"\theta": "θ",
+    r"\omega": "ω",
+} | {
     r"\Omega": "Ω",
     r"_{\max}": "_max",
     r"|_max": "|",

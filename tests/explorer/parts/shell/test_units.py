@@ -63,7 +63,8 @@ def test_labels_have_no_marks_of_mathematics() -> None:
 def test_tables_have_both_columns_as_in_python(in_node: InNode) -> None:
     lines = """
     const [b, h] = asked.size, units = shownUnits(asked.table, measuresOf(kernels, b, h), asked.si);
-    answer([tableOf([units.time, asked.pt], [units.angle, asked.angle, 'highest '], ['side', ['left', '']]),
+    const sides = ['side', ['left', '']], highest = [units.angle, asked.angle, 'highest '];
+    answer([tableOf([units.time, asked.pt], highest, sides),
         tableOf([units.angle, ['', 0]]), tableOf([units.time, []]),
         shakingWords(units, { A: 2, W: 3 })]);
     """

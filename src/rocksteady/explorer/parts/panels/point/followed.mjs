@@ -4,7 +4,7 @@ import { attractorOf } from '../../physics/attractor.mjs';
 import { courseOf, historyOf, motionAt, periodTimes, sectionOf } from '../../physics/history.mjs';
 import { FULL_TURN, NoStart } from '../../physics/start.mjs';
 import { steadyStatesAt } from '../../physics/steady.mjs';
-import { blockNumbers, caseOf, startOf } from '../../shell/state.mjs';
+import { blockNumbers, caseOf, defaultState, startOf } from '../../shell/state.mjs';
 
 /** @import { App, Panel } from '../../shell/app.mjs' */
 /** @import { State } from '../../shell/state.mjs' */
@@ -93,18 +93,14 @@ function followFirst({ kernels, state }) {
 }
 
 /**
- * Have the browser compile, a part a turn, what the first view needs at once.
+ * Have the browser compile, a part a turn, what the first view needs at once: on a plain motion.
  * @param {App} app
  * @param {() => Promise<void>} turn
  */
 export async function warmUp({ kernels, state }, turn) {
-  const given = caseOf(kernels, state), start = startOf(state);
+  const given = caseOf(kernels, { ...defaultState(), model: state.model });
   for (const follow of [historyOf, attractorOf]) {
-    try {
-      follow(kernels, given, start, 1, FIRST_FLIGHTS);
-    } catch (error) {
-      if (!(error instanceof NoStart)) throw error; // the panels say so
-    }
+    follow(kernels, given, { kind: 'rest' }, 1, FIRST_FLIGHTS);
     await turn();
   }
 }
