@@ -29,8 +29,8 @@ def page_theme() -> dict[str, Any]:
     >>> theme["words"]["overturned"]
     'falls'
     """
-    both = {"light": _roles(LIGHT), "dark": _roles(DARK)}
-    return both | {"words": class_words(), "units": page_units()}
+    papers = {"light": _roles(LIGHT), "dark": _roles(DARK)}
+    return papers | {"words": class_words(), "units": page_units()}
 
 
 def class_words() -> dict[str, str]:

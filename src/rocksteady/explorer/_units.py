@@ -53,11 +53,11 @@ def page_units() -> dict[str, dict[str, Any]]:
 
 def _factor(conversion: str) -> list[float | int]:
     """Return the factor of a conversion at alpha = p = 1, and the powers of both."""
-    one, slenderness, rate = (
+    unit, slenderness, rate = (
         float(CONVERSIONS[conversion][1](Block.from_p(alpha=alpha, p=p, restitution=1.0), 1.0))
         for alpha, p in ((1.0, 1.0), (0.5, 1.0), (1.0, 2.0))
     )
-    return [one, round(math.log2(one / slenderness)), round(math.log2(rate / one))]
+    return [unit, round(math.log2(unit / slenderness)), round(math.log2(rate / unit))]
 
 
 def _plain(name: str) -> str:

@@ -5,6 +5,8 @@ import random
 
 import pytest
 
+from rocksteady import Block
+from rocksteady.model.units import in_units
 from tests.explorer.browser.watched import DIMENSIONLESS, Explorer, drawn, link, turn_to, values
 
 FIELDS = ("A", "W", "b", "h", "r")
@@ -115,6 +117,10 @@ def test_a_number_that_is_refused_is_marked_and_changes_nothing(explorer: Explor
 def test_in_engineering_units_a_new_size_keeps_the_shaking(explorer: Explorer) -> None:
     page = explorer.open({"A": 2.0, "W": 3.0, "h": 2.0})
     before = values(page, "#controls")
+    block = Block.rectangle(width=0.5, height=2.0, restitution=0.8)
+    given = in_units({"amplitude": [2.0], "frequency_ratio": [3.0]}, block)
+    for name, column in (("a_g", "accel_g"), ("f_hz", "freq_hz")):
+        assert math.isclose(float(before[name]), given[column][0], rel_tol=1e-15)
     page.locator("#in-h").fill("1.5")
     page.locator("#in-h").press("Enter")
     drawn(page)

@@ -281,7 +281,8 @@ function makeBar(app, panel) {
   const status = make('strong', { class: 'result', 'data-name': 'quake-status' });
   const peak = make('span', { 'data-name': 'quake-peak', hidden: '' });
   const impacts = make('span', { 'data-name': 'quake-impacts', hidden: '' });
-  const row = make('label', { class: 'scale' }, 'scale ', slider, number);
+  const pga = make('output', { 'data-name': 'quake-pga' });
+  const row = make('label', { class: 'scale' }, 'scale ', slider, number, pga);
   panel.bar?.append(chosen, row);
   let listed = -1;
   const refresh = () => {
@@ -295,6 +296,7 @@ function makeBar(app, panel) {
     chosen.title = choices[place].note;
     if (document.activeElement !== number) number.value = String(Number(app.state.scale.toPrecision(6)));
     slider.value = String(app.state.scale);
+    pga.textContent = `${few(shakenBy(app, app.state).pga)} g`;
   };
   makeFileOpener(app, panel, refresh);
   panel.bar?.append(status, peak, impacts);
