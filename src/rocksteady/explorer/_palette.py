@@ -5,6 +5,7 @@ from dataclasses import asdict
 from typing import Any
 
 from rocksteady.dynamics.maps.cell_classes import CellClass
+from rocksteady.explorer._units import page_units
 from rocksteady.outcomes import Status
 from rocksteady.show.style.tokens import DARK, LIGHT, Inks
 
@@ -18,7 +19,7 @@ FATES = {
 
 
 def page_theme() -> dict[str, Any]:
-    """Return colours on light and dark paper, and words of classes, for `draw/theme.mjs`.
+    """Return colours on both papers, words of classes and units, for `draw/theme.mjs`.
 
     Examples
     --------
@@ -28,7 +29,8 @@ def page_theme() -> dict[str, Any]:
     >>> theme["words"]["overturned"]
     'falls'
     """
-    return {"light": _roles(LIGHT), "dark": _roles(DARK), "words": class_words()}
+    papers = {"light": _roles(LIGHT), "dark": _roles(DARK)}
+    return papers | {"words": class_words(), "units": page_units()}
 
 
 def class_words() -> dict[str, str]:

@@ -121,16 +121,22 @@ def state_of(view: ExplorerView, *, on_records: bool) -> dict[str, str]:
         "tab": view.tab or ("quake" if on_records else "explore"),
         "model": "nonlinear" if nonlinear else "linear",
         "start": _start_text(view.start),
+        "units": "none" if _is_dimensionless(view) and not on_records else "si",
     }
     if view.motion is not None:
         state |= _motion_state(view.motion)
     if view.block is not None:
         state |= _block_state(view.block)
-    elif on_records:
-        state["units"] = "si"
     if view.scale != 1.0:
         state["scale"] = _text(view.scale)
     return state
+
+
+def _is_dimensionless(view: ExplorerView) -> bool:
+    """Return whether a view gives amplitudes and ratios, and no size."""
+    return isinstance(view.block, DimensionlessBlock) or (
+        view.block is None and view.motion is not None
+    )
 
 
 def is_plain(view: ExplorerView) -> bool:
@@ -157,7 +163,7 @@ def _block_state(block: Block | DimensionlessBlock) -> dict[str, str]:
     state = {"r": _text(block.restitution)}
     if isinstance(block, Block):
         width, height = _measures(block)
-        state |= {"b": _text(width), "h": _text(height), "units": "si"}
+        state |= {"b": _text(width), "h": _text(height)}
         if _is_housner(block):  # the restitution then follows the size
             state["rh"] = "1"
     return state

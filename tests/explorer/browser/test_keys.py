@@ -34,7 +34,7 @@ def test_keys_of_the_page_change_the_view(explorer: Explorer) -> None:
 @pytest.mark.slow
 def test_keys_are_not_taken_from_numbers_and_lists(explorer: Explorer) -> None:
     page = explorer.open()
-    for name, keys in product(("#in-A", "#in-units"), "2bL?e[+"):
+    for name, keys in product(("#in-a_g", "#in-units"), "2bL?e[+"):
         page.locator(name).focus()
         page.keyboard.press(keys)
         drawn(page)
@@ -55,7 +55,7 @@ def test_keys_of_the_browser_are_left_to_it(explorer: Explorer) -> None:
 @pytest.mark.slow
 def test_help_takes_the_focus_and_gives_it_back(explorer: Explorer) -> None:
     page = explorer.open()
-    page.locator("#in-W").focus()
+    page.locator("#in-f_hz").focus()
     page.locator("#help-button").focus()
     press(page, "?")
     dialog = page.locator("dialog#help")
@@ -93,7 +93,7 @@ def test_a_menu_opens_by_a_key_and_closes_without_losing_the_focus(explorer: Exp
     assert menu.get_attribute("open") is None
     assert page.evaluate("() => document.activeElement.tagName") == "SUMMARY"
     page.locator("#menu summary[title^='Copy']").click()
-    page.locator("#in-A").click()
+    page.locator("#in-a_g").click()
     assert page.locator("details.menu[open]").count() == 0
 
 

@@ -5,7 +5,9 @@ import random
 
 import pytest
 
-from tests.explorer.browser.watched import Explorer, drawn, link, turn_to, values
+from rocksteady import Block
+from rocksteady.model.units import in_units
+from tests.explorer.browser.watched import DIMENSIONLESS, Explorer, drawn, link, turn_to, values
 
 FIELDS = ("A", "W", "b", "h", "r")
 HOSTILE = [
@@ -44,14 +46,14 @@ def test_a_state_comes_back_from_its_link_bit_for_bit(explorer: Explorer) -> Non
 
 @pytest.mark.slow
 def test_keys_at_their_defaults_stay_out_of_the_link(explorer: Explorer) -> None:
-    page = explorer.open()
+    page = explorer.open(DIMENSIONLESS)
     default = page.locator("#in-A").input_value()
     page.locator("#in-A").fill("1.25")
     page.locator("#in-A").press("Enter")
-    assert link(page) == {"v": "1", "A": "1.25"}
+    assert link(page) == {"v": "1", "units": "none", "A": "1.25"}
     page.locator("#in-A").fill(default)
     page.locator("#in-A").press("Enter")
-    assert link(page) == {"v": "1"}
+    assert link(page) == {"v": "1", "units": "none"}
 
 
 @pytest.mark.slow
@@ -82,7 +84,7 @@ def test_a_hostile_link_does_nothing_but_a_notice(explorer: Explorer) -> None:
 
 @pytest.mark.slow
 def test_back_undoes_what_was_set_and_forward_does_it_again(explorer: Explorer) -> None:
-    page = explorer.open()
+    page = explorer.open(DIMENSIONLESS)
     first = page.locator("#in-A").input_value()
     for value in ("1.5", "2.5"):
         page.locator("#in-A").fill(value)
@@ -97,7 +99,7 @@ def test_back_undoes_what_was_set_and_forward_does_it_again(explorer: Explorer) 
 
 @pytest.mark.slow
 def test_a_number_that_is_refused_is_marked_and_changes_nothing(explorer: Explorer) -> None:
-    page = explorer.open()
+    page = explorer.open(DIMENSIONLESS)
     before = values(page, "#controls")
     for name, refused in (
         ("A", "-1"), ("W", "0"), ("r", "1.5"), ("b", "0"), ("h", "1e9"), ("A", ""),
@@ -113,8 +115,12 @@ def test_a_number_that_is_refused_is_marked_and_changes_nothing(explorer: Explor
 
 @pytest.mark.slow
 def test_in_engineering_units_a_new_size_keeps_the_shaking(explorer: Explorer) -> None:
-    page = explorer.open({"units": "si", "A": 2.0, "W": 3.0, "h": 2.0})
+    page = explorer.open({"A": 2.0, "W": 3.0, "h": 2.0})
     before = values(page, "#controls")
+    block = Block.rectangle(width=0.5, height=2.0, restitution=0.8)
+    given = in_units({"amplitude": [2.0], "frequency_ratio": [3.0]}, block)
+    for name, column in (("a_g", "accel_g"), ("f_hz", "freq_hz")):
+        assert math.isclose(float(before[name]), given[column][0], rel_tol=1e-15)
     page.locator("#in-h").fill("1.5")
     page.locator("#in-h").press("Enter")
     drawn(page)

@@ -70,7 +70,7 @@ def test_the_first_view_says_what_to_drag_and_what_it_shows(explorer: Explorer) 
 def framed(explorer: Explorer, folder: Path, attributes: str) -> FrameLocator:
     """Return the page inside a page of the manual."""
     outer = folder / "manual.html"
-    address = html.escape(explorer.file.as_uri() + "#v=1&A=1.5")
+    address = html.escape(explorer.file.as_uri() + "#v=1&A=1.5&units=none")
     frame = f'<iframe src="{address}" width="900" height="700" {attributes}></iframe>'
     outer.write_text(f"<!doctype html><title>Manual</title>{frame}", encoding="utf-8")
     page = explorer.context().new_page()

@@ -23,7 +23,7 @@ from tests.explorer.browser.watched import Explorer, turn_to, values
 
 READOUT = "[data-panel='readout']"
 SEED = 25
-FIXED = {"r": 0.8, "b": 0.5, "h": 2.0, "model": "linear"}
+FIXED = {"r": 0.8, "b": 0.5, "h": 2.0, "model": "linear", "units": "none"}
 RARE = [(2.0, 1.9, "rest"), (0.6 + 5.4 / 39.0 * 4.0, 2.0, "0.0,0.2"), (2.0, 6.0, "1:1.0:0.5")]
 """Points and starts of motions that are unsymmetric, aperiodic and subharmonic."""
 CYCLES = 60
@@ -47,6 +47,7 @@ def cases(count: int) -> list[dict[str, Any]]:
                 "b": float(rng.uniform(0.1, 1.0)),
                 "h": float(rng.uniform(1.0, 3.0)),
                 "model": "nonlinear" if k % 2 else "linear",
+                "units": "none",
                 "start": starts[k // 2 % 4],
             }
         )

@@ -18,6 +18,8 @@ from playwright.sync_api import (
 )
 
 WIDE = (1440, 900)
+DIMENSIONLESS = "#v=1&at=lab&units=none"
+"""Fragment of the laboratory with amplitudes and ratios."""
 OWN = re.compile(r"(?:file|blob|data|about):")
 """Addresses that a page from a file may load."""
 TABLED = "panel => document.querySelector(`${panel} tbody tr`)"

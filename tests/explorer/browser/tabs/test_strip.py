@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from playwright.sync_api import FloatRect, Page
 
-from rocksteady import DimensionlessBlock, Harmonic, Rest, Steady
+from rocksteady import Block, DimensionlessBlock, Harmonic, Rest, Steady
+from rocksteady.model.units import in_units
 from rocksteady.orbits import sweep_attractor
 from tests.explorer.browser.watched import TABLED, Explorer, drawn, link, until, values
 
@@ -56,8 +57,12 @@ def test_rest_and_the_harmonic_motion_coexist_at_a_glance(explorer: Explorer) ->
         np.linspace(0.5, 8.0, 201),
         start=Rest(),
     )
-    assert [row[2] for row in cells] == sweep.kinds[:ROWS]
-    assert {row[1] for row in cells} == {"up"}
+    assert [row[3] for row in cells] == sweep.kinds[:ROWS]
+    assert {row[2] for row in cells} == {"up"}
+    block = Block.rectangle(width=0.5, height=2.0, restitution=0.8)
+    ratios = [float(row[1]) for row in cells]
+    hertz = in_units({"frequency_ratio": ratios}, block)["freq_hz"]
+    assert [float(row[0]) for row in cells] == pytest.approx(hertz, rel=1e-5)
 
 
 @pytest.mark.slow

@@ -265,8 +265,11 @@ def test_a_link_is_the_address_of_the_page_with_the_view(in_node: InNode) -> Non
     answer([address, stateOfLink(new URL(address).hash).state, state]);
     """
     address, again, state = in_node(IMPORTS + lines, {"patch": {"A": 1.5, "start": "0.5,0"}})
-    assert address.startswith("file:///a/b.html#v=1&A=1.5")
+    assert address.startswith("file:///a/b.html#v=1&at=lab&")
     assert again == state
+    assert set(dict(part.split("=") for part in address.partition("#v=1&")[2].split("&"))) == set(
+        state
+    )
 
 
 def test_each_panel_copies_what_it_shows(in_node: InNode) -> None:

@@ -159,7 +159,7 @@ export function hatchBox(pen, box, { colour, every = 7, width = 1, kind = 'risin
  * @param {Box} box
  */
 function dotBox(pen, colour, every, size, box) {
-  const [right, bottom] = [box.left + box.width, box.top + box.height];
+  const [right, bottom] = [box.left + box.width, box.top + box.height], side = size * Math.sqrt(Math.PI);
   pen.save();
   pen.beginPath();
   pen.rect(box.left, box.top, box.width, box.height);
@@ -167,9 +167,8 @@ function dotBox(pen, colour, every, size, box) {
   pen.beginPath();
   for (let k = Math.floor(box.top / every - 0.5); (k + 0.5) * every < bottom + size; k++) {
     for (let j = Math.floor(box.left / every - 0.5); (j + 0.5) * every < right + size; j++) {
-      const [x, y] = [(j + 0.5) * every, (k + 0.5) * every];
-      pen.moveTo(x + size, y);
-      pen.arc(x, y, size, 0, 2 * Math.PI);
+      // A square as large as the dot, of which thousands take no time.
+      pen.rect((j + 0.5) * every - side / 2, (k + 0.5) * every - side / 2, side, side);
     }
   }
   pen.fillStyle = colour;
@@ -199,8 +198,9 @@ export function lookTiles(looks, ratio = 1) {
     const [fill, mark] = [rgbOf(look.fill), rgbOf(look.mark ?? look.fill)];
     const tile = new Uint32Array(size * size).fill(wordOf(fill));
     for (let at = 0; look.kind && at < tile.length; at++) {
-      const [x, y] = [at % size, Math.floor(at / size)].map((place) => (place + 0.5) / whole);
-      tile[at] = mixedPixel(fill, mark, markShare(look, x, y, 1 / whole));
+      const x = ((at % size) + 0.5) / whole, y = (Math.floor(at / size) + 0.5) / whole;
+      const share = markShare(look, x, y, 1 / whole);
+      if (share > 0) tile[at] = mixedPixel(fill, mark, share);
     }
     return tile;
   });

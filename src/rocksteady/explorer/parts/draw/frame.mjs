@@ -16,6 +16,8 @@ import { scale } from './scale.mjs';
  * @property {string} [label]  with its unit
  * @property {Tick[]} [ticks]  in place of round numbers, as at -1, 0, 1
  * @property {boolean} [bare]  without tick labels
+ * @property {{ factor: number, label: string }} [far]  scale on the far side; its values times the
+ *   factor are those of the axis
  */
 
 /**
@@ -36,6 +38,7 @@ const TICK = 4;
 const GAP = 5;
 const LINE = 16; // [px] of a line of text
 const CLOSEST = 13; // [px] from label to label
+const FAR_ROOM = { width: 300, height: 250 }; // [px] from which there are scales on far sides
 
 /**
  * Draw paper, grid, axes, tick labels and axis labels; return the scales.
@@ -57,7 +60,13 @@ export function frame(pen, size, options) {
   pen.font = width < NARROW ? theme.small : theme.font;
   const above = [...wrapped(pen, title, width - 8), ...wrapped(pen, y.label ?? '', width - 8)];
   const below = wrapped(pen, x.label ?? '', width - 8);
-  const top = Math.max(margin.top ?? 0, above.length ? above.length * LINE + 6 : 10);
+  const roomy = hasFarRoom(size);
+  const up = roomy ? x.far : undefined, beside = roomy ? y.far : undefined;
+  // The label of the scale on the right stands at the end of the line, or in one of its own.
+  const words = shortenedTo(pen, beside?.label ?? '', width - 8);
+  const full = pen.measureText(above.at(-1) ?? '').width + pen.measureText(words).width + 24 > width;
+  if (words && full) above.push('');
+  const top = Math.max(margin.top ?? 0, above.length ? above.length * LINE + 6 : 10) + (up ? 2 * LINE : 0);
   const under = (x.bare ? TICK : TICK + LINE) + below.length * LINE;
   const bottom = Math.max(top + 8, height - Math.max(margin.bottom ?? 0, under + 3));
 
@@ -65,7 +74,10 @@ export function frame(pen, size, options) {
   const rows = y.ticks ?? verticalTicks(scale(upright), bottom - top);
   const widest = y.bare ? 0 : Math.max(0, ...rows.map((tick) => pen.measureText(tick.label).width));
   const least = Math.ceil(Math.max(margin.left ?? 0, widest + TICK + GAP + 2));
-  const { ticks: columns, left, right } = horizontalTicks(pen, x, least, width, margin.right ?? 0);
+  const others = beside ? verticalTicks(scale(inFar(upright, beside.factor)), bottom - top) : [];
+  const wide = others.map(({ label }) => pen.measureText(label).width + TICK + GAP + 4);
+  const { ticks: columns, left, right } = horizontalTicks(pen, x, least, width,
+    Math.max(margin.right ?? 0, ...wide));
 
   const box = { left, top, width: Math.max(8, right - left), height: bottom - top };
   const [across, along] = equal ? equalAxes(x, y, box) : [x, y];
@@ -78,6 +90,11 @@ export function frame(pen, size, options) {
     rows: equal && !y.ticks ? verticalTicks(found.y, box.height) : rows };
   if (grid) drawGrid(pen, found, marks);
   drawAxes(pen, found, x, y, marks);
+  if (beside) drawFar(pen, found, others.map((tick) => ({ ...tick, value: tick.value * beside.factor })), []);
+  if (up) {
+    const { ticks } = horizontalTicks(pen, inFar(x, up.factor), 0, 0.9 * box.width, 0);
+    drawFar(pen, found, [], ticks.map((tick) => ({ ...tick, value: tick.value * up.factor })));
+  }
 
   pen.textBaseline = 'middle';
   pen.textAlign = 'left';
@@ -88,6 +105,11 @@ export function frame(pen, size, options) {
     pen.fillText(text, 4, (k + 0.5) * LINE + 1);
   });
   pen.fillStyle = theme.quiet;
+  if (words) pen.fillText(words, width - 4 - pen.measureText(words).width, (above.length - 0.5) * LINE + 1);
+  if (up) {
+    const label = shortenedTo(pen, up.label, box.width);
+    pen.fillText(label, left + (box.width - pen.measureText(label).width) / 2, top - 1.5 * LINE - TICK);
+  }
   below.forEach((text, k) => {
     const half = pen.measureText(text).width / 2;
     const middle = Math.min(width - 4 - half, Math.max(4 + half, left + box.width / 2));
@@ -95,6 +117,43 @@ export function frame(pen, size, options) {
   });
   pen.restore();
   return found;
+}
+
+/** Return an axis in the values of its far side. @template {Axis} T @param {T} axis @param {number} factor */
+function inFar(axis, factor) {
+  return { ...axis, from: axis.from / factor, to: axis.to / factor };
+}
+
+/**
+ * Draw the ticks and numbers of scales on the right and above.
+ * @param {Pen} pen
+ * @param {Frame} onto
+ * @param {Tick[]} rows
+ * @param {Tick[]} columns
+ */
+function drawFar(pen, { x, y, box, theme }, rows, columns) {
+  const right = crisp(box.left + box.width - 1), top = crisp(box.top);
+  pen.strokeStyle = pen.fillStyle = theme.quiet;
+  pen.textBaseline = 'middle';
+  pen.beginPath();
+  for (const { value, label } of rows) {
+    pen.moveTo(right, crisp(y.at(value)));
+    pen.lineTo(right + TICK, crisp(y.at(value)));
+    pen.textAlign = 'left';
+    pen.fillText(label, right + TICK + 3, Math.min(box.top + box.height, Math.max(box.top, y.at(value))));
+  }
+  for (const { value, label } of columns) {
+    pen.moveTo(crisp(x.at(value)), top);
+    pen.lineTo(crisp(x.at(value)), top - TICK);
+    pen.textAlign = 'center';
+    pen.fillText(label, x.at(value), top - TICK - LINE / 2);
+  }
+  pen.stroke();
+}
+
+/** Return whether scales on far sides have room. @param {{ width: number, height: number }} size */
+export function hasFarRoom({ width, height }) {
+  return width >= FAR_ROOM.width && height >= FAR_ROOM.height;
 }
 
 /**

@@ -39,13 +39,15 @@
  * @typedef {Record<import('./classes.mjs').MotionClass, string>} ClassWords
  */
 
+/** @typedef {import('../shell/units.mjs').Quantities} Quantities */
+
 /**
  * What Python writes into the page (`explorer/_palette.py`).
- * @typedef {{ light: Inks, dark: Inks, words: ClassWords }} Palette
+ * @typedef {{ light: Inks, dark: Inks, words: ClassWords, units: Quantities }} Palette
  */
 
 /**
- * @typedef {Inks & { words: ClassWords, font: string, small: string, strong: string }} Theme
+ * @typedef {Inks & { words: ClassWords, units: Quantities, font: string, small: string, strong: string }} Theme
  * `font`, `small` and `strong` are values of `pen.font`: 12 px, 11 px and 12 px bold.
  */
 
@@ -60,7 +62,7 @@ export const FAMILY = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica 
  */
 export function theme(dark, palette = pagePalette()) {
   const fonts = { font: `12px ${FAMILY}`, small: `11px ${FAMILY}`, strong: `600 12px ${FAMILY}` };
-  return { ...(dark ? palette.dark : palette.light), words: palette.words, ...fonts };
+  return { ...(dark ? palette.dark : palette.light), words: palette.words, units: palette.units, ...fonts };
 }
 
 /**

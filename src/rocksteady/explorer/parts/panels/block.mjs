@@ -8,6 +8,8 @@ import { scaledMotion } from '../physics/motions.mjs';
 import { reelAngle } from '../physics/push/falling.mjs';
 import { make } from '../shell/layout.mjs';
 import { blockNumbers } from '../shell/state.mjs';
+import { tableOf } from '../shell/tables.mjs';
+import { pageUnits } from '../shell/units.mjs';
 import { drawGround, drawLine, write } from '../story/draw.mjs';
 import { drawReel } from '../story/scene.mjs';
 import { degreeText, gText } from '../story/words.mjs';
@@ -130,9 +132,10 @@ export function makeBlockPanel(app) {
     draw(pen, { width, height }) {
       if (!reel) return;
       const { theme, state } = app, shape = shapeOf(state.b, state.h), { b, h } = state;
-      const x = width / 2, soil = Math.min(SOIL, 0.18 * height), high = Math.max(h, 2 * shape.radius);
-      // Room for a block that lies on either side.
-      const unit = Math.min((height - soil - 40) / high, width / (2.1 * (h + b)));
+      const soil = Math.min(SOIL, 0.18 * height), high = Math.max(h, 2 * shape.radius);
+      // Room for a block that lies on the side to which it falls.
+      const unit = Math.min((height - soil - 40) / high, width / Math.max(1.1 * h + 2 * b, 3.2 * b));
+      const x = 0.5 * (width + (reel.falls ? Math.sign(reel.angle[reel.angle.length - 1]) * h * unit : 0));
       const level = Math.round(Math.min(height - soil, 0.55 * height + 0.5 * high * unit));
       drawGround(pen, theme, { width, height: soil, y: level, x, unit });
       drawReel(pen, theme, reel, time, { x, y: level, unit, shape });
@@ -153,10 +156,9 @@ export function makeBlockPanel(app) {
     },
     table() {
       const { impacts } = reel ?? { impacts: { time: [], side: [], speed: [] } };
-      return {
-        columns: ['time of impact [s]', 'corner', 'speed before, d(θ/α)/d(pt)'],
-        rows: Array.from(impacts.time, (at, k) => [at, impacts.side[k] === 1 ? 'right' : 'left', impacts.speed[k]]),
-      };
+      const corners = Array.from(impacts.side, (each) => (each === 1 ? 'right' : 'left'));
+      return tableOf(['time [s]', impacts.time], ['corner', corners],
+        [pageUnits(app, app.state, true).velocity, impacts.speed, 'before the impact: ']);
     },
     keys(event) {
       if (event.key !== ' ') return false;

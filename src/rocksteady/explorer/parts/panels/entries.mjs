@@ -18,7 +18,7 @@ export function numberEntry(app, { label, step, read, write, name }) {
   const text = make('span', {}, label), root = make('label', { class: 'entry' }, text, input);
   const refresh = () => {
     if (document.activeElement === input && input.getAttribute('aria-invalid') === 'true') return;
-    input.value = String(Number(read().toPrecision(5)));
+    input.value = String(Number(read().toPrecision(4)));
     input.dataset.value = String(read());
     input.setAttribute('aria-invalid', 'false');
   };

@@ -8,6 +8,8 @@ import { motionAt } from '../physics/history.mjs';
 import { FLIGHT_COLUMNS, FLIGHT_SIDE } from '../physics/run.mjs';
 import { make } from '../shell/layout.mjs';
 import { blockNumbers, caseOf } from '../shell/state.mjs';
+import { tableOf } from '../shell/tables.mjs';
+import { pageUnits } from '../shell/units.mjs';
 import { LYING, drawBlockScene, shapeOf } from './scene.mjs';
 
 const FILM_SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4]; // of real time
@@ -237,10 +239,10 @@ export function makeFilmPanel(app) {
       return `${block} on its moving base: ${how} at ${timeText(now())}.`;
     },
     table() {
-      const impacts = filmed()?.impacts;
-      const rows = Array.from(impacts?.time ?? [], (at, k) =>
-        [at, impacts?.side[k] === 1 ? 'right' : 'left', Math.abs(impacts?.before[k] ?? 0)]);
-      return { columns: ['time of impact, pt', 'corner', 'speed before, d(θ/α)/d(pt)'], rows };
+      const { time, side, before } = filmed()?.impacts ?? { time: [], side: [], before: [] };
+      const units = pageUnits(app);
+      return tableOf([units.time, time], ['corner', Array.from(side, (each) => (each === 1 ? 'right' : 'left'))],
+        [units.velocity, Array.from(before, Math.abs), 'before the impact: ']);
     },
     keys(event) {
       if (event.key === ' ') turn();

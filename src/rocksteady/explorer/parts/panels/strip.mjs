@@ -7,8 +7,10 @@
 import { ATTRACTOR_KINDS } from '../physics/attractor.mjs';
 import { STRIP_VALUES, movedCase, steadyCurves, sweepValues } from '../physics/sweep.mjs';
 import { numeral } from '../draw/scale.mjs';
-import { make } from '../shell/layout.mjs';
+import { make, say } from '../shell/layout.mjs';
 import { caseOf, startText } from '../shell/state.mjs';
+import { tableOf } from '../shell/tables.mjs';
+import { pageUnits } from '../shell/units.mjs';
 import { FOLLOWED_KEYS, followedOf } from './point/followed.mjs';
 import { drawStrip } from './stripdrawing.mjs';
 import { dotAngles, placeInSweep, sameStep, stripLine, stripUnits } from './stripline.mjs';
@@ -43,7 +45,9 @@ export function makeStripPanel(app) {
     uses: ['by', 'w0', 'w1', 'a0', 'a1', 'log', ...FOLLOWED_KEYS],
     update(state, { settled }) {
       for (const button of panel.bar?.querySelectorAll('button') ?? []) {
-        button.setAttribute('aria-pressed', String(button.dataset.by === state.by));
+        const { by = '' } = button.dataset, words = state.units === 'si' ? { w: 'f', a: 'a' } : { w: 'Ω', a: 'A' };
+        button.setAttribute('aria-pressed', String(by === state.by));
+        say(button, `over ${words[/** @type {'w'} */ (by)]}`);
       }
       const line = stripLine(app, state);
       if (line.key !== wanted) {
@@ -237,17 +241,16 @@ export function makeStripPanel(app) {
   }
 
   function table() {
-    const { symbol, x, unit, y, angleUnit } = stripUnits(app, app.state);
-    const angle = angleUnit ? 'θ [°]' : 'θ/α';
-    const columns = [unit ? `${symbol} [${unit}]` : symbol, 'sweep', 'kind',
-      'period [forcing periods]', `highest ${angle}`, `lowest ${angle}`];
+    const { amplitude, frequency, angle } = pageUnits(app);
     const rows = (run?.sweeps ?? []).flatMap((sweep) => sweep.kinds.map((kind, step) => {
       const peaks = kind === 'rest' ? [0] : Array.from(sweep.peaks[step]);
-      const value = /** @type {StripRun} */ (run).values[placeInSweep(sweep, step)] * x;
-      const extremes = peaks.length ? [Math.max(...peaks) * y, Math.min(...peaks) * y] : ['', ''];
+      const value = /** @type {StripRun} */ (run).values[placeInSweep(sweep, step)];
+      const extremes = peaks.length ? [Math.max(...peaks), Math.min(...peaks)] : ['', ''];
       return [value, sweep.way, kind, sweep.periods[step] || '', ...extremes];
     }));
-    return { columns, rows };
+    const column = (/** @type {number} */ k) => rows.map((row) => row[k]);
+    return tableOf([app.state.by === 'w' ? frequency : amplitude, column(0)], ['sweep', column(1)], ['kind', column(2)],
+      ['period [forcing periods]', column(3)], [angle, column(4), 'highest '], [angle, column(5), 'lowest ']);
   }
 
   function placed() {

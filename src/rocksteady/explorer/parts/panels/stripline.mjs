@@ -7,7 +7,8 @@
 /** @import { Impact } from '../physics/start.mjs' */
 import { numeral } from '../draw/scale.mjs';
 import { STRIP_VALUES } from '../physics/sweep.mjs';
-import { blockNumbers, caseOf } from '../shell/state.mjs';
+import { caseOf } from '../shell/state.mjs';
+import { pageUnits } from '../shell/units.mjs';
 
 /**
  * One sweep, as far as it has come: an element a value, in the order of the values.
@@ -103,21 +104,12 @@ export function stripLine(app, state) {
  * @param {State} state
  */
 export function stripUnits(app, state) {
-  const { alpha, p } = blockNumbers(app.kernels, state), over = state.by === 'w';
-  const [hertz, g] = [p / (2 * Math.PI), alpha];
-  if (state.units === 'si') {
-    return {
-      x: over ? hertz : g, y: (alpha * 180) / Math.PI,
-      symbol: over ? 'f' : 'a', unit: over ? 'Hz' : 'g',
-      angleUnit: '°', label: over ? 'frequency [Hz]' : 'acceleration a_max [g]',
-      angleLabel: 'peak of each flight |θ| [°]',
-      fixed: over ? `a = ${numeral(state.A * g)} g` : `f = ${numeral(state.W * hertz)} Hz`,
-    };
-  }
+  const { amplitude, frequency, flight } = pageUnits(app, state), si = state.units === 'si';
+  const [w, a] = si ? ['f', 'a'] : ['Ω', 'A'], over = state.by === 'w', swept = over ? frequency : amplitude;
   return {
-    x: 1, y: 1, symbol: over ? 'Ω' : 'A', unit: '', angleUnit: '',
-    label: over ? 'frequency ratio Ω = ω/p' : 'amplitude A = a_max/(αg)',
-    angleLabel: 'peak of each flight |θ|/α',
-    fixed: over ? `A = ${numeral(state.A)}` : `Ω = ${numeral(state.W)}`,
+    x: swept.factor, y: flight.factor, symbol: over ? w : a, unit: swept.unit.trim(), angleUnit: flight.unit,
+    label: swept.label, angleLabel: flight.label, far: swept.far,
+    fixed: over ? `${a} = ${numeral(state.A * amplitude.factor)}${amplitude.unit}`
+      : `${w} = ${numeral(state.W * frequency.factor)}${frequency.unit}`,
   };
 }

@@ -188,7 +188,8 @@ export function makeApp(kernels, pool, first) {
       app.bring(panel, settled);
     }
     const limit = dragging ? began + DRAG_MS : performance.now() + SETTLED_MS;
-    const waiting = seen.filter((panel) => dirty.has(panel));
+    const slow = !dragging && performance.now() - began > 2 * SETTLED_MS; // pictures wait a frame
+    const waiting = slow ? [] : seen.filter((panel) => dirty.has(panel));
     const first = waiting.filter((panel) => late.has(panel));
     let painted = 0;
     for (const panel of new Set([...first, ...waiting])) {

@@ -6,6 +6,7 @@ import { GRAVITY } from '../physics/case.mjs';
 import { element } from './app.mjs';
 import { make, say, setOn } from './layout.mjs';
 import { FIELDS, blockNumbers } from './state.mjs';
+import { pageUnits } from './units.mjs';
 
 /**
  * @typedef {object} Entry
@@ -30,15 +31,13 @@ const ENTRIES = [
   { name: 'W', label: 'frequency ratio Ω', unit: '', step: 0.05, units: 'none', ...plain('W') },
   {
     name: 'a_g', label: 'peak acceleration', unit: 'g', step: 0.01, units: 'si',
-    read: (app) => app.state.A * blockNumbers(app.kernels, app.state).alpha,
-    write: (app, value) => ({ A: value / blockNumbers(app.kernels, app.state).alpha }),
+    read: (app) => app.state.A * pageUnits(app).amplitude.factor,
+    write: (app, value) => ({ A: value / pageUnits(app).amplitude.factor }),
   },
   {
     name: 'f_hz', label: 'frequency', unit: 'Hz', step: 0.05, units: 'si',
-    read: (app) => (app.state.W * blockNumbers(app.kernels, app.state).p) / (2 * Math.PI),
-    write: (app, value) => ({
-      W: (2 * Math.PI * value) / blockNumbers(app.kernels, app.state).p,
-    }),
+    read: (app) => app.state.W * pageUnits(app).frequency.factor,
+    write: (app, value) => ({ W: value / pageUnits(app).frequency.factor }),
   },
   { name: 'b', label: 'width', unit: 'm', step: 0.05, ...plain('b'), write: resized('b') },
   { name: 'h', label: 'height', unit: 'm', step: 0.05, ...plain('h'), write: resized('h') },

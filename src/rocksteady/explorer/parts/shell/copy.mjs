@@ -101,12 +101,12 @@ export function commandOf(state, subject, motion) {
 }
 
 /**
- * Return the address of the present view.
+ * Return the address of the present view, with every value: it shows the same where defaults differ.
  * @param {State} state
  * @param {string} page  address of the page
  */
 export function addressOf(state, page) {
-  return page.replace(/#.*$/s, '') + linkOf(state);
+  return page.replace(/#.*$/s, '') + linkOf(state, true);
 }
 
 // ------------------------------------------------------------------------- numbers and names

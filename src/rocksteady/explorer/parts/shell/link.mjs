@@ -7,11 +7,12 @@ const LINK_VERSION = '1';
 const LONGEST_LINK = 4000; // characters
 
 /**
- * Return the fragment of a state; keys at their defaults are left out.
+ * Return the fragment of a state; keys at their defaults are left out, where not all are wanted.
  * @param {State} state
+ * @param {boolean} [all]
  */
-export function linkOf(state) {
-  const given = Object.entries(state).filter(([name, value]) => value !== FIELDS[name].value);
+export function linkOf(state, all = false) {
+  const given = Object.entries(state).filter(([name, value]) => all || value !== FIELDS[name].value);
   const parts = [['v', LINK_VERSION], ...given];
   return `#${parts.map(([name, value]) => `${name}=${encodeURIComponent(value)}`).join('&')}`;
 }

@@ -4,6 +4,7 @@
 import { jobs } from '../work/jobs.mjs';
 import { makePool } from '../work/pool.mjs';
 import { serve } from '../work/worker.mjs';
+import { warmUp } from '../panels/point/followed.mjs';
 import { makeStory } from '../story/story.mjs';
 import { element, makeApp } from './app.mjs';
 import { makeControls } from './controls.mjs';
@@ -20,16 +21,20 @@ import { describePanels } from './tables.mjs';
 /** Begin. */
 export function start() {
   if (typeof document === 'undefined') serve(jobs);
-  else openPage().catch(refusal);
+  else {
+    element('story').hidden = true; // until it is known that it can compute
+    turn().then(openPage).catch(refusal);
+  }
 }
 
 async function openPage() {
-  element('story').hidden = true; // until it is known that it can compute
   const { module, found } = await openKernels();
   const pool = makePool(module, blockText('program'), (job, args) => jobs[job](found, args));
+  await turn();
   const app = makeApp(found, pool, JSON.parse(blockText('first-view')));
   app.motions = motionsPutIn(blockText('motions'));
   applyTheme(app);
+  await turn();
   await openPlaces(app, { story: () => makeStory(app), lab: () => openLab(app) });
   darkSystem().addEventListener('change', () => applyTheme(app));
   let { look } = app.state;
@@ -49,6 +54,7 @@ async function openLab(app) {
   await turn();
   makeControls(app);
   await turn();
+  await warmUp(app, turn);
   await placePanels(app, turn);
   addExamples(app);
   addMenus(app);

@@ -44,7 +44,6 @@ export async function openPlaces(app, make) {
     jumps = true;
     if (scene) app.set({ ...labState(app, scene), at: 'lab' });
     else if (at === app.state.at) show();
-    else if (at === 'lab') app.set({ at, units: 'si' }); // the story has told of metres and g
     else app.set({ at });
   });
   addEventListener('popstate', () => { jumps = true; });

@@ -73,7 +73,7 @@ export const FIELDS = {
   pga: numberField(0.5, 0.2, 1.1), // [g]
   tab: choiceField(...TABS),
   model: choiceField('linear', 'nonlinear'),
-  units: choiceField('none', 'si'),
+  units: choiceField('si', 'none'), // of a block with a size, or dimensionless
   look: choiceField('auto', 'light', 'dark'),
   A: numberField(2, 0, 1000),
   W: numberField(3, 0.01, 1000),

@@ -5,6 +5,21 @@
 import { numeral } from '../draw/scale.mjs';
 import { make } from './layout.mjs';
 
+/**
+ * Return a table of quantities, each with its dimensionless column beside that in its unit.
+ * @param {...[shown: import('./units.mjs').Shown | string, values: ArrayLike<any>, words?: string]} given
+ *   a column, its values, dimensionless or '', and what stands before its name
+ * @returns {Table & { rows: (string | number)[][] }}
+ */
+export function tableOf(...given) {
+  const all = given.flatMap(([shown, values, words = '']) => {
+    const { label, factor = 1, far = null } = typeof shown === 'string' ? { label: shown } : shown;
+    const own = { name: `${words}${label}`, values: Array.from(values, (value) => (factor === 1 || value === '' ? value : value * factor)) };
+    return far ? [own, { name: `${words}${far.label}`, values }] : [own];
+  });
+  return { columns: all.map(({ name }) => name), rows: Array.from(all[0].values, (_, k) => all.map(({ values }) => values[k])) };
+}
+
 const MOST_TABLE_ROWS = 200;
 const RENEWED = 400; // [ms] after a change
 

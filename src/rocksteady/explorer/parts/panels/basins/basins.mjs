@@ -5,6 +5,8 @@
 /** @import { BasinLabels } from './cells.mjs' */
 import { numeral } from '../../draw/scale.mjs';
 import { blockNumbers, startOf } from '../../shell/state.mjs';
+import { tableOf } from '../../shell/tables.mjs';
+import { shakingWords } from '../../shell/units.mjs';
 import { buttonEntry } from '../entries.mjs';
 import { axisOf } from '../plane/axis.mjs';
 import { FOLLOWED_KEYS, followedOf } from '../point/followed.mjs';
@@ -22,12 +24,10 @@ const BASIN_KEYS = /** @type {const} */ ({ x: ['u0', 'u1'], y: ['v0', 'v1'] });
 export function makeBasinsPanel(app) {
   const { plane, labels, attractorOf } = makeBasinPlane(app, () => panel, {
     axes(state) {
-      const { angle, velocity } = unitsOf(state);
+      const { startAngle, startVelocity } = unitsOf(state);
       return {
-        x: axisOf(state, BASIN_KEYS.x,
-          { unit: angle.factor, label: `initial ${angle.label}` }),
-        y: axisOf(state, BASIN_KEYS.y,
-          { unit: velocity.factor, label: `initial ${velocity.label}` }),
+        x: axisOf(state, BASIN_KEYS.x, startAngle),
+        y: axisOf(state, BASIN_KEYS.y, startVelocity),
       };
     },
     point(state) {
@@ -117,24 +117,23 @@ export function makeBasinsPanel(app) {
   function sentence() {
     const { state } = app, known = labels().labels;
     if (!known) {
-      return `The basins at A = ${numeral(state.A)}, Ω = ${numeral(state.W)} are not computed yet.`;
+      return `The basins at ${shakingWords(unitsOf(state), state)} are not computed yet.`;
     }
     const { attractors, computed } = known;
     const parts = attractors.map(({ name, states }) => `${name} ${basinShare(states / computed)}`);
     return `Attractors reached from ${computed} initial states at phase 0, `
-      + `A = ${numeral(state.A)}, Ω = ${numeral(state.W)}: ${parts.join(', ')}. `
+      + `${shakingWords(unitsOf(state), state)}: ${parts.join(', ')}. `
       + `${basinShare(safeStates(known) / computed)} never fall. ${stateText()}`;
   }
 
   function table() {
-    const { angle, si } = unitsOf(app.state), known = labels().labels, shown = si ? 'θ [°]' : 'θ/α';
-    const columns = ['attractor', 'share [%]', 'states', 'period [forcing periods]',
-      `highest ${shown}`, `lowest ${shown}`];
-    const rows = (known?.attractors ?? []).map(({ name, states, orbit }) => [
-      name, (100 * states) / (known?.computed ?? 1), states, orbit?.period ?? '',
-      orbit ? orbit.highest * angle.factor : '', orbit ? orbit.lowest * angle.factor : '',
-    ]);
-    return { columns, rows };
+    const { angle } = unitsOf(app.state), { attractors, computed } = labels().labels ?? { attractors: [], computed: 1 };
+    const orbits = attractors.map(({ orbit }) => orbit), states = attractors.map((each) => each.states);
+    return tableOf(['attractor', attractors.map(({ name }) => name)],
+      ['share [%]', states.map((count) => (100 * count) / computed)], ['states', states],
+      ['period [forcing periods]', orbits.map((orbit) => orbit?.period ?? '')],
+      [angle, orbits.map((orbit) => orbit?.highest ?? ''), 'highest '],
+      [angle, orbits.map((orbit) => orbit?.lowest ?? ''), 'lowest ']);
   }
 
   function placed() {

@@ -3,7 +3,7 @@
 /** @import { Theme } from '../../draw/theme.mjs' */
 /** @import { ShownUnits } from './words.mjs' */
 /** @import { SampledRun } from '../../physics/demand/run.mjs' */
-import { frame } from '../../draw/frame.mjs';
+import { frame, hasFarRoom } from '../../draw/frame.mjs';
 import { curve, note, points, rule } from '../../draw/marks.mjs';
 import { numeral } from '../../draw/scale.mjs';
 
@@ -29,11 +29,12 @@ export function drawCourse(pen, size, theme, run, units) {
   // A small motion is enlarged; where alpha is outside the axes it is named.
   const small = largest > 0 && largest < COURSE_SMALL * units.angle;
   const widest = small ? 1.6 * largest : Math.max(1.15 * units.angle, 1.06 * largest);
-  const above = Math.round(size.height * COURSE_BASE), left = 44;
-  const x = { from: 0, to, label: units.si ? 'time [s]' : 'pivot time pt' };
+  const above = Math.round(size.height * COURSE_BASE), lower = { ...size, height: size.height - above };
+  const margin = { left: 44, right: units.si && hasFarRoom(lower) ? 44 : 12 };
+  const { time, angle, base: push } = units.axes, x = { from: 0, to, label: time.label };
   const top = frame(pen, { width: size.width, height: above }, {
-    theme, x: { ...x, label: '', bare: true }, margin: { left, right: 12 },
-    y: { from: -strongest, to: strongest, label: units.si ? 'acceleration of the base [g]' : 'acceleration of the base a/(αg)' },
+    theme, x: { ...x, label: '', bare: true }, margin,
+    y: { from: -strongest, to: strongest, label: push.label, far: push.far },
   });
   rule(pen, top, { y: 0 }, { colour: theme.edge });
   for (const side of [-1, 1]) {
@@ -43,9 +44,9 @@ export function drawCourse(pen, size, theme, run, units) {
   curve(pen, top, [0, ...times], [0, ...base], { colour: theme.base, width: 1.8 });
   pen.save();
   pen.translate(0, above);
-  const low = frame(pen, { width: size.width, height: size.height - above }, {
-    theme, x, margin: { left, right: 12 },
-    y: { from: -widest, to: widest, label: units.si ? 'tilt θ [°]' : 'angle θ/α' },
+  const low = frame(pen, lower, {
+    theme, x, margin,
+    y: { from: -widest, to: widest, label: angle.label, far: angle.far },
   });
   rule(pen, low, { y: 0 }, { colour: theme.edge });
   for (const side of [-1, 1]) rule(pen, low, { y: side * units.angle }, { colour: theme.limit, dash: [6, 4], width: 1.2 });

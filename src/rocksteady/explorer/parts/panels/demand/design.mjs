@@ -93,7 +93,7 @@ export function makeDesignPanel(app) {
     look: (k) => lookOf(k),
     undecided: (k) => found().fates[k] === DESIGN_FATE.undecided,
     axes: (state) => (state.plane === 'alpha' ? {
-      x: axisOf(state, ALPHA_KEYS.x, { unit: 180 / Math.PI, label: 'slenderness α [°]' }),
+      x: axisOf(state, ALPHA_KEYS.x, { factor: 180 / Math.PI, label: 'slenderness α [°]' }),
       y: axisOf(state, ALPHA_KEYS.y, { label: 'half-diagonal R [m]' }),
     } : {
       x: axisOf(state, SIZE_KEYS.x, { label: 'width [m]' }),

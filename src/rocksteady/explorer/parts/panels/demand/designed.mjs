@@ -97,7 +97,7 @@ export function makeDesignedPanel(app) {
         width: wide ? size.width - part.width : size.width,
         height: wide ? size.height : size.height - part.height,
       };
-      drawCourse(pen, rest, theme, found.run, unitsOf(app, { ...state, units: 'si' }));
+      drawCourse(pen, rest, theme, found.run, unitsOf(app, state, true));
       pen.restore();
     },
     sentence() {

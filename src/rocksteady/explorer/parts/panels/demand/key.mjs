@@ -66,9 +66,8 @@ function drawPlaneKey(pen, theme, { placed }) {
  * @param {{ key: KeyEntry[], colours?: string, over: (onto: Frame) => void }} what
  */
 export function drawFates(pen, size, { theme }, plane, { key, colours, over }) {
-  const rows = planeKeyRows(pen, theme, key, size.width);
-  const margin = { right: 12, top: rows.top };
-  const axes = shownAxes(plane.handle.axes());
+  const rows = planeKeyRows(pen, theme, key, size.width), axes = shownAxes(plane.handle.axes());
+  const margin = { right: axes.y.far ? 36 : 12, top: rows.top };
   const onto = frame(pen, size, { theme, ...axes, grid: false, margin });
   drawPlaneKey(pen, theme, rows);
   clipped(pen, onto, () => fillClass(pen, theme, 'not-computed', onto.box));

@@ -14,6 +14,7 @@ import { PULSES } from '../../kernels/pulses.mjs';
 import { FATE } from '../../physics/demand/pulse.mjs';
 import { upliftOf } from '../../physics/demand/windows.mjs';
 import { caseOf } from '../../shell/state.mjs';
+import { tableOf } from '../../shell/tables.mjs';
 import { buttonEntry, choiceEntry, numberEntry } from '../entries.mjs';
 import { axisOf } from '../plane/axis.mjs';
 import { makePlane } from '../plane/plane.mjs';
@@ -99,12 +100,10 @@ export function makePulsePanel(app) {
     look: (k) => pulseLook(fates(), k),
     undecided: (k) => pulseLook(fates(), k) === PULSE_LOOK.undecided,
     axes(state) {
-      const units = unitsOf(app, state), log = state.plog === 1;
+      const { axes: units } = unitsOf(app, state), log = state.plog === 1;
       return {
-        x: axisOf(state, PULSE_KEYS.x, { log, unit: units.frequency, label: units.si
-          ? 'frequency of the pulse [Hz]' : 'frequency ratio of the pulse Ω = ω/p' }),
-        y: axisOf(state, PULSE_KEYS.y, { log, unit: units.amplitude, label: units.si
-          ? 'acceleration a_max [g]' : 'amplitude A = a_max/(αg)' }),
+        x: axisOf(state, PULSE_KEYS.x, units.frequency, log),
+        y: axisOf(state, PULSE_KEYS.y, units.amplitude, log),
       };
     },
     point: ({ pW, pA }) => ({ x: pW, y: pA }),
@@ -172,13 +171,12 @@ export function makePulsePanel(app) {
       return `${head}: ${place} it falls ${words.join('; ')}.`;
     },
     table() {
-      const { state } = app, units = unitsOf(app, state), found = app.shared.pulseWindows;
-      const unit = units.si ? 'g' : 'αg';
-      return {
-        columns: [`from [${unit}]`, `to [${unit}]`, 'impacts before', 'side (+1: θ > 0)'],
-        rows: (found?.windows ?? []).map((/** @type {PulseWindow} */ { low, high, impacts, side }) =>
-          [low * units.amplitude, high * units.amplitude, impacts, side]),
-      };
+      const { amplitude } = unitsOf(app, app.state).axes;
+      /** @type {PulseWindow[]} */
+      const windows = app.shared.pulseWindows?.windows ?? [];
+      const each = (/** @type {'low' | 'high' | 'impacts' | 'side'} */ name) => windows.map((one) => one[name]);
+      return tableOf([amplitude, each('low'), 'from '], [amplitude, each('high'), 'to '],
+        ['impacts before', each('impacts')], ['side (+1: θ > 0)', each('side')]);
     },
     keys: (event) => plane.keys(event),
   };

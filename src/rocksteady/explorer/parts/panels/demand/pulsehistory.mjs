@@ -7,6 +7,7 @@
 import { numeral } from '../../draw/scale.mjs';
 import { pulseHistory } from '../../physics/demand/pulse.mjs';
 import { make } from '../../shell/layout.mjs';
+import { tableOf } from '../../shell/tables.mjs';
 import { drawCourse } from './course.mjs';
 import { struckOf, windowWords } from './pulse.mjs';
 import { impactWords, sideWords, timeText, unitsOf } from './words.mjs';
@@ -106,13 +107,8 @@ export function makePulseHistoryPanel(app) {
       return `One ${state.pulse} pulse of ${level}, ${rate}, ${state.model} model. ${words}`;
     },
     table() {
-      const units = unitsOf(app, app.state), count = run?.times.length ?? 0;
-      return {
-        columns: [units.si ? 'time [s]' : 'pivot time pt', units.si ? 'angle [°]' : 'θ/α',
-          units.si ? 'base acceleration [g]' : 'base a/(αg)'],
-        rows: Array.from({ length: count }, (_, k) => run ? [run.times[k] * units.time,
-          run.states[k] * units.angle, run.base[k] * units.amplitude] : []),
-      };
+      const { time, angle, base } = unitsOf(app, app.state).axes;
+      return tableOf([time, run?.times ?? []], [angle, run?.states ?? []], [base, run?.base ?? []]);
     },
   };
 

@@ -3,30 +3,23 @@
 /** @import { App } from '../../shell/app.mjs' */
 /** @import { State } from '../../shell/state.mjs' */
 import { numeral } from '../../draw/scale.mjs';
-import { blockNumbers } from '../../shell/state.mjs';
+import { pageUnits } from '../../shell/units.mjs';
 
 /**
- * Return what a value of the state times a unit is shown as.
- * @typedef {{ amplitude: number, frequency: number, time: number, angle: number,
- *   a: string, f: string, t: string, u: string, si: boolean }} ShownUnits
- *   factors and the words after a number
- */
-
-/**
+ * Return how pulses and runs are shown: factors, the words after a number, and axes.
  * @param {App} app
  * @param {State} state
- * @returns {ShownUnits}
+ * @param {boolean} [si]
  */
-export function unitsOf(app, state) {
-  if (state.units !== 'si') {
-    return { amplitude: 1, frequency: 1, time: 1, angle: 1, a: '', f: '', t: '', u: ' α', si: false };
-  }
-  const { alpha, p } = blockNumbers(app.kernels, state);
+export function unitsOf(app, state, si = state.units === 'si') {
+  const axes = pageUnits(app, state, si), { amplitude, frequency, time, angle } = axes;
   return {
-    amplitude: alpha, frequency: p / (2 * Math.PI), time: 1 / p, angle: (alpha * 180) / Math.PI,
-    a: ' g', f: ' Hz', t: ' s', u: '°', si: true,
+    amplitude: amplitude.factor, frequency: frequency.factor, time: time.factor, angle: angle.factor,
+    a: amplitude.unit, f: frequency.unit, u: angle.unit || ' α', si, axes,
   };
 }
+
+/** @typedef {ReturnType<typeof unitsOf>} ShownUnits */
 
 /** Positive angles lean to the left, as the film shows them. @param {number} side */
 export function sideWords(side) {

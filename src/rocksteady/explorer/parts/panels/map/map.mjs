@@ -16,7 +16,8 @@ import { frame, outline } from '../../draw/frame.mjs';
 import { numeral } from '../../draw/scale.mjs';
 import { regionAt, regionBoundaries } from '../../physics/boundaries.mjs';
 import { MAP_KIND, axisValues, emptyTile, mapCycles } from '../../physics/tiles.mjs';
-import { blockNumbers, caseOf, startOf } from '../../shell/state.mjs';
+import { caseOf, startOf } from '../../shell/state.mjs';
+import { pageUnits, shakingWords } from '../../shell/units.mjs';
 import { axisOf, partOf, placeIn, roundPlace, shownAxes } from '../plane/axis.mjs';
 import { makePlane, wholeNumber } from '../plane/plane.mjs';
 import { makeMapBar } from './bar.mjs';
@@ -26,7 +27,7 @@ import { REGION_WORDS, cellClass, cellWords, drawColourBar, drawMapLegend, legen
   mapLooks, peakLook, peakOf, periodLook, shareWords } from './words.mjs';
 
 const CURVE_POINTS = 320;
-const MAP_MARGIN = { left: 44, right: 12 };
+const MAP_MARGIN = { left: 44, right: 36 }; // [px] whatever the numbers are
 const UNDER_AXIS = 40; // [px] of tick labels and the label of the axis
 const COLOUR_BAR = 17; // [px]
 const NARROW_MAP = 420; // [px]
@@ -49,7 +50,7 @@ export function makeMapPanel(app) {
   let onto;
   /** @type {Case} */
   let given;
-  let by = { w: 1, a: 1 }; // factors from Omega and A to what the axes show
+  let units = pageUnits(app), by = { w: 1, a: 1 }; // factors from Omega and A to what the axes show
   let degrees = 0; // of alpha; 0 where angles are shown in parts of it
   let layerKey = '';
   /** @type {(state: State) => void} */
@@ -79,10 +80,8 @@ export function makeMapPanel(app) {
     axes(state) {
       const log = state.log === 1;
       return {
-        x: axisOf(state, MAP_KEYS.x, { log, unit: by.w,
-          label: si() ? 'frequency [Hz]' : 'frequency ratio Ω = ω/p' }),
-        y: axisOf(state, MAP_KEYS.y, { log, unit: by.a,
-          label: si() ? 'acceleration a_max [g]' : 'amplitude A = a_max/(αg)' }),
+        x: axisOf(state, MAP_KEYS.x, units.frequency, log),
+        y: axisOf(state, MAP_KEYS.y, units.amplitude, log),
       };
     },
     point: ({ W, A }) => ({ x: W, y: A }),
@@ -108,9 +107,7 @@ export function makeMapPanel(app) {
   const colouring = () => /** @type {MapColouring} */ (app.state.hue);
   const angle = (/** @type {number} */ peak) =>
     (degrees ? `${numeral(peak * degrees, 3)}°` : `${numeral(peak, 3)} α`);
-  const placeWords = (/** @type {PlanePlace} */ { x, y }) =>
-    (si() ? `${numeral(y * by.a, 3)} g, ${numeral(x * by.w, 3)} Hz`
-      : `A = ${numeral(y)}, Ω = ${numeral(x)}`);
+  const placeWords = (/** @type {PlanePlace} */ { x, y }) => shakingWords(units, { A: y, W: x });
   const regionOf = (/** @type {PlanePlace} */ { x, y }) => {
     const at = regionBoundaries(app.kernels, [x], given.restitution);
     return regionAt(y, at.existence[0], at.sign[0], at.kind[0]);
@@ -123,10 +120,10 @@ export function makeMapPanel(app) {
 
   /** @param {State} state @param {boolean} settled */
   const compute = (state, settled) => {
-    const { alpha, p } = blockNumbers(app.kernels, state);
     given = caseOf(app.kernels, state);
-    by = si() ? { w: p / (2 * Math.PI), a: alpha } : { w: 1, a: 1 };
-    degrees = si() ? (alpha * 180) / Math.PI : 0;
+    units = pageUnits(app, state);
+    by = { w: units.frequency.factor, a: units.amplitude.factor };
+    degrees = si() ? units.angle.factor : 0;
     const { restitution } = given, seen = axes();
     const ratios = axisValues(app.kernels, { ...seen.x, count: CURVE_POINTS });
     curves = regionBoundaries(app.kernels, ratios, restitution);
@@ -268,7 +265,7 @@ export function makeMapPanel(app) {
       const there = (/** @type {number} */ x, /** @type {number} */ y) => placeIn(axes(), { x, y });
       const up = [...MAP_TABLE].reverse();
       return {
-        columns: [si() ? 'acceleration [g]' : 'amplitude A', ...MAP_TABLE.map((x) => (si()
+        columns: [units.amplitude.label, ...MAP_TABLE.map((x) => (si()
           ? `${numeral(there(x, 0).x * by.w)} Hz` : `Ω = ${numeral(there(x, 0).x)}`))],
         rows: up.map((y) => [numeral(there(0, y).y * by.a),
           ...MAP_TABLE.map((x) => tableWords(plane.cellAt({ x, y })))]),

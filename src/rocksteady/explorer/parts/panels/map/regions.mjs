@@ -11,8 +11,8 @@ import { placeIn } from '../plane/axis.mjs';
 
 /** @typedef {{ region: number, x: number, y: number }} RegionPlace */
 
-const REGION_COLUMNS = 72, REGION_ROWS = 54;
-const LEAST_ROOM = 1.2; // cells from the place of a number to the next edge
+const REGION_COLUMNS = 48, REGION_ROWS = 36;
+const LEAST_ROOM = 0.8; // cells from the place of a number to the next edge
 const LABEL_PARTS = [0.8, 0.6, 0.4, 0.9, 0.7, 0.5, 0.3, 0.2]; // of the points of a curve
 const LABEL_LINE = 14; // [px]
 

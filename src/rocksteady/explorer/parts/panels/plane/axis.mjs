@@ -1,6 +1,7 @@
 // An axis of a plane: what zooming, moving and a box make of its ends, and round numbers on it.
 
 /** @import { State } from '../../shell/state.mjs' */
+/** @import { Shown } from '../../shell/units.mjs' */
 import { FIELDS } from '../../shell/state.mjs';
 
 /**
@@ -13,6 +14,7 @@ import { FIELDS } from '../../shell/state.mjs';
  * @property {boolean} log
  * @property {number} unit
  * @property {string} label
+ * @property {Shown['far']} [far]  the dimensionless scale
  * @property {readonly [number, number]} within  what the ends keep to
  */
 
@@ -28,13 +30,14 @@ const END_STEPS = 5000; // along an axis, of which its ends are whole numbers
  * Return an axis of the state; one from 0 begins above it where it is logarithmic.
  * @param {State} state
  * @param {readonly [string, string]} keys
- * @param {{ label: string, log?: boolean, unit?: number }} how
+ * @param {{ label: string, factor?: number, far?: Shown['far'] }} shown
+ * @param {boolean} [log]
  * @returns {PlaneAxis}
  */
-export function axisOf(state, keys, { label, log = false, unit = 1 }) {
+export function axisOf(state, keys, { label, factor = 1, far }, log = false) {
   const [from, to] = keys.map((key) => Number(state[/** @type {keyof State} */ (key)]));
   const { least = -Infinity, most = Infinity } = FIELDS[keys[0]];
-  return { keys, from: log && !(from > 0) ? LOG_PART * to : from, to, log, unit, label,
+  return { keys, from: log && !(from > 0) ? LOG_PART * to : from, to, log, unit: factor, label, far,
     within: [log ? Math.max(SHORTEST, least) : least, most] };
 }
 
@@ -182,7 +185,7 @@ export function roundPlace({ x, y }, place, { width, height }) {
 
 /** Return axes as they are shown. @param {PlaneAxes} axes */
 export function shownAxes({ x, y }) {
-  const shown = (/** @type {PlaneAxis} */ { from, to, log, label, unit }) =>
-    ({ from: from * unit, to: to * unit, log, label });
+  const shown = (/** @type {PlaneAxis} */ { from, to, log, label, unit, far }) =>
+    ({ from: from * unit, to: to * unit, log, label, far });
   return { x: shown(x), y: shown(y) };
 }

@@ -130,6 +130,7 @@ export function makePlane(app, panelOf, options) {
     update(state, now) {
       work = options.work(state);
       settled = now;
+      if (onto) compute(); // before the picture is drawn, in the box that it had
     },
     /** Whether the cells are of another motion than the present one. */
     isOther: () => !work || raster.task()?.motion !== work.motion,

@@ -4,7 +4,7 @@ import { attractorOf } from '../../physics/attractor.mjs';
 import { courseOf, historyOf, motionAt, periodTimes, sectionOf } from '../../physics/history.mjs';
 import { FULL_TURN, NoStart } from '../../physics/start.mjs';
 import { steadyStatesAt } from '../../physics/steady.mjs';
-import { blockNumbers, caseOf, startOf } from '../../shell/state.mjs';
+import { blockNumbers, caseOf, defaultState, startOf } from '../../shell/state.mjs';
 
 /** @import { App, Panel } from '../../shell/app.mjs' */
 /** @import { State } from '../../shell/state.mjs' */
@@ -90,6 +90,19 @@ function followFirst({ kernels, state }) {
   const decided = attractor.kind !== 'undecided' && attractor.kind !== 'aperiodic';
   const whole = decided && attractor.after < cycles && !dense;
   return assembled(kernels, state, { given, start, attractor, history, whole });
+}
+
+/**
+ * Have the browser compile, a part a turn, what the first view needs at once: on a plain motion.
+ * @param {App} app
+ * @param {() => Promise<void>} turn
+ */
+export async function warmUp({ kernels, state }, turn) {
+  const given = caseOf(kernels, { ...defaultState(), model: state.model });
+  for (const follow of [historyOf, attractorOf]) {
+    follow(kernels, given, { kind: 'rest' }, 1, FIRST_FLIGHTS);
+    await turn();
+  }
 }
 
 /**

@@ -5,6 +5,7 @@ import { curve, drawMark, note, rule } from '../../draw/marks.mjs';
 import { numeral } from '../../draw/scale.mjs';
 import { FULL_TURN } from '../../physics/start.mjs';
 import { make } from '../../shell/layout.mjs';
+import { tableOf } from '../../shell/tables.mjs';
 import { FOLLOWED_KEYS, cursorState, followIn } from './followed.mjs';
 import { angleWords, panelUnits, roundLimit } from './units.mjs';
 
@@ -105,9 +106,9 @@ export function makeHistoryPanel(app) {
         theme,
         x: {
           from: from * time.factor, to: to * time.factor,
-          label: `${time.label}; lowest curve: base acceleration`,
+          label: `${time.label}; lowest curve: base acceleration`, far: time.far,
         },
-        y: { from: -limit * angle.factor * 1.35, to: limit * angle.factor, label: angle.label },
+        y: { ...angle, from: -limit * angle.factor * 1.35, to: limit * angle.factor },
       });
       seen = onto;
       const scaled = (/** @type {Course} */ course) => ({
@@ -145,15 +146,8 @@ export function makeHistoryPanel(app) {
     },
     table() {
       if (!followed) return { columns: [], rows: [] };
-      const { angle, velocity, time, si } = panelUnits(app, followed.block);
-      const { course } = followed, rows = [];
-      for (let k = 0; k < course.periods.length; k++) {
-        rows.push([course.periods[k] * time.factor, course.angle[k] * angle.factor,
-          course.velocity[k] * velocity.factor]);
-      }
-      const names = si ? ['time [s]', 'theta [deg]', 'velocity [deg/s]']
-        : ['time [periods]', 'theta/alpha', 'd(theta/alpha)/d(pt)'];
-      return { columns: names, rows };
+      const { angle, velocity, time } = panelUnits(app, followed.block), { course } = followed;
+      return tableOf([time, course.periods], [angle, course.angle], [velocity, course.velocity]);
     },
     keys(event) {
       const step = event.shiftKey ? 1 : 1 / 16;

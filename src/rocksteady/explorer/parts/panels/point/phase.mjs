@@ -5,6 +5,7 @@ import { curve, drawMark, note, rule } from '../../draw/marks.mjs';
 import { mixed } from '../../draw/theme.mjs';
 import { startOn } from '../../physics/coexisting.mjs';
 import { startText } from '../../shell/state.mjs';
+import { tableOf } from '../../shell/tables.mjs';
 import { FOLLOWED_KEYS, cursorState, followIn, ghostsOf } from './followed.mjs';
 import { motionName, motionWords, otherMotions } from './motions.mjs';
 import { panelUnits, roundLimit } from './units.mjs';
@@ -73,8 +74,8 @@ export function makePhasePanel(app) {
       const { across, along } = limitsOf(followed, curves.map(({ course }) => course));
       const onto = frame(pen, size, {
         theme,
-        x: { from: -across * angle.factor, to: across * angle.factor, label: angle.label },
-        y: { from: -along * velocity.factor, to: along * velocity.factor, label: velocity.label },
+        x: { ...angle, from: -across * angle.factor, to: across * angle.factor },
+        y: { ...velocity, from: -along * velocity.factor, to: along * velocity.factor },
       });
       seen = onto;
       const put = (/** @type {Course} */ course, /** @type {object} */ style) => curve(pen, onto,
@@ -126,11 +127,9 @@ export function makePhasePanel(app) {
     },
     table() {
       if (!followed) return { columns: [], rows: [] };
-      const { angle, velocity, si } = panelUnits(app, followed.block);
-      const { angle: us, velocity: vs } = followed.orbit ?? followed.course;
-      const rows = Array.from(us, (u, k) => [u * angle.factor, vs[k] * velocity.factor]);
-      return { columns: si ? ['theta [deg]', 'velocity [deg/s]']
-        : ['theta/alpha', 'd(theta/alpha)/d(pt)'], rows };
+      const { angle, velocity } = panelUnits(app, followed.block);
+      const course = followed.orbit ?? followed.course;
+      return tableOf([angle, course.angle], [velocity, course.velocity]);
     },
   };
   return panel;

@@ -7,6 +7,7 @@ import { numeral } from '../../draw/scale.mjs';
 import { sectionOf } from '../../physics/history.mjs';
 import { FULL_TURN } from '../../physics/start.mjs';
 import { make } from '../../shell/layout.mjs';
+import { tableOf } from '../../shell/tables.mjs';
 import { FOLLOWED_KEYS, cursorState, followIn, ghostsOf } from './followed.mjs';
 import { otherMotions } from './motions.mjs';
 import { GHOST_ALPHAS } from './phase.mjs';
@@ -83,11 +84,9 @@ export function makeSectionPanel(app) {
     },
     table() {
       if (!followed) return { columns: [], rows: [] };
-      const { velocity, si } = panelUnits(app, followed.block);
-      const rows = sectionOf(followed.history).map(({ side, phase, speed }) =>
-        [side, phase, speed * velocity.factor]);
-      return { columns: ['side', 'phase [rad]', si ? 'speed after [deg/s]'
-        : 'speed after d(theta/alpha)/d(pt)'], rows };
+      const { speed } = panelUnits(app, followed.block), met = sectionOf(followed.history);
+      return tableOf(['side', met.map(({ side }) => side)], ['phase [rad]', met.map(({ phase }) => phase)],
+        [speed, met.map((each) => each.speed)]);
     },
   };
   return panel;
@@ -102,7 +101,7 @@ export function makeSectionPanel(app) {
  * @param {SectionPoints | null} long
  */
 function drawSection(app, pen, size, followed, long) {
-  const { theme } = app, { velocity } = panelUnits(app, followed.block);
+  const { theme } = app, { velocity, speed } = panelUnits(app, followed.block);
   const { orbit } = followed.attractor;
   const since = (followed.settled * FULL_TURN) / followed.given.frequencyRatio;
   const states = sectionOf(followed.history);
@@ -117,8 +116,7 @@ function drawSection(app, pen, size, followed, long) {
     x: { from: 0, to: FULL_TURN, label: 'phase of the shaking at the impact [rad]',
       ticks: QUARTERS.map((label, k) => ({ value: (k * Math.PI) / 2, label })) },
     y: { from: 0, to: roundLimit(fastest || 1) * velocity.factor,
-      label: `speed after the impact${velocity.unit ? ' [°/s]' : ', d(θ/α)/d(pt)'}`
-        + '  ● to the left  ○ to the right' },
+      label: `${speed.label}  ● to the left  ○ to the right`, far: speed.far },
   });
   const put = (/** @type {Impact[]} */ some, /** @type {object} */ style) => {
     for (const side of [1, -1]) {
@@ -180,8 +178,8 @@ function drawStrobe(app, pen, size, followed, long) {
   const along = roundLimit(Math.min(history.peakVelocity, 2));
   const onto = frame(pen, size, {
     theme,
-    x: { from: -across * angle.factor, to: across * angle.factor, label: angle.label },
-    y: { from: -along * velocity.factor, to: along * velocity.factor, label: velocity.label },
+    x: { ...angle, from: -across * angle.factor, to: across * angle.factor },
+    y: { ...velocity, from: -along * velocity.factor, to: along * velocity.factor },
   });
   const us = strobe.angle.map((u) => u * angle.factor);
   const vs = strobe.velocity.map((v) => v * velocity.factor);

@@ -1,36 +1,26 @@
 // Units of the panels of the point: dimensionless, or degrees, seconds and millimetres.
 
 import { evaluate } from '../../physics/case.mjs';
+import { FULL_TURN } from '../../physics/start.mjs';
 import { numeral } from '../../draw/scale.mjs';
+import { shownUnits } from '../../shell/units.mjs';
 
 /** @import { App } from '../../shell/app.mjs' */
 /** @import { Measures } from '../../physics/case.mjs' */
-
-/** @typedef {{ factor: number, label: string, unit: string }} Unit */
 
 /**
  * Return the units of axes; a value times `factor` is what the axis shows.
  * @param {App} app
  * @param {Measures} block
- * @returns {{ angle: Unit, velocity: Unit, time: Unit, phase: Unit, si: boolean }}
  */
-export function panelUnits({ state }, { alpha, p }) {
-  const degrees = (alpha * 180) / Math.PI, phase = { factor: 1, unit: '', label: 'phase' };
-  if (state.units !== 'si') {
-    return {
-      angle: { factor: 1, label: 'angle θ/α', unit: 'α' },
-      velocity: { factor: 1, label: 'velocity d(θ/α)/d(pt)', unit: '' },
-      time: { factor: 1, label: 'time t/T [periods]', unit: 'T' },
-      phase,
-      si: false,
-    };
-  }
+export function panelUnits({ state, theme }, block) {
+  const si = state.units === 'si', shown = shownUnits(theme.units, block, si), period = FULL_TURN / state.W;
+  const { time, angle } = shown, factor = time.factor * period, periods = 'time [forcing periods]';
   return {
-    angle: { factor: degrees, label: 'tilt θ [°]', unit: '°' },
-    velocity: { factor: degrees * p, label: 'velocity [°/s]', unit: '°/s' },
-    time: { factor: (2 * Math.PI) / (state.W * p), label: 'time [s]', unit: 's' },
-    phase,
-    si: true,
+    ...shown, si,
+    angle: { ...angle, unit: angle.unit || 'α' },
+    time: si ? { factor, label: time.label, unit: 's', far: { factor, label: periods } }
+      : { factor: 1, label: periods, unit: 'T' },
   };
 }
 

@@ -21,9 +21,9 @@ const HIGHEST_SHOWN = 1.15; // theta/alpha
  * @returns {Frame}
  */
 export function drawPeaks(pen, size, { theme, x, degrees, series, at, label, peak }) {
-  const onto = frame(pen, size, {
+  const { near, far } = theme.units.peak, onto = frame(pen, size, {
     theme, x,
-    y: { from: 0, to: HIGHEST_SHOWN * degrees, label: `largest tilt |θ| [°]; hatched: ${theme.words.overturned}` },
+    y: { from: 0, to: HIGHEST_SHOWN * degrees, label: `${near}; hatched: ${theme.words.overturned}`, far: { factor: degrees, label: far } },
   });
   const { box } = onto;
   if (series) {

@@ -8,9 +8,11 @@
 import { GRAVITY, evaluate } from '../../physics/case.mjs';
 import { scaledMotion } from '../../physics/motions.mjs';
 import { runRecord } from '../../physics/quake/record.mjs';
-import { frame } from '../../draw/frame.mjs';
+import { frame, hasFarRoom } from '../../draw/frame.mjs';
 import { curve, drawMark, note, rule } from '../../draw/marks.mjs';
 import { make } from '../../shell/layout.mjs';
+import { tableOf } from '../../shell/tables.mjs';
+import { pageUnits } from '../../shell/units.mjs';
 import { makeFileOpener } from './files.mjs';
 import { few, motionChoices, shakenBy } from './shaken.mjs';
 
@@ -99,7 +101,7 @@ export function makeQuakePanel(app) {
     run = found;
     app.shared.recordRun = found;
     const stands = found.status === 'rocking' || found.status === 'at-rest';
-    bar?.show(found, stands ? `stands, peak ${few(found.peak)} α`
+    bar?.show(found, stands ? `stands, peak ${few(found.peak * shakenBy(app, app.state).degrees)}°`
       : app.theme.words[found.status === 'overturned' ? 'overturned' : 'undecided']);
   }
 
@@ -170,12 +172,13 @@ export function makeQuakePanel(app) {
   /** @param {Pen} pen @param {{ width: number, height: number }} size */
   function draw(pen, size) {
     const shaken = shakenBy(app, app.state), { motion, block, scale, pga, degrees } = shaken;
-    const { theme } = app, end = lastSecond(), split = Math.round(0.42 * size.height);
+    const { theme } = app, { angle, base } = pageUnits(app, app.state, true), end = lastSecond(), split = Math.round(0.42 * size.height);
     if (drawn?.motion !== motion) drawn = { motion, ...outlineOf(motion) };
-    const left = 46, uplift = upliftOf(block), high = 1.08 * Math.max(pga, 1.15 * uplift, 1e-9);
+    const lower = { width: size.width, height: size.height - split };
+    const margin = { left: 46, right: hasFarRoom(lower) ? 44 : 0 }, uplift = upliftOf(block), high = 1.08 * Math.max(pga, 1.15 * uplift, 1e-9);
     const ground = frame(pen, { width: size.width, height: split }, {
-      theme, margin: { left }, x: { from: 0, to: end, bare: true },
-      y: { from: -high, to: high, label: 'ground acceleration [g]; dashed: lifts the block' },
+      theme, margin, x: { from: 0, to: end, bare: true },
+      y: { from: -high, to: high, label: `${base.label}; dashed: lifts the block`, far: base.far },
     });
     for (const side of [1, -1]) rule(pen, ground, { y: side * uplift }, { colour: theme.limit, dash: [6, 4] });
     curve(pen, ground, drawn.times, drawn.values.map((value) => (scale * value) / GRAVITY),
@@ -183,9 +186,9 @@ export function makeQuakePanel(app) {
     if (cursor !== null) rule(pen, ground, { x: cursor }, { colour: theme.ink });
     pen.save();
     pen.translate(0, split);
-    const tilt = frame(pen, { width: size.width, height: size.height - split }, {
-      theme, margin: { left }, x: { from: 0, to: end, label: 'time [s]' },
-      y: { from: -1.2 * degrees, to: 1.2 * degrees, label: 'tilt θ [°]; dots: impacts' },
+    const tilt = frame(pen, lower, {
+      theme, margin, x: { from: 0, to: end, label: 'time [s]' },
+      y: { from: -1.2 * degrees, to: 1.2 * degrees, label: `${angle.label}; dots: impacts`, far: angle.far },
     });
     for (const side of [1, -1]) {
       rule(pen, tilt, { y: side * degrees }, { colour: theme.limit, dash: [6, 4], width: 1.2 });
@@ -222,11 +225,10 @@ export function makeQuakePanel(app) {
   }
 
   function table() {
-    const { block, degrees } = shakenBy(app, app.state);
-    const rows = run ? Array.from(run.impacts, (pt, k) =>
-      [k + 1, pt / block.p, Math.abs(/** @type {RecordRun} */ (run).impactVelocities[k])
-        * block.p * degrees]) : [];
-    return { columns: ['impact', 'time [s]', 'angular velocity before [°/s]'], rows };
+    const { time, velocity } = pageUnits(app, app.state, true);
+    const { impacts, impactVelocities } = run ?? { impacts: [], impactVelocities: [] };
+    return tableOf(['impact', Array.from(impacts, (_, k) => k + 1)], [time, impacts],
+      [velocity, Array.from(impactVelocities, Math.abs), 'before the impact: ']);
   }
 }
 
@@ -279,7 +281,8 @@ function makeBar(app, panel) {
   const status = make('strong', { class: 'result', 'data-name': 'quake-status' });
   const peak = make('span', { 'data-name': 'quake-peak', hidden: '' });
   const impacts = make('span', { 'data-name': 'quake-impacts', hidden: '' });
-  const row = make('label', { class: 'scale' }, 'scale ', slider, number);
+  const pga = make('output', { 'data-name': 'quake-pga' });
+  const row = make('label', { class: 'scale' }, 'scale ', slider, number, pga);
   panel.bar?.append(chosen, row);
   let listed = -1;
   const refresh = () => {
@@ -293,6 +296,7 @@ function makeBar(app, panel) {
     chosen.title = choices[place].note;
     if (document.activeElement !== number) number.value = String(Number(app.state.scale.toPrecision(6)));
     slider.value = String(app.state.scale);
+    pga.textContent = `${few(shakenBy(app, app.state).pga)} g`;
   };
   makeFileOpener(app, panel, refresh);
   panel.bar?.append(status, peak, impacts);

@@ -6,6 +6,8 @@
 import { followPointer } from './dragging.mjs';
 import { GRAVITY, evaluate } from '../../physics/case.mjs';
 import { RUN_STATUS } from '../../physics/run.mjs';
+import { tableOf } from '../../shell/tables.mjs';
+import { pageUnits } from '../../shell/units.mjs';
 import { drawPeaks } from './peaks.mjs';
 import { askFates, fallenOf, few, shakenBy } from './shaken.mjs';
 
@@ -75,10 +77,7 @@ export function makeSpectrumPanel(app) {
       });
     },
     sentence,
-    table: () => ({
-      columns: ['period 2π/p [s]', 'status', 'peak |θ| [°]', 'impacts'],
-      rows: rowsOf(series, shakenBy(app, app.state).degrees),
-    }),
+    table: () => fatesTable(app, 'period 2π/p [s]', series),
     keys(event) {
       const step = { ArrowLeft: 1 / SPECTRUM_STEP, ArrowRight: SPECTRUM_STEP }[event.key];
       if (!step) return false;
@@ -114,14 +113,14 @@ export function makeSpectrumPanel(app) {
 }
 
 /**
- * Return the rows of a table: value, status, peak in degrees, impacts.
+ * Return a table of fates: value, status, peak, impacts.
+ * @param {App} app
+ * @param {string} name  of the values
  * @param {FateSeries | null} series
- * @param {number} degrees
- * @returns {(string | number)[][]}
  */
-export function rowsOf(series, degrees) {
-  if (!series) return [];
-  return Array.from(series.values, (value, k) => [value, RUN_STATUS[series.status[k]] ?? 'not computed',
-    Number.isNaN(series.peak[k]) ? '' : series.peak[k] * degrees,
-    Number.isNaN(series.impacts[k]) ? '' : series.impacts[k]]);
+export function fatesTable(app, name, series) {
+  const { values, status, peak, impacts } = series ?? { values: [], status: [], peak: [], impacts: [] };
+  const known = (/** @type {ArrayLike<number>} */ some) => Array.from(some, (each) => (Number.isNaN(each) ? '' : each));
+  return tableOf([name, values], ['status', Array.from(status, (code) => RUN_STATUS[code] ?? 'not computed')],
+    [pageUnits(app, app.state, true).angle, known(peak), 'largest '], ['impacts', known(impacts)]);
 }

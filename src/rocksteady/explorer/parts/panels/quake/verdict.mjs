@@ -10,7 +10,7 @@ import { followPointer } from './dragging.mjs';
 import { neighbourCases } from '../../physics/quake/record.mjs';
 import { fillClass } from '../../draw/classes.mjs';
 import { drawPeaks } from './peaks.mjs';
-import { rowsOf } from './spectrum.mjs';
+import { fatesTable } from './spectrum.mjs';
 import { askFates, few, shakenBy } from './shaken.mjs';
 
 const STRIP_COUNT = 240;
@@ -82,10 +82,7 @@ export function makeVerdictPanel(app) {
       if (room) drawNeighbours(pen, { top: size.height - room, width: size.width, height: room });
     },
     sentence,
-    table: () => ({
-      columns: ['scale', 'status', 'peak |θ| [°]', 'impacts'],
-      rows: rowsOf(series, shakenBy(app, app.state).degrees),
-    }),
+    table: () => fatesTable(app, 'scale', series),
     keys(event) {
       const step = { ArrowLeft: -SCALE_STEP, ArrowRight: SCALE_STEP }[event.key];
       if (!step) return false;
