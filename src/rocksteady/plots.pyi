@@ -56,7 +56,7 @@ from .show.plots.risk.plan import plot_plan as plan
 from .show.plots.risk.screens import plot_screens as screens
 from .show.plots.risk.tornado import plot_measure_efficiency as measure_efficiency
 from .show.plots.risk.tornado import plot_tornado as tornado
-from .show.plots.rows import plot_rows as rows
+from .show.plots.value_rows import plot_rows as rows
 from .show.plots.spectra import plot_rocking_spectrum as rocking_spectrum
 from .show.plots.spectra import plot_share_that_falls as share_that_falls
 from .show.plots.spectra import plot_spectrum_map as spectrum_map

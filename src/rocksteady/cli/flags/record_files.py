@@ -14,7 +14,7 @@ from rocksteady.cli.flags.parsing import axis, number, single
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.model.motions._oscillator import DEFAULT_DAMPING
+from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:

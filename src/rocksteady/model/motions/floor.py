@@ -10,7 +10,10 @@ from rocksteady.kernels.elementary.arrays import atan2, exp, hypot, log, sincos
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
-from rocksteady.model.motions._oscillator import (
+from rocksteady.model.motions._sampled import polyline
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.fourier import FourierSeries
+from rocksteady.model.motions.oscillator import (
     DEFAULT_DAMPING,
     Parts,
     grown,
@@ -23,9 +26,6 @@ from rocksteady.model.motions._oscillator import (
     steady_line,
     times,
 )
-from rocksteady.model.motions._sampled import polyline
-from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.model.motions.fourier import FourierSeries
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion, Piecewise, Segment, segments_of
 

@@ -1,6 +1,6 @@
 """Exact peaks of damped oscillators under a record, between samples too.
 
-The state of each is the complex number z of `rocksteady.model.motions._oscillator`.
+The state of each is the complex number z of `rocksteady.model.motions.oscillator`.
 """
 
 import math
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import atan2
-from rocksteady.model.motions._oscillator import (
+from rocksteady.model.motions.oscillator import (
     Parts,
     grown,
     imaginary,

@@ -15,7 +15,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.model.motions._oscillator import DEFAULT_DAMPING
+from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number

@@ -11,9 +11,9 @@ from rocksteady.errors import InputError, ModelError, RocksteadyError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.motions._oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import DAMPING, LARGEST_SUM, SHAPE, Floor
+from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.observations.files.small_files import content_of, toml_of

@@ -6,7 +6,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.numbers import chance
 from rocksteady.risk.assess.objects_table import ObjectsTable
-from rocksteady.show.plots.rows import MOST, draw_interval
+from rocksteady.show.plots.value_rows import MOST, draw_interval
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, name_rows, percent_ticks
