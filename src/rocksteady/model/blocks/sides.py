@@ -6,13 +6,16 @@ to the right (positive) drives; the negative side is rotation about the right ed
 
 import math
 from dataclasses import dataclass, replace
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
 from rocksteady.model.blocks.housner_forms import Impacts, Restitutions
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import ALPHA, GRAVITY, GYRATION, RADIUS, RESTITUTION, P, length
+
+if TYPE_CHECKING:
+    from rocksteady.model.blocks.caps import Cap
 
 SAME_BODY = 1e-6
 """How near two sides' heights and moments of inertia are, relative to their size, if they belong to
@@ -307,11 +310,15 @@ def housner_ratio(
     return 1.0 - 2.0 * (p * p * radius / gravity) * (sine * sine)
 
 
-def housner_pair(positive: Side, negative: Side, gravity: float) -> tuple[float, float]:
-    """Return Housner's restitutions of both impacts of a body, positive or not.
+def housner_pair(
+    positive: Side, negative: Side, gravity: float, cap: "Cap | None" = None
+) -> tuple[float, float]:
+    """Return Housner's restitutions of both impacts of a body or a frame, positive or not.
 
     That of the impact that ends positive rotation is the first.
     """
+    if cap is not None:
+        return (cap.housner_ratio(positive, gravity),) * 2
     if positive.alpha == negative.alpha and positive.p == negative.p:
         ratios = housner_ratio(
             positive.alpha, p=positive.p, radius=positive.radius, gravity=gravity
@@ -324,7 +331,12 @@ def housner_pair(positive: Side, negative: Side, gravity: float) -> tuple[float,
 
 
 def has_factor(
-    factor: float, positive: Side, negative: Side, gravity: float, wall: float | None
+    factor: float,
+    positive: Side,
+    negative: Side,
+    gravity: float,
+    wall: float | None,
+    cap: "Cap | None",
 ) -> bool:
     """Return whether the restitutions of a block are a factor of Housner's.
 
@@ -336,10 +348,12 @@ def has_factor(
         The block.
     wall
         Restitution of the wall that it stands against; None of none.
+    cap
+        Cap of a frame; None of a single block.
     """
     if wall is None:
         given = [positive.restitution, negative.restitution]
-        values = [*housner_pair(positive, negative, gravity)]
+        values = [*housner_pair(positive, negative, gravity, cap)]
     else:
         try:
             given, values = [wall], [wall_ratio(positive, negative, gravity)]

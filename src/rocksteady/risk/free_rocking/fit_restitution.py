@@ -123,7 +123,7 @@ def fit_restitution(
     equations = Nonlinear() if model is None else chosen_model(model, block)
     rows, left_out = _rows(releases, block, equations)
     given = all(release.sigma_rad is not None for release in releases)
-    pair = housner_pair(block.positive, block.negative, block.gravity)
+    pair = housner_pair(block.positive, block.negative, block.gravity, block.cap)
     sound = min(pair) > 0.0
     base = pair if sound else (1.0, 1.0)
     single = [row for row in rows if row.impacts == 1.0]
