@@ -3,6 +3,7 @@
 import math
 import pickle
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -46,10 +47,10 @@ def test_p_is_the_rate_of_leaving_the_balance_by_energies(
         columns=columns, cap_mass_ratio=gamma, restitution=0.9
     )
 
-    def places(theta: float) -> np.ndarray:
+    def places(theta: float) -> Any:
         """Return mass centre and upper corner of a column that has turned."""
         lean = math.pi / 2 - alpha + theta
-        return radius * np.exp(1j * lean) * np.array([1.0, 2.0])
+        return np.array([radius, 2.0 * radius]) * np.exp(1j * lean)
 
     masses = np.array([columns, gamma * columns])  # of columns of 1 kg, and of the cap
     v = [9.80665 * masses @ places(alpha + k * step).imag for k in (-1, 0, 1)]
