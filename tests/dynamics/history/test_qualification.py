@@ -77,7 +77,7 @@ def course(block: Block, span: float, peak: float = 3.0) -> Found:
         return rate, complex(force) / mass.sum()
 
     def rates(t: float, state: np.ndarray, side: int) -> tuple[float, float]:
-        return float(state[1]), turning(t, *state, side)[0]
+        return float(state[1]), turning(t, float(state[0]), float(state[1]), side)[0]
 
     t, y, w, side = 0.0, 0.25 * block.alpha, 0.0, -1
     leans: dict[int, float] = {1: 0.0, -1: y}

@@ -12,6 +12,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import number
+from rocksteady.risk.ensemble import qualification
 from rocksteady.risk.ensemble.levels import Levels, measured
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.measures.free_sides import side_coordinates
@@ -53,7 +54,7 @@ def labelled(
     import xarray
 
     bodies, records, names = things
-    words = {output.name: output.attributes for output in OUTPUTS}
+    words = {output.name: output.attributes for output in OUTPUTS} | qualification.OUTPUTS
     words["uplift_time_s"] = {"units": "s", "long_name": "time of the first uplift"}
     ratios = np.stack([band.ratios(block) for block in bodies])
     intensity = levels.intensity

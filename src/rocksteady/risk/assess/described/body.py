@@ -14,12 +14,14 @@ from rocksteady.risk.observations.files.toml_tables import named
 Choose = Callable[[str, Value], float]
 """Returns the number to compute with, of a key ("content.mass_kg") and its value."""
 
+FRAME = ("columns", "cap_mass_ratio")
+"""Keys of a frame, of which the others describe one column."""
 FORMS: Mapping[str, tuple[str, ...]] = {
     "width_m and height_m": ("width_m", "height_m", "base_width_m", "offset_m",
-                             "mass_centre_height_m", "gyration_m", "inertia_kg_m2", "mass_kg"),
+                             "mass_centre_height_m", "gyration_m", "inertia_kg_m2", "mass_kg", *FRAME),
     "left_m, right_m and mass_centre_height_m": ("left_m", "right_m", "mass_centre_height_m",
-                                                 "gyration_m", "inertia_kg_m2", "mass_kg"),
-    "alpha_rad or alpha_deg, and p_rad_s": ("alpha_rad", "alpha_deg", "p_rad_s"),
+                                                 "gyration_m", "inertia_kg_m2", "mass_kg", *FRAME),
+    "alpha_rad or alpha_deg, and p_rad_s": ("alpha_rad", "alpha_deg", "p_rad_s", *FRAME),
 }  # fmt: skip
 """The three ways to give a geometry, each with all keys that go with it."""
 
@@ -40,6 +42,9 @@ class Body:
         Mass [kg]; None where the file does not give it.
     rectangle
         Width and height [m] where it is a homogeneous rectangle on its full width.
+    columns, cap_mass_ratio
+        Of a frame of which each column is this body: their number, and the mass of the cap over
+        that of all; None of a single body.
     """
 
     left: float
@@ -48,9 +53,16 @@ class Body:
     gyration: float
     mass_kg: float | None = None
     rectangle: tuple[float, float] | None = None
+    columns: int | None = None
+    cap_mass_ratio: float = 0.0
 
     def block(self, restitution: Restitution, gravity: float) -> Block:
-        """Return the block."""
+        """Return the block, or the frame."""
+        if self.columns is not None:
+            column = replace(self, columns=None).block(1.0, gravity)
+            return column.capped(
+                columns=self.columns, cap_mass_ratio=self.cap_mass_ratio, restitution=restitution
+            )
         if self.rectangle is not None:
             width, height = self.rectangle
             return Block.rectangle(
@@ -77,6 +89,7 @@ class Body:
         """Return the body with a point mass, as a share of its own, in line with its mass centre.
 
         Parallel axes: ``M k^2`` grows by the reduced mass times the squared distance of the two.
+        The cap of a frame stays, on columns that are heavier.
         """
         whole = 1.0 + share
         apart = height_m - self.centre_height
@@ -88,6 +101,7 @@ class Body:
             ),
             mass_kg=None if self.mass_kg is None else self.mass_kg * whole,
             rectangle=None,
+            cap_mass_ratio=self.cap_mass_ratio / whole,
         )
 
     def wider(self, factor: float) -> "Body":
@@ -126,6 +140,9 @@ def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
         body = _of_slenderness(numbers, given.gravity_m_s2)
     else:
         body = _of_sizes(numbers, source) if form == 0 else _of_edges(numbers, source)
+    if shape.columns is not None:
+        ratio = numbers["cap_mass_ratio"]
+        body = replace(body, columns=shape.columns, cap_mass_ratio=ratio)
     if given.content is None:
         return body
     if body.mass_kg is None:
@@ -175,12 +192,16 @@ def _form(shape: Geometry, source: str) -> int:
         needed = [("left_m",), ("right_m",), ("mass_centre_height_m",)]
     elif form == 2:
         needed = [("alpha_rad", "alpha_deg"), ("p_rad_s",)]
+    if set(FRAME) & set(given):
+        needed += [(key,) for key in FRAME]
     for choice in needed:
         if not set(choice) & set(given):
             raise ModelError(
                 f"{table} {' or '.join(choice)}",
                 Words("is missing"),
-                f"a geometry is one of: {ways}",
+                f"a frame has {' and '.join(FRAME)}"
+                if choice[0] in FRAME
+                else f"a geometry is one of: {ways}",
                 "add it",
             )
     for first, second in (("gyration_m", "inertia_kg_m2"), ("alpha_rad", "alpha_deg")):
