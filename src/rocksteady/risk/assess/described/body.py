@@ -18,7 +18,8 @@ FRAME = ("columns", "cap_mass_ratio")
 """Keys of a frame, of which the others describe one column."""
 FORMS: Mapping[str, tuple[str, ...]] = {
     "width_m and height_m": ("width_m", "height_m", "base_width_m", "offset_m",
-                             "mass_centre_height_m", "gyration_m", "inertia_kg_m2", "mass_kg", *FRAME),
+                             "mass_centre_height_m", "gyration_m", "inertia_kg_m2", "mass_kg",
+                             *FRAME),
     "left_m, right_m and mass_centre_height_m": ("left_m", "right_m", "mass_centre_height_m",
                                                  "gyration_m", "inertia_kg_m2", "mass_kg", *FRAME),
     "alpha_rad or alpha_deg, and p_rad_s": ("alpha_rad", "alpha_deg", "p_rad_s", *FRAME),
