@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from rocksteady import Block, Pulse, simulate
-from rocksteady.plots import plot_block
+from rocksteady.show.film.still import plot_block
 from rocksteady.show.film._geometry import MOST_COLUMNS, shape_of_block
 from rocksteady.show.film._scene import BlockScene
 

@@ -211,7 +211,8 @@ class BlockScene:
         self._draw_edge(surface, hatching, ground)
         corners = [(-b, 0.0), (b, 0.0), (b, h), (-b, h)]
         look: dict[str, Any] = {"closed": True, "transform": block, "joinstyle": "round"}
-        self.body = Polygon(corners, edgecolor=self.inks.ink, lw=1.2, zorder=3.0, **look)
+        line: dict[str, Any] = {"edgecolor": self.inks.ink, "lw": 1.2, "zorder": 3.0}
+        self.bodies = [Polygon(corners, **line, **look)]
         # A pattern has the colour of its outline, so that it is a patch of its own.
         self.pattern = Polygon(
             corners,
@@ -222,7 +223,6 @@ class BlockScene:
             zorder=3.1,
             **look,
         )
-        self.bodies = [self.body]
         for place in others:
             look["transform"] = self._turn + place
             self.bodies.append(
@@ -232,7 +232,7 @@ class BlockScene:
             (left, low), (right, high) = shape.cap.tolist()
             cap = [(left, low), (right, low), (right, high), (left, high)]
             look["transform"] = self._raise + ground
-            self.bodies.append(Polygon(cap, edgecolor=self.inks.ink, lw=1.2, zorder=3.0, **look))
+            self.bodies.append(Polygon(cap, **line, **look))
         for patch in (*self.bodies, self.pattern):
             axes.add_patch(patch)
         (self.lever,) = axes.plot([], [], lw=0.8, transform=block, zorder=3.5)
