@@ -212,7 +212,8 @@ class BlockScene:
         corners = [(-b, 0.0), (b, 0.0), (b, h), (-b, h)]
         look: dict[str, Any] = {"closed": True, "transform": block, "joinstyle": "round"}
         line: dict[str, Any] = {"edgecolor": self.inks.ink, "lw": 1.2, "zorder": 3.0}
-        self.bodies = [Polygon(corners, **line, **look)]
+        self.body = Polygon(corners, **line, **look)
+        self.bodies = [self.body]
         # A pattern has the colour of its outline, so that it is a patch of its own.
         self.pattern = Polygon(
             corners,
