@@ -16,14 +16,12 @@ from typing import Annotated
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._measures import Measured
-from rocksteady.model.blocks.caps import Cap
+from rocksteady.model.blocks.caps import Cap, conserving_pair, has_factor
 from rocksteady.model.blocks.examples import constructor_of
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, Restitutions
 from rocksteady.model.blocks.sides import (
     Side,
     check_one_body,
-    has_factor,
-    housner_pair,
     housner_restitution,
     refuse_no_rocking,
     sides_of_body,
@@ -625,7 +623,7 @@ class Block(Measured):
         if impacts.factor is None:
             first, second = impacts.numbers
         else:
-            values = housner_pair(self.positive, self.negative, self.gravity, self.cap)
+            values = conserving_pair(self.positive, self.negative, self.gravity, self.cap)
             first, second = map(impacts.times, values)
         positive = replace(self.positive, restitution=first)
         negative = replace(self.negative, restitution=second)

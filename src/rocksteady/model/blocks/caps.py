@@ -16,8 +16,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import Annotated
 
+from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import sin
-from rocksteady.model.blocks.sides import Side
+from rocksteady.model.blocks.sides import SAME_BODY, Side, housner_pair, wall_ratio
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
 
@@ -70,3 +71,45 @@ class Cap:
         share = gravity * (1.0 + 2.0 * self.cap_mass_ratio) / (side.p * side.p * side.radius)
         sine = sin(side.alpha)
         return 1.0 - 2.0 * (sine * sine) * (1.0 + 4.0 * self.cap_mass_ratio) / share
+
+
+def conserving_pair(
+    positive: Side, negative: Side, gravity: float, cap: Cap | None
+) -> tuple[float, float]:
+    """Return `housner_pair` of a single block, or the same of a frame."""
+    if cap is None:
+        return housner_pair(positive, negative, gravity)
+    return (cap.housner_ratio(positive, gravity),) * 2
+
+
+def has_factor(
+    factor: float,
+    positive: Side,
+    negative: Side,
+    gravity: float,
+    wall: float | None,
+    cap: Cap | None,
+) -> bool:
+    """Return whether the restitutions of a block are a factor of Housner's.
+
+    Parameters
+    ----------
+    factor
+        The factor.
+    positive, negative, gravity
+        The block.
+    wall
+        Restitution of the wall that it stands against; None of none.
+    cap
+        Cap of a frame; None of a single block.
+    """
+    if wall is None:
+        given = [positive.restitution, negative.restitution]
+        values = [*conserving_pair(positive, negative, gravity, cap)]
+    else:
+        try:
+            given, values = [wall], [wall_ratio(positive, negative, gravity)]
+        except InputError:  # so stocky that it has none
+            return False
+    pairs = zip(given, values, strict=True)
+    return all(math.isclose(ratio, factor * value, rel_tol=SAME_BODY) for ratio, value in pairs)

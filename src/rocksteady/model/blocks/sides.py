@@ -6,16 +6,13 @@ to the right (positive) drives; the negative side is rotation about the right ed
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
 from rocksteady.model.blocks.housner_forms import Impacts, Restitutions
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import ALPHA, GRAVITY, GYRATION, RADIUS, RESTITUTION, P, length
-
-if TYPE_CHECKING:
-    from rocksteady.model.blocks.caps import Cap
 
 SAME_BODY = 1e-6
 """How near two sides' heights and moments of inertia are, relative to their size, if they belong to
@@ -310,15 +307,11 @@ def housner_ratio(
     return 1.0 - 2.0 * (p * p * radius / gravity) * (sine * sine)
 
 
-def housner_pair(
-    positive: Side, negative: Side, gravity: float, cap: "Cap | None" = None
-) -> tuple[float, float]:
-    """Return Housner's restitutions of both impacts of a body or a frame, positive or not.
+def housner_pair(positive: Side, negative: Side, gravity: float) -> tuple[float, float]:
+    """Return Housner's restitutions of both impacts of a body, positive or not.
 
     That of the impact that ends positive rotation is the first.
     """
-    if cap is not None:
-        return (cap.housner_ratio(positive, gravity),) * 2
     if positive.alpha == negative.alpha and positive.p == negative.p:
         ratios = housner_ratio(
             positive.alpha, p=positive.p, radius=positive.radius, gravity=gravity
@@ -328,39 +321,6 @@ def housner_pair(
     alphas, radii = (positive.alpha, negative.alpha), (positive.radius, negative.radius)
     gyration = math.sqrt(max(square, 0.0))
     return impact_ratio(alphas, radii, gyration), impact_ratio(alphas[::-1], radii[::-1], gyration)
-
-
-def has_factor(
-    factor: float,
-    positive: Side,
-    negative: Side,
-    gravity: float,
-    wall: float | None,
-    cap: "Cap | None",
-) -> bool:
-    """Return whether the restitutions of a block are a factor of Housner's.
-
-    Parameters
-    ----------
-    factor
-        The factor.
-    positive, negative, gravity
-        The block.
-    wall
-        Restitution of the wall that it stands against; None of none.
-    cap
-        Cap of a frame; None of a single block.
-    """
-    if wall is None:
-        given = [positive.restitution, negative.restitution]
-        values = [*housner_pair(positive, negative, gravity, cap)]
-    else:
-        try:
-            given, values = [wall], [wall_ratio(positive, negative, gravity)]
-        except InputError:  # so stocky that it has none
-            return False
-    pairs = zip(given, values, strict=True)
-    return all(math.isclose(ratio, factor * value, rel_tol=SAME_BODY) for ratio, value in pairs)
 
 
 def impact_ratio(alphas: tuple[float, ...], radii: tuple[float, ...], gyration: float) -> float:

@@ -58,13 +58,14 @@ class Shape:
     def places(self) -> Floats:
         """Where the middles of the columns stand that are drawn; x is 0 midway."""
         count = max(self.columns, 1)
-        return SPACING * 2.0 * self.half_width * (np.arange(count) - 0.5 * (count - 1))
+        width = 2.0 * self.half_width
+        return np.asarray(SPACING * width * (np.arange(count) - 0.5 * (count - 1)))
 
     @property
     def cap(self) -> Floats:
         """Lower left and upper right corner of the cap, shape (2, 2), empty of a single block."""
         end, depth = self.places[-1] + self.half_width, CAP * 2.0 * self.half_width
-        ends = np.array([[-end, self.height], [end, self.height + depth]])
+        ends: Floats = np.array([[-end, self.height], [end, self.height + depth]])
         return ends if self.columns else ends[:0]
 
     @property
