@@ -343,7 +343,7 @@ class Physical:
         >>> block = Block.rectangle(width=0.6, height=1.8)
         >>> pulse = Pulse.from_si(block, shape="one-sine", acceleration_m_s2=4.0, frequency_hz=1.0)
         >>> print("{:.1f} and {:.1f} kN".format(*simulate(block, pulse).base_force_kn(1000.0)))
-        3.3 and 9.8 kN
+        3.5 and 10.0 kN
         """
         mass = positive("mass_kg", mass_kg, hint="give the mass in kg")
         block, parts = self._shaken_block, self.forces_per_weight

@@ -249,7 +249,7 @@ class Block(Measured):
 
         References
         ----------
-        N. Makris and M. F. Vassiliou, Earthquake Eng. Struct. Dyn. 42, 691-707 (2013).
+        N. Makris and M. F. Vassiliou, Earthquake Eng. Struct. Dyn. 42, 431-449 (2013).
 
         Examples
         --------

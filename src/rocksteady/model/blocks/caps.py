@@ -9,7 +9,7 @@ equation of one column with another p and another restitution::
 where j = I_0/(M R^2) of a column.  With 4/3 of a rectangle p^2 is (1 + 2 gamma)/(1 + 3 gamma) times
 that of a column, and e is ``(1 - 1.5 sin^2 alpha + 3 gamma cos 2 alpha)/(1 + 3 gamma)``.
 
-N. Makris and M. F. Vassiliou, Earthquake Eng. Struct. Dyn. 42, 691-707 (2013).
+N. Makris and M. F. Vassiliou, Earthquake Eng. Struct. Dyn. 42, 431-449 (2013).
 """
 
 import math

@@ -102,3 +102,26 @@ def test_a_wall_behind_an_object_is_yes_or_no(tmp_path: Path) -> None:
     assert free.block == other.block == Block.rectangle(width=0.3, height=1.8)
     with pytest.raises(RocksteadyError, match=r"line 2, against_wall = 'maybe' .*yes or no"):
         read_objects(written(tmp_path, text.replace("yes", "maybe")))
+
+
+def test_rows_may_be_frames_of_columns(tmp_path: Path) -> None:
+    """The other cells describe one column; both cells of a frame are needed, and whole columns."""
+    head = "name,width_m,height_m,columns,cap_mass_ratio,mass_kg\n"
+    temple, vase = read_objects(
+        written(tmp_path, f"{head}temple,1.6,9.6,4,2,900\nvase,0.12,0.5,,,\n")
+    )
+    assert temple.block == Block.frame(columns=4, cap_mass_ratio=2.0, width=1.6, height=9.6)
+    assert vase.block.cap is None
+    # Ballast at the base of the columns: the cap is a smaller part of their mass.
+    heavy = temple.body.with_share(0.25, 0.05)
+    assert heavy.cap_mass_ratio == pytest.approx(1.6)
+    assert heavy.block("housner", 9.80665).alpha > temple.block.alpha
+    for cells, words in (
+        ("4,", r"cap_mass_ratio is missing: a frame has columns and cap_mass_ratio; add it"),
+        (",2", r"columns is missing: a frame has columns and cap_mass_ratio; add it"),
+        ("2.5,2", r"columns = 2.5 is not valid: it must be a whole number"),
+        ("0,2", r"columns = 0 is not valid: it must be a whole number from 1 to 1000"),
+        ("4,-1", r"cap_mass_ratio = -1.0 is not valid: it must lie in \[0, 1000\]"),
+    ):
+        with pytest.raises(RocksteadyError, match=words):
+            read_objects(written(tmp_path, f"{head}temple,1.6,9.6,{cells},\n"))
