@@ -57,8 +57,6 @@ def calls() -> dict[str, Call]:
         rs.Block.from_alphas: {"positive": 0.2, "negative": 0.3, "radius": 1.0},
         rs.Block.frame: {"columns": 4, "cap_mass_ratio": 2.0, "width": 0.4, "height": 1.2},
         block.capped: {"columns": 4, "cap_mass_ratio": 2.0},
-        block.top_displacement: {"angle": [0.1, -0.2]},
-        block.overhang: {"angle": [0.1, -0.2]},
         rs.Block.from_p: {"alpha": 0.2, "p": 2.0},
         rs.Block.from_radius: {"alpha": 0.2, "radius": 1.0},
         rs.Block.general: {"mass": 2.0, "inertia": 3.0, "radius": 1.0, "alpha": 0.2},

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.tops import top_displacement
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
@@ -117,7 +118,7 @@ def test_the_motion_of_the_top_is_that_of_the_runs_nearest_to_the_demand(
     nearest = runs.isel(level=int(np.abs(np.log(runs["level"].values / level)).argmin()))
     stands = nearest["status"].values != Status.OVERTURNED
     tops = [
-        block.top_displacement(nearest["peak_angle"].values[stands] * side.alpha)
+        top_displacement(block, nearest["peak_angle"].values[stands] * side.alpha)
         for side in (block.positive, block.negative)
     ]
     top = found.qualification["top_displacement_m"]

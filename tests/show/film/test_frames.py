@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from rocksteady import Block, Pulse, simulate
+from rocksteady.model.blocks.tops import top_displacement
 from rocksteady.show.film._geometry import MOST_COLUMNS, shape_of_block
 from rocksteady.show.film._scene import BlockScene
 from rocksteady.show.film.still import plot_block
@@ -27,7 +28,7 @@ def test_the_cap_stands_on_the_highest_corner_of_every_column(time: float) -> No
     assert len(columns) == 3
     tops = np.array([column[column[:, 1].argmax()] for column in columns])
     assert tops[:, 1] == pytest.approx(cap[0, 1])
-    moved = np.sign(-scene.theta(time)) * frame.top_displacement(scene.theta(time))
+    moved = np.sign(-scene.theta(time)) * top_displacement(frame, scene.theta(time))
     assert cap[:, 0].mean() == pytest.approx(moved + scene.ground(time), abs=1e-9)
     assert np.diff(columns, axis=0)[..., 1] == pytest.approx(0.0, abs=1e-9)
     low, high = axes.get_ylim()

@@ -21,6 +21,7 @@ from rocksteady.kernels.march.facts import RunFacts
 from rocksteady.kernels.march.replay import fill_states
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import impact_friction
+from rocksteady.model.blocks.tops import overhang, top_displacement
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import finite, positive
 from rocksteady.model.motions.fourier import PeriodicMotion
@@ -370,25 +371,28 @@ class Physical:
 
     @property
     def top_displacement_m(self) -> float | None:
-        """Largest motion of the top across the base [m], by `Block.top_displacement`.
+        """Largest motion of the top across the base [m], at the height of the block.
 
+        ``2 h sin|theta| + 2 b (1 - cos theta)``; of a frame the motion of the cap.
         None without a `Block`, or if it overturns.
         """
         if self._turned is None:
             return None
         block, angles = self._turned
-        return float(block.top_displacement(angles).max())
+        return float(top_displacement(block, angles).max())
 
     @property
     def clearances_m(self) -> tuple[float, float] | None:
-        """Gaps that keep the block off neighbours on its left and right [m], by `Block.overhang`.
+        """Gaps that keep the block off neighbours on its left and right [m].
 
+        ``2 h sin|theta|``, of a frame `top_displacement_m`, to neighbours as high that move with
+        the base.
         None without a `Block`, or if it overturns.
         """
         if self._turned is None:
             return None
         block, angles = self._turned
-        left, right = block.overhang(angles).tolist()
+        left, right = overhang(block, angles).tolist()
         return left, right
 
     @property

@@ -2,11 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import ArrayLike
-
-from rocksteady.arrays import Floats
-from rocksteady.kernels.elementary.arrays import sin, tan
+from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.caps import Cap
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.sides import Side, same_shape
@@ -91,49 +87,6 @@ class Measured(Result):
         accelerations.  To the negative side lifts one of ``negative.alpha * gravity``, reversed.
         """
         return self.positive.alpha * self.gravity
-
-    def top_displacement(self, angle: ArrayLike) -> Floats:
-        """Return how far the top has moved across the base of the rotated block [m].
-
-        ``2 h sin|theta| + 2 b (1 - cos theta)`` of the upper corner opposite to the pivot, of a
-        symmetric block ``2 R (sin alpha - sin(alpha - |theta|))``; for a frame it is the motion of
-        the cap.  The top is at `height`.
-
-        Parameters
-        ----------
-        angle
-            Rotation theta [rad].
-
-        Examples
-        --------
-        >>> from rocksteady import Block
-        >>> print(f"{Block.rectangle(width=0.6, height=1.8).top_displacement(0.1):.4f} m")
-        0.1827 m
-        """
-        half = sin(0.5 * np.abs(np.asarray(angle, dtype=np.float64)))
-        result: Floats = self.height * sin(np.abs(angle)) + 2.0 * self.width * half * half
-        return result
-
-    def overhang(self, angle: ArrayLike) -> Floats:
-        """Return the gap to a neighbour that the rotated block needs on its side [m].
-
-        The upper corner above the pivot leans out by ``2 h sin|theta|``; the cap of a frame, flush
-        with its columns, moves by `top_displacement`.  The neighbour stands as high or higher and
-        moves with the base.
-
-        Parameters
-        ----------
-        angle
-            Rotation theta [rad].
-
-        Examples
-        --------
-        >>> from rocksteady import Block
-        >>> print(f"{Block.rectangle(width=0.6, height=1.8).overhang(0.1):.4f} m")
-        0.1797 m
-        """
-        result: Floats = self.height * sin(np.abs(angle))
-        return result if self.cap is None else self.top_displacement(angle)
 
     def dimensionless(self) -> DimensionlessBlock:
         """Return what the equation of motion sees of the block in its own units.

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.tops import top_displacement
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import length, quantity
 from rocksteady.seismic.measures.free_sides import free_sides
@@ -29,7 +30,7 @@ def qualification_of(
 ) -> dict[str, Floats]:
     """Return motion of the top [m] and speed of the lifted edge [m/s].
 
-    The top is that of `Block.top_displacement`, of a block whose sides differ on the worse side.
+    The top is that of `top_displacement`, of a block whose sides differ on the worse side.
     The edge is as fast as ``2 b |omega|``, at a landing the speed of impact.
 
     Parameters
@@ -42,7 +43,7 @@ def qualification_of(
     tops, edges = np.empty(peaks.shape), np.empty(peaks.shape)
     for top, edge, peak, speed, block in zip(tops, edges, peaks, speeds, blocks, strict=True):
         sides = free_sides(block)
-        top[...] = np.max([block.top_displacement(peak * side.alpha) for side in sides], axis=0)
+        top[...] = np.max([top_displacement(block, peak * side.alpha) for side in sides], axis=0)
         edge[...] = block.width * (block.alpha * block.p) * speed
     tops[status == int(Status.OVERTURNED)] = np.nan
     return dict(zip(OUTPUTS, (tops, edges), strict=True))
