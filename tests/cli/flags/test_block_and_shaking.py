@@ -114,6 +114,16 @@ def test_flags_describe_the_block_of_the_constructors(
             "^no frame is described by --columns and --cap-mass-ratio alone",
         ),
         (
+            {
+                "columns": 4,
+                "cap_mass_ratio": 1.0,
+                "width_m": "0.4",
+                "height_m": "2",
+                "mass_centre_height_m": 0.9,
+            },
+            "--mass-centre-height-m .* a frame's columns have their mass in mid-height",
+        ),
+        (
             {"columns": 4, "cap_mass_ratio": -1.0, "width_m": "0.4", "height_m": "2"},
             "cap_mass_ratio = -1.0 .* give the mass of the cap over that of all columns",
         ),

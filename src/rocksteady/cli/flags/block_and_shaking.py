@@ -348,6 +348,8 @@ class BlockFlags:
 
     def _framed(self) -> Block:
         """Return the frame of the block that the other flags describe."""
+        moved = {"--offset-m": self.offset_m, "--mass-centre-height-m": self.mass_centre_height_m}
+        refuse(moved, "a frame's columns have their mass in mid-height")
         column = replace(self, columns=None, cap_mass_ratio=None, restitution="1").described()
         if self.columns is None or self.cap_mass_ratio is None or not isinstance(column, Block):
             flags = {"--columns": self.columns, "--cap-mass-ratio": self.cap_mass_ratio}

@@ -538,6 +538,8 @@ class Block(Measured):
     ) -> "Block":
         """Return the rocking frame of which each column is this block.
 
+        The cap stands on the upper corners, at `height`: the column's mass centre is in mid-height.
+
         Parameters
         ----------
         columns, cap_mass_ratio, restitution

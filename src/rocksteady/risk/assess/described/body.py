@@ -15,13 +15,13 @@ Choose = Callable[[str, Value], float]
 """Returns the number to compute with, of a key ("content.mass_kg") and its value."""
 
 FRAME = ("columns", "cap_mass_ratio")
-"""Keys of a frame, of which the others describe one column."""
+"""Keys of a frame, of which the others describe one column, a body with its mass in mid-height."""
 FORMS: Mapping[str, tuple[str, ...]] = {
     "width_m and height_m": ("width_m", "height_m", "base_width_m", "offset_m",
                              "mass_centre_height_m", "gyration_m", "inertia_kg_m2", "mass_kg",
                              *FRAME),
     "left_m, right_m and mass_centre_height_m": ("left_m", "right_m", "mass_centre_height_m",
-                                                 "gyration_m", "inertia_kg_m2", "mass_kg", *FRAME),
+                                                 "gyration_m", "inertia_kg_m2", "mass_kg"),
     "alpha_rad or alpha_deg, and p_rad_s": ("alpha_rad", "alpha_deg", "p_rad_s", *FRAME),
 }  # fmt: skip
 """The three ways to give a geometry, each with all keys that go with it."""
@@ -90,7 +90,6 @@ class Body:
         """Return the body with a point mass, as a share of its own, in line with its mass centre.
 
         Parallel axes: ``M k^2`` grows by the reduced mass times the squared distance of the two.
-        The cap of a frame stays, on columns that are heavier.
         """
         whole = 1.0 + share
         apart = height_m - self.centre_height
@@ -102,7 +101,6 @@ class Body:
             ),
             mass_kg=None if self.mass_kg is None else self.mass_kg * whole,
             rectangle=None,
-            cap_mass_ratio=self.cap_mass_ratio / whole,
         )
 
     def wider(self, factor: float) -> "Body":
@@ -144,6 +142,13 @@ def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
     if shape.columns is not None:
         ratio = numbers["cap_mass_ratio"]
         body = replace(body, columns=shape.columns, cap_mass_ratio=ratio)
+        if given.content is not None:
+            raise ModelError(
+                named(source, "geometry", "columns"),
+                Words("stands beside [content]"),
+                "a frame carries its cap alone",
+                "leave [content] out, or add it to cap_mass_ratio",
+            )
     if given.content is None:
         return body
     if body.mass_kg is None:
@@ -179,7 +184,9 @@ def _form(shape: Geometry, source: str) -> int:
             f"leave {keys[0]} or {keys[1]} out",
         )
     (form,) = places
-    fits = FORMS[list(FORMS)[form]]
+    framed = bool(set(FRAME) & set(given))
+    moved = ("base_width_m", "offset_m", "mass_centre_height_m") if framed else ()
+    fits = [key for key in FORMS[list(FORMS)[form]] if key not in moved]
     for key in given:
         if key not in fits:
             raise ModelError(
@@ -193,8 +200,7 @@ def _form(shape: Geometry, source: str) -> int:
         needed = [("left_m",), ("right_m",), ("mass_centre_height_m",)]
     elif form == 2:
         needed = [("alpha_rad", "alpha_deg"), ("p_rad_s",)]
-    if set(FRAME) & set(given):
-        needed += [(key,) for key in FRAME]
+    needed += [(key,) for key in FRAME if framed]
     for choice in needed:
         if not set(choice) & set(given):
             raise ModelError(
