@@ -27,6 +27,7 @@ def block_values(block: Block) -> dict[str, Any]:
         }
         for side in (block.positive, block.negative)
     )
+    positive |= {} if block.cap is None else block.cap.to_dict()
     if block.symmetric:
         return positive
     if block.one_sided:

@@ -478,3 +478,29 @@ def test_the_answer_of_a_block_let_go_is_followed_by_a_kick(start: str, words: s
     assert lines[0].startswith(words)
     assert lines[-1] == f"next: rocksteady overturn --kick --start {start} -r 0.9"
     assert rocksteady(lines[-1].removeprefix("next: rocksteady ")).code == 0
+
+
+def test_a_mass_gives_the_force_on_the_base_of_a_frame() -> None:
+    """With the facts of a qualification, on a screen of eight lines; a mass of 0 is refused."""
+    command = (
+        "simulate --width-m 1.6 --height-m 9.6 --columns 4 --cap-mass-ratio 2 --pulse one-sine "
+        "--accel-g 0.2 --freq-hz 0.5"
+    )
+    frame = Block.frame(columns=4, cap_mass_ratio=2.0, width=1.6, height=9.6)
+    pulse = Pulse.from_si(
+        frame, shape="one-sine", acceleration_m_s2=0.2 * frame.gravity, frequency_hz=0.5
+    )
+    run = simulate(frame, pulse)
+    values = rocksteady(f"{command} --mass-kg 2000 --json").json
+    assert values["base_force_kn"] == list(run.base_force_kn(2000.0) or ())
+    assert values["top_displacement_m"] == run.top_displacement_m
+    assert values["clearances_m"] == list(run.clearances_m or ())
+    assert values["impact_speed_m_s"] == run.impact_speed_m_s
+    assert (values["block"]["columns"], values["block"]["cap_mass_ratio"]) == (4, 2.0)
+    screen = rocksteady(f"{command} --mass-kg 2000").out.splitlines()
+    assert len(screen) <= 8
+    assert any("; top moves 235 mm" in line for line in screen)
+    more = rocksteady(f"{command} --mass-kg 2000 --more").out
+    assert "force on base             3.35 kN across and 19.7 kN down" in more
+    assert "give the mass in kg" in refused(f"{command} --mass-kg 0")
+    assert "on a motion that ends" in refused(f"{SHAKEN} --mass-kg 5")

@@ -66,6 +66,29 @@ LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
             {"block": "statue-on-plinth", "restitution": "housner*0.9", "one_sided": True},
             Block.named("statue-on-plinth").against_wall(("housner", 0.9)),
         ),
+        (
+            {"width_m": "1.6", "height_m": "9.6", "columns": 4, "cap_mass_ratio": 2.0},
+            Block.frame(columns=4, cap_mass_ratio=2.0, width=1.6, height=9.6),
+        ),
+        (
+            {"block": "gas-cylinder", "columns": 2, "cap_mass_ratio": 1.0, "restitution": ".9,.8"},
+            Block.named("gas-cylinder").capped(
+                columns=2, cap_mass_ratio=1.0, restitution=(0.9, 0.8)
+            ),
+        ),
+        (
+            {
+                "alpha_rad": "0.2",
+                "p_rad_s": "2",
+                "columns": 3,
+                "cap_mass_ratio": 0.5,
+                "restitution": "0.4",
+                "one_sided": True,
+            },
+            Block.from_p(alpha=0.2, p=2.0)
+            .capped(columns=3, cap_mass_ratio=0.5, restitution=1.0)
+            .against_wall(0.4),
+        ),
         ({"block": "tso-wong-1989"}, Block.named("tso-wong-1989")),
         (
             {"block": "tso-wong-1989", "restitution": "0.9"},
@@ -85,6 +108,25 @@ def test_flags_describe_the_block_of_the_constructors(
         ({}, "--restitution/-r is not given"),
         ({"gravity_m_s2": 9.8, "restitution": "0.8"}, "without a block gravity has no meaning"),
         ({"width_m": "0.4"}, "^no block is described by --width-m alone"),
+        ({"columns": 4, "width_m": "0.4", "height_m": "2"}, "^no frame .* by --columns alone: it"),
+        (
+            {"columns": 4, "cap_mass_ratio": 1.0},
+            "^no frame is described by --columns and --cap-mass-ratio alone",
+        ),
+        (
+            {
+                "columns": 4,
+                "cap_mass_ratio": 1.0,
+                "width_m": "0.4",
+                "height_m": "2",
+                "mass_centre_height_m": 0.9,
+            },
+            "--mass-centre-height-m .* a frame's columns have their mass in mid-height",
+        ),
+        (
+            {"columns": 4, "cap_mass_ratio": -1.0, "width_m": "0.4", "height_m": "2"},
+            "cap_mass_ratio = -1.0 .* give the mass of the cap over that of all columns",
+        ),
         (
             {"width_m": "0.4", "radius_m": "1"},
             "^no block is described by --width-m --radius-m alone",

@@ -13,10 +13,12 @@ from matplotlib.figure import Figure
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.tops import top_displacement
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
+from rocksteady.results.numbers import length
 from rocksteady.risk.assess._counts import THE_DEMAND
 from rocksteady.risk.assess._probability import onset_of, probability_of
 from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, find_remedies
@@ -105,6 +107,25 @@ def test_the_probability_is_that_of_the_fragility_at_the_demand(found: Assessmen
     assert found.fragility.records == len(SUITE)
     assert found.verdict == "above target"
     assert found.colour == "red"
+
+
+def test_the_motion_of_the_top_is_that_of_the_runs_nearest_to_the_demand(
+    found: Assessment,
+) -> None:
+    assert found.fragility is not None
+    runs, block = found.fragility.ensemble, found.facts.block
+    level = found.level.of(found.fragility.measure, block)
+    nearest = runs.isel(level=int(np.abs(np.log(runs["level"].values / level)).argmin()))
+    stands = nearest["status"].values != Status.OVERTURNED
+    tops = [
+        top_displacement(block, nearest["peak_angle"].values[stands] * side.alpha)
+        for side in (block.positive, block.negative)
+    ]
+    top = found.qualification["top_displacement_m"]
+    assert top == pytest.approx(np.quantile(np.max(tops, axis=0), 0.84))
+    assert found.to_dict()["qualification"] == found.qualification
+    words = f"at most {length(top or 0.0)}, its edge at "
+    assert any(words in row["words"] for row in answer_rows(found))
 
 
 def test_the_plot_is_that_of_the_fragility_with_the_demand(found: Assessment) -> None:

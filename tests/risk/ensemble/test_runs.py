@@ -40,7 +40,14 @@ SUITE = tuple(
 )
 MOTIONS: tuple[Record | BaseMotion, ...] = (SUITE[0], BaseMotion(SUITE[1], lifting()), SUITE[2])
 LEVELS = (0.4, 0.9, 2.5)
-NAMES = ("status", "peak_angle", "impacts", "uplift_time_s")
+NAMES = (
+    "status",
+    "peak_angle",
+    "impacts",
+    "uplift_time_s",
+    "top_displacement_m",
+    "edge_speed_m_s",
+)
 
 
 @functools.cache
@@ -84,6 +91,18 @@ def test_each_cell_is_a_time_history() -> None:
                 assert int(cell.status) == run.status
                 assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8, abs=1e-15)
                 assert int(cell.impacts) == run.impact_count
+                top, speed = run.top_displacement_m, run.impact_speed_m_s
+                assert speed is not None
+                if top is None or block.symmetric:
+                    moved = np.nan if top is None else top
+                    assert float(cell.top_displacement_m) == pytest.approx(
+                        moved, rel=1e-8, abs=1e-15, nan_ok=True
+                    )
+                else:  # the side of the peak is not known, and the worse one is taken
+                    assert float(cell.top_displacement_m) >= top * (1.0 - 1e-8)
+                fastest = run.peak_velocity * block.alpha * block.p * block.width
+                assert float(cell.edge_speed_m_s) == pytest.approx(fastest, rel=1e-8, abs=1e-15)
+                assert float(cell.edge_speed_m_s) >= speed * (1.0 - 1e-8)
                 lifted = np.flatnonzero(run.flights.side)
                 first = run.flights.pt[lifted[0]] / block.p if len(lifted) else np.nan
                 assert float(cell.uplift_time_s) == pytest.approx(first, rel=1e-9, nan_ok=True)

@@ -79,6 +79,11 @@ def simulate(
         "a pulse and under a record); impacts are always rows.",
         default=100,
     ),
+    mass_kg: float | None = options.block_flag(
+        "--mass-kg KG",
+        "Set the mass of the block, or of columns and cap of a frame together, for the largest "
+        "force on its base.",
+    ),
     model: str | None = options.model(),
     tolerance: float | None = options.tolerance(),
 ) -> None:
@@ -133,7 +138,7 @@ def simulate(
             cycles=50.0 if cycles is None else cycles,
             model=equations,
         )
-    description = with_neighbours(trajectory, notes)
+    description = with_neighbours(trajectory, notes, mass_kg)
     write_files(trajectory, description, output, film, samples)
     output.leave(
         "simulate",
@@ -175,7 +180,9 @@ def next_command(
     return options.follow_up("attractor", shaking, series, block)
 
 
-def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> Description:
+def with_neighbours(
+    trajectory: "Trajectory", notes: dict[str, list[str]], mass_kg: float | None = None
+) -> Description:
     """Return the description of a run with its neighbours, and with notes on its record.
 
     Parameters
@@ -184,11 +191,13 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
         The run.
     notes
         What was done to its record, by the key of JSON.
+    mass_kg
+        Mass of the block, for the force on its base; without one there is none.
     """
     from rocksteady.dynamics.history.neighbours import check_neighbours, full_run
     from rocksteady.model.equations import LINEAR_NOTE
 
-    description = trajectory.describe()
+    description = trajectory.describe(mass_kg=mass_kg)
     facts, remarks, answer = [*description.facts], [*description.notes], description.answer
     if isinstance(trajectory.block, Block) and not isinstance(
         trajectory.motion, PeriodicMotion | Still

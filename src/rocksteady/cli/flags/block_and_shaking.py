@@ -250,6 +250,15 @@ class BlockFlags:
         "--p-rad-s P",
         "Set the frequency parameter sqrt(M g R/I_0) \\[rad/s], instead of --radius-m.",
     )
+    columns: int | None = options.block_flag(
+        "--columns N",
+        "Make a rocking frame of so many equal columns, each the block that is described, with "
+        "--cap-mass-ratio; --restitution is then that of the frame.",
+    )
+    cap_mass_ratio: float | None = options.block_flag(
+        "--cap-mass-ratio GAMMA",
+        "Set the mass of the frame's cap over that of all --columns together.",
+    )
     gravity_m_s2: float | None = options.gravity_m_s2()
 
     @property
@@ -270,6 +279,8 @@ class BlockFlags:
         self._check_lengths()
         if self.one_sided:
             return self._against_wall()
+        if self.columns is not None or self.cap_mass_ratio is not None:
+            return self._framed()
         gravity = STANDARD_GRAVITY if self.gravity_m_s2 is None else self.gravity_m_s2
         given = [FLAG_OF_ARGUMENT[name] for name in (*self.sizes, *self.asymmetric)]
         given += self._moved
@@ -334,6 +345,25 @@ class BlockFlags:
             return free.against_wall(ratio)
         assert isinstance(ratio, float)  # without a size no other form is taken
         return DimensionlessBlock(restitution=ratio, one_sided=True)
+
+    def _framed(self) -> Block:
+        """Return the frame of the block that the other flags describe."""
+        moved = {"--offset-m": self.offset_m, "--mass-centre-height-m": self.mass_centre_height_m}
+        refuse(moved, "a frame's columns have their mass in mid-height")
+        column = replace(self, columns=None, cap_mass_ratio=None, restitution="1").described()
+        if self.columns is None or self.cap_mass_ratio is None or not isinstance(column, Block):
+            flags = {"--columns": self.columns, "--cap-mass-ratio": self.cap_mass_ratio}
+            given = " and ".join(flag for flag, value in flags.items() if value is not None)
+            raise FlagError(
+                finding=f"no frame is described by {given} alone",
+                valid="it needs --columns, --cap-mass-ratio and the size of one column",
+                hint="give them, as --width-m 1.6 --height-m 9.6 --columns 4 --cap-mass-ratio 2",
+            )
+        return column.capped(
+            columns=self.columns,
+            cap_mass_ratio=self.cap_mass_ratio,
+            restitution=restitution_from(self.restitution, default="housner"),
+        )
 
     def _maker(self) -> Callable[..., Block] | None:
         """Return what makes the block of a restitution; None where the sizes describe none."""

@@ -124,6 +124,9 @@ FLAG_OF_ARGUMENT = {name: "--" + name.replace("_", "-") for name in NAMESAKES.sp
     "scales": "--scale",
     "motions": "--record",
     "spectrum_damping": "--damping",
+    "columns": "--columns",
+    "mass_kg": "--mass-kg",
+    "cap_mass_ratio": "--cap-mass-ratio",
     "sa_v_per_sa_h": "--vertical-per-horizontal",
     "width_mm": "--width",
 }

@@ -12,7 +12,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Still
 from rocksteady.outcomes import Status
 from rocksteady.results.answer import GIVEN, Answer
-from rocksteady.results.numbers import number, plural, quantity
+from rocksteady.results.numbers import length, number, plural, quantity
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.history._physical import Physical
@@ -35,12 +35,14 @@ def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
         words[key] for key in ("peak, left edge", "peak, right edge")
     )
     impacts = plural(run.impact_count, "impact")
+    top = run.top_displacement_m if words.get("peak") else None  # both sides' tilts fill the line
+    tilt += f"; {impacts}" + (f"; top moves {length(top)}" if top else "")
     friction = words.get("friction_needed")
     lifts = "" if run.uplift_g is None else quantity(run.uplift_g, "g")
     if run.pga_g is not None:
         lifts += f"; {name_of(run.motion)} reaches {quantity(run.pga_g, 'g')}"
     facts = [
-        ("largest tilt", "" if falls or not run.peak else f"{tilt}; {impacts}"),
+        ("largest tilt", "" if falls or not run.peak else tilt),
         ("lifts at", lifts),
         ("friction needed", f"{friction}, or it slides" if friction else ""),
         (GIVEN, run.block.describe().headline),

@@ -14,7 +14,7 @@ from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import angle, number, quantity
+from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
 
 DECIDED_BY_ROUNDING = 1e12
@@ -25,12 +25,18 @@ DECIDED_BY_ROUNDING = 1e12
 class Described(Physical, Result):
     """A run that describes itself."""
 
-    def describe(self) -> Description:
-        """Return how it ended, its peaks, times and inputs."""
-        return description_of(self)
+    def describe(self, *, mass_kg: float | None = None) -> Description:
+        """Return how it ended, its peaks, times and inputs.
+
+        Parameters
+        ----------
+        mass_kg
+            Mass of the block [kg], for the force on its base; default none.
+        """
+        return description_of(self, mass_kg)
 
 
-def description_of(run: Described) -> Description:
+def description_of(run: Described, mass_kg: float | None = None) -> Description:
     """Return the facts and notes of a time history."""
     facts = [
         Fact("model", run.model.name),
@@ -43,6 +49,7 @@ def description_of(run: Described) -> Description:
         *motion_facts(run.block, run.motion, run.vertical),
         *_body(run),
         *_demands(run),
+        *_qualification(run, mass_kg),
     ]
     grown = run.growth
     factor = grown if math.isfinite(grown) else None
@@ -166,3 +173,23 @@ def _demands(run: Described) -> Iterator[Fact]:
     shown: dict[str, Any] = {"label": "friction needed", "text": text} if needed else {}
     yield Fact("friction_needed", finite, **shown)
     yield Fact("friction_at_impacts", run.friction_at_impacts)
+
+
+def _qualification(run: Described, mass_kg: float | None) -> Iterator[Fact]:
+    """Yield what an engineer qualifies by: displacement, clearances, impact speed, base force."""
+    if isinstance(run.block, Block):
+        top, gaps, speed = run.top_displacement_m, run.clearances_m, run.impact_speed_m_s
+        shown = ("top moves", f"{length(top)}, {length(run.block.height)} up") if top else ("", "")
+        yield Fact("top_displacement_m", top, *shown)
+        pairs = zip(gaps or (), ("left", "right"), strict=False)
+        words = " and ".join(f"{length(gap)} {side}" for gap, side in pairs if gap)
+        yield Fact("clearances_m", gaps and list(gaps), "clearance needed" if words else "", words)
+        shown = ("strikes base at", quantity(speed, "m/s")) if speed else ("", "")
+        yield Fact("impact_speed_m_s", speed, *shown)
+    forces = [("forces_per_weight", "force over weight", run.forces_per_weight, "")]
+    if mass_kg is not None:
+        forces.append(("base_force_kn", "force on base", run.base_force_kn(mass_kg), "kN"))
+    for key, label, parts, unit in forces:
+        if parts is not None:
+            across, down = (quantity(part, unit).rstrip() for part in parts)
+            yield Fact(key, list(parts), label, f"{across} across and {down} down")

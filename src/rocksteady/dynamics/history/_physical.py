@@ -1,6 +1,7 @@
 """A run in seconds, in tau and in SI: times, states, and what its base must carry."""
 
 import math
+from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -10,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
-from rocksteady.dynamics.history.samples import Flights, Samples
+from rocksteady.dynamics.history.samples import Flights, Impacts, Samples
 from rocksteady.dynamics.history.start import State
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.core import tables as columns
@@ -20,8 +21,9 @@ from rocksteady.kernels.march.facts import RunFacts
 from rocksteady.kernels.march.replay import fill_states
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import impact_friction
+from rocksteady.model.blocks.tops import overhang, top_displacement
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.model.checks.validation import finite
+from rocksteady.model.checks.validation import finite, positive
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Still
@@ -37,7 +39,7 @@ FRICTION_STEP = 0.02
 """Longest step between samples of the base force, in pivot time."""
 
 ROUNDS = 4
-"""Of refinement of its largest ratio: the last step is some 1e-6 of the first."""
+"""Of refinement of its largest value: the last step is some 1e-6 of the first."""
 
 FINER = 41
 """Samples of a round between the neighbours of the largest one."""
@@ -65,6 +67,9 @@ class Physical:
 
         @property
         def impact_count(self) -> int: ...
+
+        @property
+        def _landings(self) -> Impacts: ...
 
         @property
         def growth(self) -> float: ...
@@ -289,9 +294,120 @@ class Physical:
         sides = {1.0: (block.positive, block.negative), -1.0: (block.negative, block.positive)}
         return max((impact_friction(*sides[sign]) for sign in signs), default=None)
 
-    @cached_property
+    @property
     def _friction_of_forces(self) -> float | None:
         """Largest ratio of horizontal and vertical force at the pivot, impacts left out."""
+
+        def ratio(across: Floats, up: Floats) -> Floats:
+            with np.errstate(divide="ignore"):
+                return np.where(up > 0.0, across / np.maximum(up, 0.0), np.inf)
+
+        return self._largest(ratio)
+
+    @cached_property
+    def forces_per_weight(self) -> tuple[float, float] | None:
+        """Largest horizontal and vertical force on the base while the block rocks, over its weight.
+
+        Newton's law of the mass centre, up to overturning; of a frame that of columns and cap
+        together.  The impacts, which last no time here, are left out.  None where `uplift_g` is, or
+        if the block never rocks.
+        """
+        across, up = self._largest(lambda x, _: x), self._largest(lambda _, z: z)
+        if across is None or up is None:
+            return None
+        assert isinstance(self.block, Block)
+        return across / self.block.gravity, up / self.block.gravity
+
+    def base_force_kn(self, mass_kg: float) -> tuple[float, float] | None:
+        """Return the largest horizontal and vertical force on the base while the block rocks [kN].
+
+        Parameters
+        ----------
+        mass_kg
+            Mass of the block, or of columns and cap of a frame together [kg].
+
+        Returns
+        -------
+        tuple of float or None
+            `forces_per_weight` times the weight; None if the block never rocks.
+
+        Raises
+        ------
+        InputError
+            If the mass is not positive.
+        ModelError
+            If the block has no size, or the base motion no end or impulses.
+
+        Examples
+        --------
+        >>> from rocksteady import Pulse, simulate
+        >>> block = Block.rectangle(width=0.6, height=1.8)
+        >>> pulse = Pulse.from_si(block, shape="one-sine", acceleration_m_s2=4.0, frequency_hz=1.0)
+        >>> print("{:.1f} and {:.1f} kN".format(*simulate(block, pulse).base_force_kn(1000.0)))
+        3.5 and 10.0 kN
+        """
+        mass = positive("mass_kg", mass_kg, hint="give the mass in kg")
+        block, parts = self._shaken_block, self.forces_per_weight
+        if block is None:
+            raise ModelError(
+                "mass_kg",
+                mass_kg,
+                "the force on the base is that of a Block on a motion that ends",
+                "leave it out, or give a pulse or a record",
+            )
+        if parts is None:
+            return None
+        weight = mass * block.gravity / 1000.0
+        return parts[0] * weight, parts[1] * weight
+
+    @property
+    def _turned(self) -> tuple[Block, list[float]] | None:
+        """The block and its largest rotation about either edge [rad]; None if it falls."""
+        block = self.block
+        if not isinstance(block, Block) or self.overturn_time_pt is not None:
+            return None
+        alphas = block.positive.alpha, block.negative.alpha
+        return block, [p * a for p, a in zip(self.side_peaks, alphas, strict=True)]
+
+    @property
+    def top_displacement_m(self) -> float | None:
+        """Largest motion of the top across the base [m], at the height of the block.
+
+        ``2 h sin|theta| + 2 b (1 - cos theta)``; of a frame the motion of the cap.
+        None without a `Block`, or if it overturns.
+        """
+        if self._turned is None:
+            return None
+        block, angles = self._turned
+        return float(top_displacement(block, angles).max())
+
+    @property
+    def clearances_m(self) -> tuple[float, float] | None:
+        """Gaps that keep the block off neighbours on its left and right [m].
+
+        ``2 h sin|theta|``, of a frame `top_displacement_m`, to neighbours as high that move with
+        the base.
+        None without a `Block`, or if it overturns.
+        """
+        if self._turned is None:
+            return None
+        block, angles = self._turned
+        left, right = overhang(block, angles).tolist()
+        return left, right
+
+    @property
+    def impact_speed_m_s(self) -> float | None:
+        """Largest speed with which an edge strikes the base [m/s]: width times angular velocity.
+
+        None without a `Block`; 0 without impacts.
+        """
+        if not isinstance(self.block, Block):
+            return None
+        fastest = float(np.abs(self._landings.velocity_before).max(initial=0.0))
+        return self.block.width * (self.block.alpha * self.block.p * fastest)
+
+    def _largest(self, measure: Callable[[Floats, Floats], Floats]) -> float | None:
+        """Return the largest value of a measure of both forces while the block rocks."""
         if self._shaken_block is None:
             return None
         count, durations = len(self.rows), self.rows[:, columns.ROW_DURATION].copy()
@@ -307,24 +423,24 @@ class Physical:
         ends = np.cumsum(steps + 1)
         place = np.arange(ends[-1]) - np.repeat(ends - steps - 1, steps + 1)
         step = np.repeat(durations[flying] / steps, steps + 1)
-        ratio = self._force_ratio(row, place * step)
-        best = int(ratio.argmax())
+        values = measure(*self._forces(row, place * step))
+        best = int(values.argmax())
         largest, index, at, width = (
-            float(ratio[best]),
+            float(values[best]),
             row[best],
             place[best] * step[best],
             step[best],
         )
         for _ in range(ROUNDS):
             near = np.clip(np.linspace(at - width, at + width, FINER), 0.0, durations[index])
-            ratio = self._force_ratio(np.full(FINER, index), near)
-            best = int(ratio.argmax())
-            largest, at = max(largest, float(ratio[best])), near[best]
+            values = measure(*self._forces(np.full(FINER, index), near))
+            best = int(values.argmax())
+            largest, at = max(largest, float(values[best])), near[best]
             width *= 2.0 / (FINER - 1)
         return largest
 
-    def _force_ratio(self, row: NDArray[np.int64], since: Floats) -> Floats:
-        """Return horizontal over vertical force at the pivot, at times since the start of rows."""
+    def _forces(self, row: NDArray[np.int64], since: Floats) -> tuple[Floats, Floats]:
+        """Return |horizontal| and vertical force over mass at times since the start of rows."""
         block = self.block
         assert isinstance(block, Block)
         states = np.empty((3, len(row)))
@@ -344,11 +460,9 @@ class Physical:
         across, up = base_motion.accelerations_in(
             self.segments, index, self.flights.pt[row] + since
         )
+        radius = radius * (1.0 if block.cap is None else block.cap.lever)
         # Of the mass centre against the base, towards the side to which the block leans.
         sideways = radius * (cosine * turn + sine * rate * rate)
         upwards = radius * (sine * turn - cosine * rate * rate)
         horizontal = np.abs(sideways - sign * across * block.uplift_acceleration)
-        vertical = block.gravity * (1.0 + up) + upwards
-        with np.errstate(divide="ignore"):
-            ratio: Floats = np.where(vertical > 0.0, horizontal / np.maximum(vertical, 0.0), np.inf)
-        return ratio
+        return horizontal, block.gravity * (1.0 + up) + upwards

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING
 
 from rocksteady.kernels.elementary.arrays import tan
+from rocksteady.model.blocks.caps import Cap
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.sides import Side, same_shape
 from rocksteady.model.checks.arguments import checked
@@ -24,6 +25,7 @@ class Measured(Result):
         gravity: float
         housner_factor: float | None
         wall_restitution: float | None
+        cap: Cap | None
 
     @property
     def alpha(self) -> float:
@@ -130,7 +132,11 @@ def description_of(block: Measured) -> Description:
     noun = "block against a wall" if block.one_sided else "block"
     size = f"{number(width)} x {number(height)} m {noun}"
     lengths = Fact("", label="size", text=f"{length(width)} x {length(height)}")
-    if not _rectangular(positive, width, height, block.gravity):
+    if block.cap is not None:
+        size = f"{block.cap.words} of {number(width)} x {number(height)} m"
+        size += " against a wall" if block.one_sided else ""
+        lengths = Fact("", label="each column", text=f"{length(width)} x {length(height)}")
+    elif not _rectangular(positive, width, height, block.gravity):
         centre = 0.5 * height
         size = f"{number(width)} m wide {noun} with its mass centre at {number(centre)} m"
         lengths = Fact("", label="base", text=f"{length(width)}, mass centre {length(centre)} up")
@@ -143,6 +149,9 @@ def description_of(block: Measured) -> Description:
         Fact("restitution", block.restitution, "restitution", restitutions),
         Fact("", label="uplift at", text=uplifts),
     ]
+    if block.cap is not None:
+        facts += [Fact(key, value) for key, value in block.cap.to_dict().items()]
+        facts.insert(0, Fact("", label="frame", text=block.cap.words.removesuffix(",")))
     if factor is not None:
         facts.append(Fact("housner_factor", factor))
     if block.one_sided:

@@ -13,16 +13,17 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Annotated
 
+from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._measures import Measured
+from rocksteady.model.blocks.caps import Cap, conserving_pair, has_factor
 from rocksteady.model.blocks.examples import constructor_of
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, Restitutions
 from rocksteady.model.blocks.sides import (
     Side,
     check_one_body,
-    has_factor,
-    housner_pair,
     housner_restitution,
+    refuse_no_rocking,
     sides_of_body,
     wall_ratio,
 )
@@ -62,10 +63,12 @@ class Block(Measured):
     ``Block.general(...)``                      any mass distribution, symmetric
     ``Block.asymmetric(left, right, height)``   mass centre nearer to one edge than to the other
     ``Block.from_alphas(positive, negative)``   the same, by the critical angles of both sides
+    ``Block.frame(columns, ...)``               equal rectangular columns under one rigid cap
     ``Block.named(name)``                       one of the literature or of common equipment
     ==========================================  ====================================================
 
-    ``block.against_wall()`` is any of them against a wall, so that it rocks to one side alone.
+    ``block.against_wall()`` is any of them against a wall, so that it rocks to one side alone, and
+    ``block.capped(...)`` a frame of columns of which each is that block.
 
     The positive side is rotation about the left edge, counterclockwise, which a positive base
     acceleration (to the right) drives.  Its alpha and p are the reference of an asymmetric block:
@@ -84,6 +87,9 @@ class Block(Measured):
     wall_restitution
         For a block against a wall (`against_wall`), which rocks on its positive side alone, the
         restitution of its impacts on the wall, in [0, 1]; None (default) of a block without.
+    cap
+        Cap of a rocking frame (`capped`); None (default) of a single block.  Width, height, alpha
+        and radius of a frame are those of one column.
 
     Raises
     ------
@@ -107,6 +113,7 @@ class Block(Measured):
     gravity: Annotated[float, GRAVITY] = STANDARD_GRAVITY
     housner_factor: float | None = field(default=None, compare=False)
     wall_restitution: Annotated[float | None, restitution_of_wall] = None
+    cap: Cap | None = None
 
     def __post_init__(self) -> None:
         """Validate."""
@@ -115,7 +122,7 @@ class Block(Measured):
         if factor is not None:
             Impacts.of(("housner", factor))  # refuses what is none
         sides = self.positive, self.negative, self.gravity
-        if factor is not None and not has_factor(factor, *sides, wall_side):
+        if factor is not None and not has_factor(factor, *sides, wall_side, self.cap):
             object.__setattr__(self, "housner_factor", None)
 
     @property
@@ -124,7 +131,7 @@ class Block(Measured):
         sides = [self.positive, self.negative]
         if self.one_sided:  # no impact on the base alone ends a rotation
             sides = [replace(side, restitution=1.0) for side in sides]
-        return (*sides, self.gravity, self.wall_restitution)
+        return (*sides, self.gravity, self.wall_restitution, self.cap)
 
     def __eq__(self, other: object) -> bool:
         """Return whether the other is a block that moves alike."""
@@ -203,6 +210,57 @@ class Block(Measured):
         if Impacts.of(restitution).factor is not None:
             refuse_stocky(width, height, alpha)
         return cls._symmetric(alpha, 0.5 * hypot(width, height), restitution, gravity)
+
+    @classmethod
+    def frame(
+        cls,
+        *,
+        columns: int,
+        cap_mass_ratio: float,
+        width: float,
+        height: float,
+        restitution: Restitutions = "housner",
+        gravity: float = STANDARD_GRAVITY,
+    ) -> "Block":
+        """Return a rocking frame: equal rectangular columns under one rigid cap.
+
+        It rocks as one column does with ``p^2 = 3 g/(4 R) (1 + 2 gamma)/(1 + 3 gamma)``, gamma the
+        `cap_mass_ratio`; the same acceleration lifts it (Makris and Vassiliou 2013).
+
+        Parameters
+        ----------
+        columns
+            Number of columns, from 1 to 1000.
+        cap_mass_ratio
+            Mass of the cap over that of all columns together, from 0 to 1000.
+        width, height
+            Full dimensions of one column [m].
+        restitution
+            A ratio of angular velocities in (0, 1], or a pair as for `asymmetric`; "housner"
+            (default) for ``(1 - 1.5 sin^2 alpha + 3 gamma cos 2 alpha)/(1 + 3 gamma)``;
+            ("housner", 0.965) for a measured factor of it.
+        gravity
+            Acceleration of gravity [m/s^2].
+
+        Raises
+        ------
+        InputError
+            As for `rectangle`; if `columns` or `cap_mass_ratio` is outside its range.
+
+        References
+        ----------
+        N. Makris and M. F. Vassiliou, Earthquake Eng. Struct. Dyn. 42, 431-449 (2013).
+
+        Examples
+        --------
+        >>> temple = Block.frame(columns=4, cap_mass_ratio=2.0, width=1.6, height=9.6)
+        >>> print(f"{temple.p:.5f} rad/s, restitution {temple.restitution:.5f}")
+        1.03904 rad/s, restitution 0.94788
+        """
+        column = cls.rectangle(width=width, height=height, restitution=1.0, gravity=gravity)
+        return column.capped(
+            columns=columns, cap_mass_ratio=cap_mass_ratio, restitution=restitution
+        )
 
     @classmethod
     def from_radius(
@@ -475,6 +533,47 @@ class Block(Measured):
         side = Side(alpha=angle, radius=radius, p=p, restitution=ratio)
         return cls(positive=side, negative=side, gravity=gravity, housner_factor=impacts.noted)
 
+    def capped(
+        self, *, columns: int, cap_mass_ratio: float, restitution: Restitutions = "housner"
+    ) -> "Block":
+        """Return the rocking frame of which each column is this block.
+
+        The cap stands on the upper corners, at `height`: the column's mass centre is in mid-height.
+
+        Parameters
+        ----------
+        columns, cap_mass_ratio, restitution
+            As for `frame`; the column's own restitution does not count.
+
+        Raises
+        ------
+        InputError
+            If one is outside its range, or columns so stocky do not rock.
+        ModelError
+            If the block is asymmetric, against a wall, or a frame already.
+
+        Examples
+        --------
+        >>> cylinder = Block.named("gas-cylinder")
+        >>> print(f"{cylinder.p:.3f}, {cylinder.capped(columns=3, cap_mass_ratio=0.5).p:.3f}")
+        2.977, 2.665
+        """
+        cap = Cap(columns=columns, cap_mass_ratio=cap_mass_ratio)
+        if not self.symmetric or self.cap is not None:
+            raise ModelError(
+                "block",
+                self,
+                "the columns of a frame are single blocks whose sides are alike",
+                "give such a block, as Block.rectangle(width=..., height=...)",
+            )
+        side = cap.of_column(self.positive, self.gravity)
+        if Impacts.of(restitution).factor is not None:
+            words = f"with columns of alpha {side.alpha:.4g} rad the frame's restitution is"
+            ratio = cap.housner_ratio(side, self.gravity)
+            refuse_no_rocking("cap_mass_ratio", cap_mass_ratio, ratio, words)
+        made = replace(self, positive=side, negative=side, housner_factor=None, cap=cap)
+        return made.with_restitution(restitution)
+
     def against_wall(self, restitution: Restitution = "housner") -> "Block":
         """Return the block against a wall, which it leaves on its positive side alone.
 
@@ -501,6 +600,13 @@ class Block(Measured):
         impacts = Impacts.of(restitution)
         if impacts.factor is None:
             ratio = restitution_of_wall("restitution", impacts.given)
+        elif self.cap is not None:
+            raise InputError(
+                "restitution",
+                "housner",
+                "angular momentum gives none for a frame against a wall",
+                "give the restitution as a number in [0, 1]",
+            )
         else:
             ratio = impacts.times(wall_ratio(self.positive, self.negative, self.gravity))
         return replace(self, wall_restitution=ratio, housner_factor=impacts.noted)
@@ -519,7 +625,7 @@ class Block(Measured):
         if impacts.factor is None:
             first, second = impacts.numbers
         else:
-            values = housner_pair(self.positive, self.negative, self.gravity)
+            values = conserving_pair(self.positive, self.negative, self.gravity, self.cap)
             first, second = map(impacts.times, values)
         positive = replace(self.positive, restitution=first)
         negative = replace(self.negative, restitution=second)

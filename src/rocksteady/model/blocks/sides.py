@@ -323,32 +323,6 @@ def housner_pair(positive: Side, negative: Side, gravity: float) -> tuple[float,
     return impact_ratio(alphas, radii, gyration), impact_ratio(alphas[::-1], radii[::-1], gyration)
 
 
-def has_factor(
-    factor: float, positive: Side, negative: Side, gravity: float, wall: float | None
-) -> bool:
-    """Return whether the restitutions of a block are a factor of Housner's.
-
-    Parameters
-    ----------
-    factor
-        The factor.
-    positive, negative, gravity
-        The block.
-    wall
-        Restitution of the wall that it stands against; None of none.
-    """
-    if wall is None:
-        given = [positive.restitution, negative.restitution]
-        values = [*housner_pair(positive, negative, gravity)]
-    else:
-        try:
-            given, values = [wall], [wall_ratio(positive, negative, gravity)]
-        except InputError:  # so stocky that it has none
-            return False
-    pairs = zip(given, values, strict=True)
-    return all(math.isclose(ratio, factor * value, rel_tol=SAME_BODY) for ratio, value in pairs)
-
-
 def impact_ratio(alphas: tuple[float, ...], radii: tuple[float, ...], gyration: float) -> float:
     """Return the value of `impact_restitution`, positive or not."""
     square = gyration * gyration

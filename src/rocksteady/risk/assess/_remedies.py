@@ -286,8 +286,13 @@ def relative(level: DemandLevel, block: Block) -> float:
 
 
 def find_remedies(search: Search) -> tuple[Remedy, ...]:
-    """Return width, ballast and friction cap in the order of their change."""
-    remedies = [_width(search), _ballast(search), _friction_cap(search.described)]
+    """Return width, ballast and friction cap in the order of their change; a frame has no ballast.
+
+    The cap stands at twice the height of the columns' mass centres, which ballast would move.
+    """
+    remedies = [_width(search), _friction_cap(search.described)]
+    if search.described.body.columns is None:
+        remedies.insert(1, _ballast(search))
     return tuple(
         sorted(remedies, key=lambda each: math.inf if each.change is None else each.change)
     )

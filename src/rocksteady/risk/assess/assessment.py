@@ -44,6 +44,7 @@ from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of,
 from rocksteady.risk.assess.described.schema import Options, own_states
 from rocksteady.risk.ensemble.gates import uplift_of
 from rocksteady.risk.ensemble.levels import Levels
+from rocksteady.risk.ensemble.qualification import most_of_standing, standing_words
 from rocksteady.risk.fits.bands import BandOptions
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve, fit_two_stages
@@ -178,6 +179,19 @@ class Assessment(Result):
             "probability there is that of the curve alone."
         )
 
+    @cached_property
+    def qualification(self) -> dict[str, float | None]:
+        """Top displacement [m] and edge speed [m/s] that 84 % of the runs that stand do not exceed.
+
+        Of the level of its runs nearest to the demand; empty where there are none.
+        """
+        if self.fragility is None or self.verdict == "stands":
+            return {}
+        levels = self.fragility.ensemble["level"].values
+        level = self.level.of(self.fragility.measure, self.facts.block)
+        nearest = int(np.abs(np.log(levels / level)).argmin())
+        return most_of_standing(self.fragility.ensemble.isel(level=nearest).load())
+
     @property
     def meets_target(self) -> bool:
         """Whether the object stands, or is below the target."""
@@ -275,6 +289,9 @@ class Assessment(Result):
                 Fact("records", self.fragility.records, "records"),
                 Fact("runs", self.fragility.runs, "runs"),
             ]
+        words = standing_words(self.qualification) if self.qualification else ""
+        shown = ("top moves", words) if words else ("", "")
+        facts.append(Fact("qualification", self.qualification or None, *shown))
         return [*facts, Fact("seconds", self.seconds)]
 
     def _warnings(self) -> list[str]:

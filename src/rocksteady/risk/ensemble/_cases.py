@@ -14,6 +14,7 @@ from rocksteady.model.equations import Model
 from rocksteady.outcomes import Status
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.spectra.batch import (
+    OUTPUTS,
     GroundShaking,
     give_restitutions,
     keys_of,
@@ -118,7 +119,8 @@ def fates(
     symmetric = np.array([each.block.symmetric for each in bodies])[body]
     runs = np.array([mirrored_from in (None, each.direction) for each in ways])[way] | ~symmetric
     status = np.full(len(motion), int(Status.UNDECIDED))
-    peaks, impacts = np.full(len(motion), np.nan), np.zeros(len(motion), dtype=np.int64)
+    peaks, speeds = np.full((2, len(motion)), np.nan)
+    impacts = np.zeros(len(motion), dtype=np.int64)
     ends = shaken_fates(
         [each.shaking for each in ways],
         ground=way[runs],
@@ -127,7 +129,10 @@ def fates(
         gravity=np.array([each.block.gravity for each in bodies])[body][runs],
     )
     status[runs], peaks[runs], impacts[runs] = ends.status, ends.peak_angle, ends.impacts
-    return {"status": status, "peak_angle": peaks, "impacts": impacts}
+    speeds[runs] = ends.peak_velocity
+    return dict(
+        zip((output.name for output in OUTPUTS), (status, peaks, speeds, impacts), strict=True)
+    )
 
 
 def whole(
@@ -155,7 +160,7 @@ def whole(
     index = np.array([[source(*cell, mirror=bool(same)) for cell in cells] for same in symmetric])
     shape = (len(bodies), len(records), len(directions), len(lifts))
     columns = {}
-    for name in ("status", "peak_angle", "impacts"):
+    for name in (output.name for output in OUTPUTS):
         values = swept[name].transpose("block", "motion", "draw", "level").values
         picked = values[np.arange(len(bodies))[:, np.newaxis], index]
         columns[name] = picked.reshape(*shape, *values.shape[2:])

@@ -4,8 +4,9 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.outcomes import Status
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.description import Column, Description, Fact, Table, shown
+from rocksteady.results.numbers import length, number, plural
+from rocksteady.risk.ensemble.qualification import SHARE, most_of_standing
 
 if TYPE_CHECKING:
     import xarray
@@ -37,6 +38,8 @@ def describe(dataset: "xarray.Dataset") -> Description:
             Column(name, words, lambda part: f"{part:.1%}")
             for name, words in (("uplift", "lift"), ("overturned", "fall"))
         ),
+        Column("top_displacement_m", f"top, {SHARE:.0%}", _moved),
+        Column("edge_speed_m_s", f"edge, {SHARE:.0%} [m/s]"),
     ]
     signs = " and ".join(map(str, dataset["direction"].values))
     return Description(
@@ -67,6 +70,11 @@ def describe(dataset: "xarray.Dataset") -> Description:
     )
 
 
+def _moved(top: float | None) -> str:
+    """Return how far a top moves, as a cell."""
+    return shown(top) if top is None else length(top)
+
+
 def _row(stripe: "xarray.Dataset") -> dict[str, Any]:
     """Return the shares of a level."""
     status = stripe["status"].values
@@ -75,4 +83,5 @@ def _row(stripe: "xarray.Dataset") -> dict[str, Any]:
         "runs": int(status.size),
         "uplift": float((stripe["peak_angle"].values > 0.0).mean()),
         "overturned": float((status == Status.OVERTURNED).mean()),
+        **most_of_standing(stripe),
     }

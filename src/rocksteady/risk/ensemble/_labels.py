@@ -12,6 +12,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import number
+from rocksteady.risk.ensemble import qualification
 from rocksteady.risk.ensemble.levels import Levels, measured
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.measures.free_sides import side_coordinates
@@ -54,6 +55,7 @@ def labelled(
 
     bodies, records, names = things
     words = {output.name: output.attributes for output in OUTPUTS}
+    words |= {name: dict(attributes) for name, attributes in qualification.OUTPUTS.items()}
     words["uplift_time_s"] = {"units": "s", "long_name": "time of the first uplift"}
     ratios = np.stack([band.ratios(block) for block in bodies])
     intensity = levels.intensity

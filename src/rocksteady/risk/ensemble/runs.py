@@ -16,6 +16,7 @@ from rocksteady.risk.ensemble._cases import Body, fates, ways_to_run, whole
 from rocksteady.risk.ensemble._labels import labelled, warnings_of
 from rocksteady.risk.ensemble._uplift import uplift_times
 from rocksteady.risk.ensemble.levels import Levels
+from rocksteady.risk.ensemble.qualification import qualification_of
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel
 from rocksteady.seismic.spectra.grounds import check_grounds, extremes_of, grounds_of, names_of
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
     import xarray
 
 VERTICAL = ("without", "with")
-KEPT = tuple(output for output in OUTPUTS if output.name != "peak_velocity")
 
 
 @checked
@@ -75,10 +75,12 @@ def run_ensemble(
     Returns
     -------
     xarray.Dataset
-        ``status`` (with flags), ``peak_angle`` (|theta|/alpha), ``impacts`` and ``uplift_time_s``
-        (nan without uplift), over ``block``, ``record``, ``direction``, ``vertical``, ``draw`` and
-        ``level``.  Coordinates are ``scale``, the factor of the accelerations, ``restitution``,
-        ``alpha`` and ``p``, and ``im_NAME`` for each measure of the records as they are.
+        ``status`` (with flags), ``peak_angle`` (|theta|/alpha), ``impacts``, ``top_displacement_m``
+        (as of a `Trajectory`, nan of a fall), ``edge_speed_m_s`` (of the lifted lower edge, up to a
+        fall) and ``uplift_time_s`` (nan without uplift), over ``block``, ``record``, ``direction``,
+        ``vertical``, ``draw`` and ``level``.  Coordinates are ``scale``, the factor of the
+        accelerations, ``restitution``, ``alpha`` and ``p``, and ``im_NAME`` for each measure of the
+        records as they are.
 
     Raises
     ------
@@ -145,12 +147,14 @@ def run_ensemble(
             model=equations,
         ),
         Grid(axes=axes),
-        KEPT,
+        OUTPUTS,
         run=run,
         numbered="cell",
         attributes={"model": equations.name, "measure": wanted.key},
     )
     arrays = whole(swept, ways, bodies, directions, lifts)
+    speeds = arrays.pop("peak_velocity")
+    arrays |= qualification_of(bodies, arrays["peak_angle"], speeds, arrays["status"])
     times = uplift_times(
         bodies, grounds, scale, directions, lifts, linear=isinstance(equations, Linear)
     )

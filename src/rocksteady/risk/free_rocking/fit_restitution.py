@@ -11,7 +11,7 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.overturning.free_rocking import free_rocking_period
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.sides import housner_pair
+from rocksteady.model.blocks.caps import conserving_pair
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.results.numbers import number, plural
@@ -123,7 +123,7 @@ def fit_restitution(
     equations = Nonlinear() if model is None else chosen_model(model, block)
     rows, left_out = _rows(releases, block, equations)
     given = all(release.sigma_rad is not None for release in releases)
-    pair = housner_pair(block.positive, block.negative, block.gravity)
+    pair = conserving_pair(block.positive, block.negative, block.gravity, block.cap)
     sound = min(pair) > 0.0
     base = pair if sound else (1.0, 1.0)
     single = [row for row in rows if row.impacts == 1.0]

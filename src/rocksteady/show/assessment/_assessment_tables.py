@@ -8,6 +8,7 @@ from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.results.numbers import angle, chance, interval, length, number, quantity
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.assess.demand_in_units import PEAKS, unit_of
+from rocksteady.risk.ensemble.qualification import standing_words
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
@@ -59,6 +60,8 @@ def answer_rows(assessment: Assessment) -> list[dict[str, str]]:
         rows.append(_row("Median, half fall at", *_median_words(assessment)))
     rows.append(_row("Lifts at", f"{quantity(assessment.facts.uplift_pga_g, 'g')} of PGA"))
     rows.append(_row("Friction", *_friction_words(assessment)))
+    if assessment.qualification and (words := standing_words(assessment.qualification)):
+        rows.append(_row("Top moves", words))
     rows += [_row("Least remedy", *_remedy_words(assessment))] if assessment.fragility else []
     return rows
 

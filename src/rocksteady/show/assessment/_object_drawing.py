@@ -44,7 +44,10 @@ def draw_object(described: DescribedObject) -> "Figure":
         figure = Figure(figsize=(WIDTH, min(TALLEST, max(LOWEST, 0.9 * WIDTH * up / across))))
         axes = figure.add_subplot()
         inks = inks_of(axes)
-        _draw_body(axes, factor * width, factor * height, known=known)
+        words = "" if known else "outline not given"
+        if block.cap is not None:
+            words = f"each of {block.cap.columns} columns under a cap"
+        _draw_body(axes, factor * width, factor * height, known=known, words=words)
         _draw_ground(axes, factor * (0.5 * width + margin), factor * size)
         half = 0.5 * factor * (left + right)
         x, y = factor * centre[0], factor * centre[1]
@@ -83,8 +86,8 @@ def _outline(described: DescribedObject, base: float, high: float) -> tuple[floa
     return width, height, True
 
 
-def _draw_body(axes: "Axes", width: float, height: float, *, known: bool) -> None:
-    """Draw the outline."""
+def _draw_body(axes: "Axes", width: float, height: float, *, known: bool, words: str) -> None:
+    """Draw the outline, with words above it."""
     from matplotlib.patches import Rectangle
 
     inks = inks_of(axes)
@@ -94,9 +97,9 @@ def _draw_body(axes: "Axes", width: float, height: float, *, known: bool) -> Non
             edgecolor=inks.ink, lw=1.1, ls="-" if known else DOTTED, zorder=2.0,
         )
     )  # fmt: skip
-    if not known:
+    if words:
         axes.annotate(
-            "outline not given", (0.0, height), (0.0, 3.0), textcoords="offset points",
+            words, (0.0, height), (0.0, 3.0), textcoords="offset points",
             ha="center", va="bottom", fontsize=SMALL, color=inks.quiet,
         )  # fmt: skip
 

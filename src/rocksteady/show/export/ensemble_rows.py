@@ -26,6 +26,8 @@ HEAD = (
     "status",
     "peak_angle",
     "impacts",
+    "top_displacement_m",
+    "edge_speed_m_s",
     "uplift_time_s",
 )
 
@@ -45,8 +47,9 @@ def write_runs_csv(path: Path | str, ensemble: "xarray.Dataset") -> Path:
     -------
     Path
         The file. Its columns are the block (from 1), record, direction, vertical component, level,
-        scale of the record, restitution, status, largest theta/alpha, impacts, and time of
-        uplift [s], empty without one. Floats are written so that reading gives the same number. A
+        scale of the record, restitution, status, largest theta/alpha, impacts, largest motion of
+        the top [m], empty of a fall, largest speed of the lifted edge [m/s], and time of uplift
+        [s], empty without one. Floats are written so that reading gives the same number. A
         name that a spreadsheet would run as a formula has an apostrophe before it.
 
     Raises
@@ -66,8 +69,9 @@ def write_runs_csv(path: Path | str, ensemble: "xarray.Dataset") -> Path:
     >>> levels = Levels("pga_g", [0.2], beside=())
     >>> runs = run_ensemble(cabinet, shock, levels=levels, restitution=RestitutionBand(draws=1))
     >>> with TemporaryDirectory() as folder:
-    ...     print(write_runs_csv(f"{folder}/results.csv", runs).read_text().splitlines()[0])
-    block,record,direction,vertical,level,scale,restitution,status,peak_angle,impacts,uplift_time_s
+    ...     head = write_runs_csv(f"{folder}/results.csv", runs).read_text().splitlines()[0]
+    >>> head.split(",")[-4:]
+    ['impacts', 'top_displacement_m', 'edge_speed_m_s', 'uplift_time_s']
     """
     file = Path(path)
     if ensemble.attrs.get("kind") != "rocking ensemble" or "status" not in ensemble:
@@ -95,13 +99,9 @@ def _rows(ensemble: "xarray.Dataset") -> Iterator[tuple[object, ...]]:
         ratios = ensemble["restitution"].values[block].tolist()
         for record, name in enumerate(names["record"]):
             part = ensemble.isel(block=block, record=record).transpose(*DIMENSIONS[2:])
-            status, peak, impacts, lifted = (
-                part[key].values.tolist()
-                for key in ("status", "peak_angle", "impacts", "uplift_time_s")
-            )
+            status, *results = (part[key].values.tolist() for key in HEAD[HEAD.index("status") :])
             scale = part["scale"].values.tolist()
             for d, v, r, k in np.ndindex(part["status"].shape):
-                time = lifted[d][v][r][k]
                 yield (
                     number,
                     name,
@@ -111,7 +111,5 @@ def _rows(ensemble: "xarray.Dataset") -> Iterator[tuple[object, ...]]:
                     scale[k],
                     ratios[r],
                     words.get(status[d][v][r][k], status[d][v][r][k]),
-                    peak[d][v][r][k],
-                    impacts[d][v][r][k],
-                    "" if math.isnan(time) else time,
+                    *("" if math.isnan(each[d][v][r][k]) else each[d][v][r][k] for each in results),
                 )

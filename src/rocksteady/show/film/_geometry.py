@@ -15,6 +15,10 @@ from rocksteady.model.checks.validation import in_range
 
 ALPHA = 0.2
 """Slenderness [rad] of the rectangle that stands for a dimensionless block."""
+MOST_COLUMNS = 5
+"""Of a frame that are drawn: of more the first ones."""
+SPACING, CAP = 2.2, 0.5
+"""From column to column, and depth of the cap, in their widths: of the drawing alone."""
 LYING = 0.5 * math.pi
 """|theta| at which a block lies on its side; it is not drawn further down."""
 
@@ -35,6 +39,8 @@ class Shape:
         Height of the rectangle: twice that of the mass centre.
     travel
         Length of alpha g/p^2, the unit of the ground's displacement.
+    columns
+        Of a frame that are drawn under its cap; 0 of a single block.
     unit
         ``"m"`` or ``"radius"``, the end of the names of the axis labels.
     """
@@ -46,6 +52,21 @@ class Shape:
     height: float
     travel: float
     unit: str
+    columns: int = 0
+
+    @property
+    def places(self) -> Floats:
+        """Where the middles of the columns stand that are drawn; x is 0 midway."""
+        count = max(self.columns, 1)
+        width = 2.0 * self.half_width
+        return np.asarray(SPACING * width * (np.arange(count) - 0.5 * (count - 1)))
+
+    @property
+    def cap(self) -> Floats:
+        """Lower left and upper right corner of the cap, shape (2, 2), empty of a single block."""
+        end, depth = self.places[-1] + self.half_width, CAP * 2.0 * self.half_width
+        ends: Floats = np.array([[-end, self.height], [end, self.height + depth]])
+        return ends if self.columns else ends[:0]
 
     @property
     def half_width(self) -> float:
@@ -136,4 +157,5 @@ def shape_of_block(block: Block | DimensionlessBlock, alpha: float | None = None
         height=block.height,
         travel=block.uplift_acceleration / block.p**2,
         unit="m",
+        columns=0 if block.cap is None else min(block.cap.columns, MOST_COLUMNS),
     )

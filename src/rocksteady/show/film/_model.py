@@ -51,7 +51,7 @@ def math_of(symbols: str) -> str:
     >>> print(math_of("α₊, α₋"))
     $\alpha_+,\;\alpha_-$
     """
-    letters = {"α": r"\alpha", "δ": r"\delta", "₊": "_+", "₋": "_-", ", ": r",\;"}
+    letters = {"α": r"\alpha", "γ": r"\gamma", "δ": r"\delta", "₊": "_+", "₋": "_-", ", ": r",\;"}
     for letter, mathematics in letters.items():
         symbols = symbols.replace(letter, mathematics)
     return f"${symbols}$"
@@ -254,6 +254,9 @@ class _Drawing:
                 rows.append(self._row("α₋/α₊", [block.alpha_ratio]))
             if block.p_ratio != 1.0:
                 rows.append(self._row("p₋/p₊", [block.p_ratio]))
+        if isinstance(block, Block) and block.cap is not None:  # what is drawn is one column
+            rows.append(self._row("N", [block.cap.columns], " columns"))
+            rows.append(self._row("γ", [block.cap.cap_mass_ratio], " of their mass, the cap"))
         if block.one_sided:
             rows.append(self._row("e", [block.restitution]))
         else:

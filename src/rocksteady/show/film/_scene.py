@@ -123,13 +123,15 @@ class BlockScene:
         low, high = float(ground.min()), float(ground.max())
         self.travelled = high - low
         still = high - low <= 2.0 * FAR * radius
-        self.margin = self.shape.half_width + MARGIN * radius
+        aside = float(self.shape.places[-1])
+        self.margin = aside + self.shape.half_width + MARGIN * radius
         # A block that lies has ground beneath it.
-        self.wide = max(float(np.abs(corners[..., 0]).max()) + 0.15 * radius, self.margin)
+        self.wide = max(aside + float(np.abs(corners[..., 0]).max()) + 0.15 * radius, self.margin)
         reach = max(self.wide, self.margin + 0.15 * radius)
         reach += 0.5 * (high - low) if still else 0.0
         floor = -(THICKNESS + 0.02) * radius
-        top = max(float(corners[..., 1].max()), self.shape.height) + 0.06 * radius
+        above = float(np.ptp(self.shape.cap[:, 1])) if self.shape.columns else 0.0
+        top = max(float(corners[..., 1].max()), self.shape.height) + above + 0.06 * radius
         box = axes.get_window_extent()
         figure = figure_of(axes)
         # Two lines of text stand above the block, wherever it goes.
@@ -171,9 +173,11 @@ class BlockScene:
         axes, shape = self.axes, self.shape
         r, b, h = shape.radius, shape.half_width, shape.height
         wide = self.wide if self.camera == "fixed" else 3.0 * self.half
-        self._shift, self._turn = Affine2D(), Affine2D()
+        self._shift, self._turn, self._raise = Affine2D(), Affine2D(), Affine2D()
         ground = self._shift + axes.transData
-        block = self._turn + ground
+        # All columns of a frame turn alike; pivots and mass centre are marked on the first.
+        home, *others = [Affine2D().translate(x, 0.0) + ground for x in shape.places]
+        block = self._turn + home
         deep = THICKNESS * r
         # Where the mass centre is above the edge that it turns about, |theta| = alpha.
         for side, across in ((1, shape.left), (-1, shape.right)):
@@ -185,7 +189,7 @@ class BlockScene:
                     color=self.inks.limit,
                     lw=0.9,
                     ls=DASHED,
-                    transform=ground,
+                    transform=home,
                     zorder=3.6,
                 )
         axes.add_patch(
@@ -207,7 +211,9 @@ class BlockScene:
         self._draw_edge(surface, hatching, ground)
         corners = [(-b, 0.0), (b, 0.0), (b, h), (-b, h)]
         look: dict[str, Any] = {"closed": True, "transform": block, "joinstyle": "round"}
-        self.body = Polygon(corners, edgecolor=self.inks.ink, lw=1.2, zorder=3.0, **look)
+        line: dict[str, Any] = {"edgecolor": self.inks.ink, "lw": 1.2, "zorder": 3.0}
+        self.body = Polygon(corners, **line, **look)
+        self.bodies = [self.body]
         # A pattern has the colour of its outline, so that it is a patch of its own.
         self.pattern = Polygon(
             corners,
@@ -218,7 +224,17 @@ class BlockScene:
             zorder=3.1,
             **look,
         )
-        for patch in (self.body, self.pattern):
+        for place in others:
+            look["transform"] = self._turn + place
+            self.bodies.append(
+                Polygon(corners, edgecolor=self.inks.ink, lw=1.2, zorder=3.0, **look)
+            )
+        if shape.columns:
+            (left, low), (right, high) = shape.cap.tolist()
+            cap = [(left, low), (right, low), (right, high), (left, high)]
+            look["transform"] = self._raise + ground
+            self.bodies.append(Polygon(cap, **line, **look))
+        for patch in (*self.bodies, self.pattern):
             axes.add_patch(patch)
         (self.lever,) = axes.plot([], [], lw=0.8, transform=block, zorder=3.5)
         (self.mass,) = axes.plot(
@@ -241,7 +257,7 @@ class BlockScene:
             mec=self.inks.paper,
             mew=0.6,
             ls="none",
-            transform=ground,
+            transform=home,
             zorder=4.0,
         )
         self.rings = {
@@ -253,7 +269,7 @@ class BlockScene:
                 mec=self.inks.impact,
                 ls="none",
                 visible=False,
-                transform=ground,
+                transform=home,
                 zorder=5.0,
             )[0]
             for side in (-1, 1)
@@ -352,10 +368,14 @@ class BlockScene:
         if self.camera == "following":
             self.axes.set_xlim(ground - self.half, ground + self.half)
         self._turn.clear().rotate_around(-b if side > 0 else b, 0.0, theta)
+        # The cap stands on the upper corners opposite to the pivots.
+        upper = (b if theta > 0.0 else -b), h
+        self._raise.clear().translate(*(self._turn.transform(upper) - upper))
         over = self.trajectory.overturn_time_pt
         fallen = over is not None and s >= over
         state = "falls" if fallen else "rocks" if side else "rest"
-        self.body.set_facecolor(getattr(self.inks, state))
+        for body in self.bodies:
+            body.set_facecolor(getattr(self.inks, state))
         self.pattern.set_visible(fallen)
         line = {"falls": self.inks.on_falls, "rocks": self.inks.on_rocks}.get(state, self.inks.ink)
         self.lever.set_color(line)

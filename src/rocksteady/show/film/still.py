@@ -46,7 +46,8 @@ def plot_block(
 
     A `rocksteady.Block` is drawn in metres, as the rectangle that it is (or that has its pivots and
     its mass centre); a dimensionless one in units of R, as a homogeneous rectangle.  Beyond
-    |theta| = pi/2 the block is drawn lying on its side.
+    |theta| = pi/2 the block is drawn lying on its side.  A frame has up to five columns under its
+    cap, spaced for the drawing; alone, it is drawn as one column.
 
     Parameters
     ----------

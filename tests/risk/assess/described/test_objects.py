@@ -101,7 +101,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"geometry": SIZES}, "desk.toml: name is missing"),
     ({"name": "x", "geometry": {}}, "[geometry] has no size"),
     ({"geometry": {"width_mm": 320, "height_m": 1.8}}, "[geometry] width_mm is unknown"),
-    ({"geometry": {"width_mm": 320, "height_m": 1.8}}, "alpha_deg, p_rad_s; did you mean w"),
+    ({"geometry": {"width_mm": 320, "height_m": 1.8}}, "columns, cap_mass_ratio; did you mean w"),
     ({"width_m": 0.3}, "desk.toml: width_m is unknown"),
     ({"width_m": 0.3}, "it belongs to [geometry]"),
     ({"zzzz": 0.3}, "; remove it"),

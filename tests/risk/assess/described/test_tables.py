@@ -109,3 +109,29 @@ def test_a_wall_behind_an_object_is_yes_or_no(tmp_path: Path) -> None:
     assert free.block == other.block == Block.rectangle(width=0.3, height=1.8)
     with pytest.raises(RocksteadyError, match=r"line 2, against_wall = 'maybe' .*yes or no"):
         read_objects(written(tmp_path, text.replace("yes", "maybe")))
+
+
+def test_rows_may_be_frames_of_columns(tmp_path: Path) -> None:
+    """The other cells describe one column; both cells of a frame are needed, and whole columns."""
+    head = "name,width_m,height_m,columns,cap_mass_ratio,mass_kg\n"
+    temple, vase = read_objects(
+        written(tmp_path, f"{head}temple,1.6,9.6,4,2,900\nvase,0.12,0.5,,,\n")
+    )
+    assert temple.block == Block.frame(columns=4, cap_mass_ratio=2.0, width=1.6, height=9.6)
+    assert vase.block.cap is None
+    for cells, words in (
+        ("4,", r"cap_mass_ratio is missing: a frame has columns and cap_mass_ratio; add it"),
+        (",2", r"columns is missing: a frame has columns and cap_mass_ratio; add it"),
+        ("2.5,2", r"columns = 2.5 is not valid: it must be a whole number"),
+        ("0,2", r"columns = 0 is not valid: it must be a whole number from 1 to 1000"),
+        ("4,-1", r"cap_mass_ratio = -1.0 is not valid: it must lie in \[0, 1000\]"),
+    ):
+        with pytest.raises(RocksteadyError, match=words):
+            read_objects(written(tmp_path, f"{head}temple,1.6,9.6,{cells},\n"))
+    for column in ("offset_m", "base_width_m", "mass_centre_height_m"):
+        text = f"name,width_m,height_m,columns,cap_mass_ratio,{column}\ntemple,1.6,9.6,4,2,0.1\n"
+        with pytest.raises(RocksteadyError, match=f"{column} does not go with width_m"):
+            read_objects(written(tmp_path, text))
+    text = f"{head[:-1]},content_mass_kg,content_mass_centre_height_m\nx,1.6,9.6,4,2,9,5,1\n"
+    with pytest.raises(RocksteadyError, match="a frame carries its cap alone; leave"):
+        read_objects(written(tmp_path, text))

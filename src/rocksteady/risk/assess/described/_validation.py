@@ -31,6 +31,7 @@ BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
     "alpha_rad": (0.0, 0.5 * math.pi, "()", "give the angle in radians; alpha_deg takes degrees"),
     "alpha_deg": (0.0, 90.0, "()", "give the angle in degrees; alpha_rad takes radians"),
     "p_rad_s": (0.3, 100.0, "[]", "give the frequency parameter sqrt(M g R / I_0) in rad/s"),
+    "cap_mass_ratio": (0.0, 1000.0, "[]", "give the mass of the cap over that of all columns"),
     "friction": (0.0, 3.0, "(]", "give the coefficient of friction, as 0.4"),
     "restitution": (0.0, 1.0, "(]", "give a ratio of angular velocities, or a form of 'housner'"),
     "gravity_m_s2": (0.1, 100.0, "[]", "leave it out for 9.80665 m/s^2"),
@@ -47,6 +48,7 @@ BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
 
 WHOLE: Mapping[str, tuple[int, int, str]] = {
     "floor": (0, 1000, "give the number of its floor, 0 for the ground, or the name of a room"),
+    "columns": (1, 1000, "give the number of equal columns of a frame, as 4"),
     "draws": (1, 1000, "give the number of restitutions, as 5"),
     "levels": (2, 1000, "give the number of levels of intensity, as 20"),
     "replicates": (0, 100_000, "give the number of suites of the bands, as 1000; 0 for no bands"),

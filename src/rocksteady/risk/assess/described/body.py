@@ -14,12 +14,15 @@ from rocksteady.risk.observations.files.toml_tables import named
 Choose = Callable[[str, Value], float]
 """Returns the number to compute with, of a key ("content.mass_kg") and its value."""
 
+FRAME = ("columns", "cap_mass_ratio")
+"""Keys of a frame, of which the others describe one column, a body with its mass in mid-height."""
 FORMS: Mapping[str, tuple[str, ...]] = {
     "width_m and height_m": ("width_m", "height_m", "base_width_m", "offset_m",
-                             "mass_centre_height_m", "gyration_m", "inertia_kg_m2", "mass_kg"),
+                             "mass_centre_height_m", "gyration_m", "inertia_kg_m2", "mass_kg",
+                             *FRAME),
     "left_m, right_m and mass_centre_height_m": ("left_m", "right_m", "mass_centre_height_m",
                                                  "gyration_m", "inertia_kg_m2", "mass_kg"),
-    "alpha_rad or alpha_deg, and p_rad_s": ("alpha_rad", "alpha_deg", "p_rad_s"),
+    "alpha_rad or alpha_deg, and p_rad_s": ("alpha_rad", "alpha_deg", "p_rad_s", *FRAME),
 }  # fmt: skip
 """The three ways to give a geometry, each with all keys that go with it."""
 
@@ -40,6 +43,9 @@ class Body:
         Mass [kg]; None where the file does not give it.
     rectangle
         Width and height [m] where it is a homogeneous rectangle on its full width.
+    columns, cap_mass_ratio
+        Of a frame of which each column is this body: their number, and the mass of the cap over
+        that of all; None of a single body.
     """
 
     left: float
@@ -48,9 +54,16 @@ class Body:
     gyration: float
     mass_kg: float | None = None
     rectangle: tuple[float, float] | None = None
+    columns: int | None = None
+    cap_mass_ratio: float = 0.0
 
     def block(self, restitution: Restitution, gravity: float) -> Block:
-        """Return the block."""
+        """Return the block, or the frame."""
+        if self.columns is not None:
+            column = replace(self, columns=None).block(1.0, gravity)
+            return column.capped(
+                columns=self.columns, cap_mass_ratio=self.cap_mass_ratio, restitution=restitution
+            )
         if self.rectangle is not None:
             width, height = self.rectangle
             return Block.rectangle(
@@ -126,6 +139,16 @@ def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
         body = _of_slenderness(numbers, given.gravity_m_s2)
     else:
         body = _of_sizes(numbers, source) if form == 0 else _of_edges(numbers, source)
+    if shape.columns is not None:
+        ratio = numbers["cap_mass_ratio"]
+        body = replace(body, columns=shape.columns, cap_mass_ratio=ratio)
+        if given.content is not None:
+            raise ModelError(
+                named(source, "geometry", "columns"),
+                Words("stands beside [content]"),
+                "a frame carries its cap alone",
+                "leave [content] out, or add it to cap_mass_ratio",
+            )
     if given.content is None:
         return body
     if body.mass_kg is None:
@@ -161,7 +184,9 @@ def _form(shape: Geometry, source: str) -> int:
             f"leave {keys[0]} or {keys[1]} out",
         )
     (form,) = places
-    fits = FORMS[list(FORMS)[form]]
+    framed = bool(set(FRAME) & set(given))
+    moved = ("base_width_m", "offset_m", "mass_centre_height_m") if framed else ()
+    fits = [key for key in FORMS[list(FORMS)[form]] if key not in moved]
     for key in given:
         if key not in fits:
             raise ModelError(
@@ -175,12 +200,15 @@ def _form(shape: Geometry, source: str) -> int:
         needed = [("left_m",), ("right_m",), ("mass_centre_height_m",)]
     elif form == 2:
         needed = [("alpha_rad", "alpha_deg"), ("p_rad_s",)]
+    needed += [(key,) for key in FRAME if framed]
     for choice in needed:
         if not set(choice) & set(given):
             raise ModelError(
                 f"{table} {' or '.join(choice)}",
                 Words("is missing"),
-                f"a geometry is one of: {ways}",
+                f"a frame has {' and '.join(FRAME)}"
+                if choice[0] in FRAME
+                else f"a geometry is one of: {ways}",
                 "add it",
             )
     for first, second in (("gyration_m", "inertia_kg_m2"), ("alpha_rad", "alpha_deg")):

@@ -111,7 +111,8 @@ class DescribedObject(Result):
     ...
     rocksteady.errors.InputError: object: [geometry] width_mm is unknown: the keys of [geometry] \
 are width_m, height_m, base_width_m, offset_m, left_m, right_m, mass_centre_height_m, gyration_m, \
-inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
+inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s, columns, cap_mass_ratio; \
+did you mean width_m?
     """
 
     values: Mapping[str, object]

@@ -40,6 +40,8 @@ class Geometry(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     alpha_rad: Value | None = None
     alpha_deg: Value | None = None
     p_rad_s: Value | None = None
+    columns: int | None = None
+    cap_mass_ratio: Value | None = None
 
 
 class Content(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

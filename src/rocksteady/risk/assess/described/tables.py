@@ -118,4 +118,6 @@ def _value(column: str, cell: str, name: str) -> object:
             name, cell, "it must be a number, or a range as 0.3:0.5", f"{comma}, or the cell empty"
         )
     numbers, sign = parts
+    if column == "columns" and sign == "" and numbers[0].is_integer():
+        return int(numbers[0])
     return numbers[0] if sign == "" else {"low": numbers[0], "high": numbers[1]}
