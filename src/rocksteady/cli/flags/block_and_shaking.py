@@ -252,8 +252,8 @@ class BlockFlags:
     )
     columns: int | None = options.block_flag(
         "--columns N",
-        "Make a rocking frame of so many equal columns, each the block that is described, with "
-        "--cap-mass-ratio; --restitution is then that of the frame.",
+        "Set the number of equal columns of a rocking frame, each the block that is described, "
+        "with --cap-mass-ratio; --restitution is then that of the frame.",
     )
     cap_mass_ratio: float | None = options.block_flag(
         "--cap-mass-ratio GAMMA",

@@ -40,7 +40,7 @@ class Shape:
     travel
         Length of alpha g/p^2, the unit of the ground's displacement.
     columns
-        Of a frame that are drawn under its cap; 0 of a single block.
+        Number of columns that are drawn under the cap of a frame; 0 of a single block.
     unit
         ``"m"`` or ``"radius"``, the end of the names of the axis labels.
     """

@@ -44,8 +44,8 @@ class Body:
     rectangle
         Width and height [m] where it is a homogeneous rectangle on its full width.
     columns, cap_mass_ratio
-        Of a frame of which each column is this body: their number, and the mass of the cap over
-        that of all; None of a single body.
+        Number of columns of a frame, each of which is this body, and mass of the cap over that of
+        all of them; None of a single body.
     """
 
     left: float
