@@ -1,8 +1,8 @@
 """Pictures of rocking frames: columns that turn alike, and a cap on their upper corners."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from rocksteady import Block, Pulse, simulate
 from rocksteady.model.blocks.tops import top_displacement
@@ -18,7 +18,7 @@ def test_the_cap_stands_on_the_highest_corner_of_every_column(time: float) -> No
     """At rest on both, leaning to the left on the right one, and the reverse."""
     frame = Block.frame(columns=3, cap_mass_ratio=1.0, **SIZES)
     pulse = Pulse.from_si(frame, shape="one-sine", acceleration_m_s2=2.4, frequency_hz=0.5)
-    axes = plt.figure().add_subplot()
+    axes = Figure().add_subplot()
     scene = BlockScene(axes, simulate(frame, pulse), np.linspace(0.0, 3.0, 20))
     scene.show(time)
     *columns, cap = [
@@ -44,5 +44,6 @@ def test_few_columns_of_many_are_drawn_and_the_model_names_them() -> None:
     single = shape_of_block(Block.rectangle(**SIZES))
     assert single.places.tolist() == [0.0]
     assert single.cap.size == 0
-    texts = {text.get_text() for text in plot_block(many).texts}
+    axes = plot_block(many, Figure().add_subplot())
+    texts = {text.get_text() for text in axes.texts}
     assert {"$N$", "40 columns", "$\\gamma$", "0.5 of their mass, the cap"} <= texts
