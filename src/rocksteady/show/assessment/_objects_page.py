@@ -44,8 +44,8 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         {
             "name": row["name"],
             "badge": badge(*BADGES[row["colour"]]),
-            "probability": chance(row["probability"], row["tried"] * (row["basis"] == "count"))
-            + interval((row["band_low"], row["band_high"]), CONFIDENCE),
+            "probability": chance(row["probability"], row["tried"] * (row["basis"] == "count")),
+            "band": interval((row["band_low"], row["band_high"]), CONFIDENCE).strip(" ()"),
             "uplift": number(row["uplift_pga_g"]),
             "friction": NOTHING
             if row["friction_needed"] is None

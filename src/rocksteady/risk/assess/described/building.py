@@ -15,7 +15,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import DAMPING, LARGEST_SUM, SHAPE, Floor
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.record import Record
-from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.risk.assess.described.objects import GROUND, DescribedObject
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import TomlTables, named
 from rocksteady.seismic.measures.scalar import compute_measure
@@ -24,8 +24,6 @@ HINT = "name a file of buildings in TOML"
 STOREYS = Whole(1, 200, "give the number of floors above the ground")
 PARTICIPATION = Bounds(0.0, LARGEST_SUM, "(]", SHAPE.hint)
 PERIOD = Bounds(1e-4, 1e4, "[]", "give T of the first mode in seconds")
-GROUND = ("", "0", "ground")
-"""What an object's floor is that stands on the ground."""
 
 Motions = Sequence[Record | BaseMotion]
 

@@ -26,6 +26,8 @@ from rocksteady.risk.screens.friction import least_gravity_g
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+GROUND = ("", "0", "ground")
+"""Floors that are the ground."""
 FILE_HINT = "name a file of one object in TOML, or a table of objects in CSV"
 
 EXAMPLE = Path(__file__).with_name("example.toml")
@@ -144,6 +146,8 @@ did you mean width_m?
         """Name of the object and where it stands, as "vase on floor 2 of museum"."""
         given = self.given
         floor = "" if given.floor is None else str(given.floor).strip()
+        if floor in GROUND:
+            return given.name
         words = f" on floor {floor}" if floor.isdecimal() else f" in {floor}" if floor else ""
         return f"{given.name}{words}{f' of {given.building}' if given.building else ''}"
 
