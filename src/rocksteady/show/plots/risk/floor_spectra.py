@@ -61,7 +61,7 @@ def plot_floor_spectra(
     ...     floors, Figure().add_subplot(), building_period_s=0.5, height_ratio=1.0
     ... )
     >>> [line.get_label() for line in axes.lines]
-    ['median of 2 records', 'ASCE 7-22, peak of the floor', 'EN 1998-1', 'NTC 2018']
+    ['median floor spectrum', 'ASCE 7-22, peak of the floor', 'EN 1998-1', 'NTC 2018']
     """
     axes = axes_or_new(ax)
     inks = inks_of(axes)
@@ -71,8 +71,16 @@ def plot_floor_spectra(
         for floor in floors
     ]
     low, middle, high = np.quantile(shares, (0.16, 0.5, 0.84), axis=0)
-    axes.fill_between(PERIODS, low, high, color=inks.base, alpha=DOUBT, lw=0.0, label="16 to 84 %")
-    axes.plot(PERIODS, middle, color=inks.base, label=f"median of {len(floors):,} records")
+    axes.fill_between(
+        PERIODS,
+        low,
+        high,
+        color=inks.base,
+        alpha=DOUBT,
+        lw=0.0,
+        label=f"16 to 84 % of {len(floors):,} records",
+    )
+    axes.plot(PERIODS, middle, color=inks.base, label="median floor spectrum")
     codes = floor_accelerations(
         PERIODS, pga_g=1.0, building_period_s=building_period_s, height_ratio=height_ratio
     )
