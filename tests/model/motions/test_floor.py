@@ -20,6 +20,7 @@ from rocksteady import (
     Record,
     Still,
     floor_motion,
+    read_record,
     run_ensemble,
     simulate,
 )
@@ -27,8 +28,10 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.base_motion import base_acceleration
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError, ModelError
+from rocksteady.measures import compute_response_spectrum
 from rocksteady.motions import Floor, FourierSeries, Impulses, Segment, cut, make_synthetic_suite
 from rocksteady.risk import Levels
+from tests.records import FOLDER, synthetic
 
 BLOCK = Block.rectangle(width=0.6, height=2.0)
 TWO: dict[str, Any] = {
@@ -260,3 +263,58 @@ def test_a_swing_that_hardly_decays_is_refused() -> None:
     pulse = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=3.0)
     with pytest.raises(InputError, match="tolerance"):
         floor_motion(pulse, frequencies_hz=50.0, damping=1e-7, block=BLOCK, tolerance=1e-6)
+
+
+def test_the_spectrum_of_a_floor_is_that_of_an_oscillator_on_an_oscillator() -> None:
+    ground = Record(
+        acceleration_m_s2=synthetic(np.random.default_rng(5), 120, 0.02, 3.0), dt_s=0.02
+    )
+    floor, period = Floor(frequencies_hz=2.0, damping=0.05, shapes=1.3), 0.4
+    moved = floor.motion(ground, tolerance=1e-5)
+    w, wc, zeta = 4.0 * math.pi, 2.0 * math.pi / period, 0.05
+    at = ground.dt_s * np.arange(120)
+
+    def rate(t: float, y: Floats) -> list[float]:
+        a = float(np.interp(t, at, ground.acceleration_m_s2, right=0.0))
+        building = -2.0 * zeta * w * y[1] - w * w * y[0] - a
+        return [
+            y[1],
+            building,
+            y[3],
+            -2.0 * zeta * wc * y[3] - wc * wc * y[2] - (a + 1.3 * building),
+        ]
+
+    end = moved.duration_s
+    times = np.linspace(0.0, end, 20_001)
+    x, v = solve_ivp(
+        rate, (0.0, end), np.zeros(4), "DOP853", times, rtol=1e-9, atol=1e-12, max_step=0.02
+    ).y[2:]
+    total = np.abs(2.0 * zeta * wc * v + wc * wc * x).max()
+    found = compute_response_spectrum(moved, [period], damping=zeta).acceleration_m_s2[0]
+    assert found == pytest.approx(total, rel=1e-4)
+
+
+PERIODS = (0.0, 0.15, 0.3, 0.6, 1.2)
+
+
+def real_suite() -> list[Record]:
+    """Return every second real record at .25 g; the test is skipped without them."""
+    files = sorted((FOLDER / "suite_at2").glob("*.AT2"))[::2]
+    if len(files) < 28:
+        pytest.skip("there is no suite in ../shared/records")
+    records = [read_record(file) for file in files[:28]]
+    return [each.scaled(0.25 * 9.80665 / each.peak_acceleration_m_s2) for each in records]
+
+
+@pytest.mark.slow
+def test_the_longer_the_period_of_the_building_the_more_statues_fall() -> None:
+    suite, statue = real_suite(), Block.rectangle(width=0.6, height=2.0)
+    counts = []
+    for period in PERIODS:
+        floor = Floor(frequencies_hz=1.0 / period, shapes=1.3) if period else None
+        moved = [each if floor is None else floor.motion(each) for each in suite]
+        fell = [simulate(statue, each).status.label == "overturned" for each in moved]
+        counts.append(sum(fell))
+    assert counts == sorted(counts)
+    assert counts[0] == 0
+    assert counts[-1] >= 15  # 20 of the 28 records of the reference
