@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from flint import arb, arb_mat, arb_series, ctx
 
-from rocksteady.certify import checker
+from rocksteady.certify import checker, point_checker
 from rocksteady.certify._balls import ball, decimals_around, mid, precision, size
 from rocksteady.certify._flight import Shaking
 from rocksteady.certify._krawczyk import Enclosure, enclose
@@ -194,7 +194,7 @@ def _proof(system: Extended, start: list[float], bits: int, numbers: Numbers) ->
 
 
 def _content(
-    proposal: Proposal, sign: int, centres: list[str], radii: list[str]
+    proposal: Proposal, claim: dict[str, Any], centres: list[str], radii: list[str]
 ) -> dict[str, object]:
     """Return what the certificate holds, with the widest box of the first phase that is checked.
 
@@ -209,10 +209,10 @@ def _content(
             "phases": centres[:-1],
             "amplitude": centres[-1],
             "radii": [f"1e-{place_of_radius + share}", *radii[1:]],
-            "claim": {"sign": sign},
+            "claim": claim,
         }
         try:
-            checker.point(checker.arb(ctx.prec + 64), {"model": numbers, **content})
+            point_checker.point(checker.arb(ctx.prec + 64), {"model": numbers, **content})
         except (ArithmeticError, ValueError):
             continue
         return content
@@ -274,7 +274,9 @@ def certify_point(origin: BranchPoint, *, most_bits: BitCount = MOST_BITS) -> Ce
             width = size(amplitude - mid(amplitude))
             apart = size(amplitude - arb(origin.amplitude))
             shown, side = amplitude.str(30), "larger" if proof.opens > 0 else "smaller"
-            content = _content(proposal, sign, centres, radii)
+            claim_of = {"sign": sign, "opens": proof.opens}
+            claim_of |= {"criticality": proof.critical} if sign < 0 else {}
+            content = _content(proposal, claim_of, centres, radii)
         facts = [
             Fact("amplitude", centres[-1], "A", shown),
             Fact("error", width, "A within", f"{width:.1g}"),

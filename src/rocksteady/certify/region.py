@@ -14,6 +14,7 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
+from rocksteady.certify import checker, region_checker
 from rocksteady.certify._balls import ball, hull, precision, stated
 from rocksteady.certify._flight import Arc, Shaking, stays_above
 from rocksteady.certify.certificate import FORMAT
@@ -181,36 +182,74 @@ class ProvedRegion(Result):
             cells[part] = int(letter)
         return cells
 
+    def values(self) -> dict[str, Any]:
+        """Return what the file of the region, or of one of its boxes, holds."""
+        return {
+            "format": FORMAT,
+            "kind": "region",
+            "model": {"restitution": list(self.restitution)},
+            "bits": BITS,
+            "amplitude": list(self.amplitude),
+            "frequency_ratio": list(self.frequency_ratio),
+            "order": self.order,
+        }
+
     def to_json(self) -> str:
         """Return the text of the file: the ranges, and the tree of bisections packed."""
         packed = base64.b64encode(zlib.compress(self.tree.encode(), 9)).decode()
-        values = {
-            "format": FORMAT,
-            "kind": "region",
-            "amplitude": list(self.amplitude),
-            "frequency_ratio": list(self.frequency_ratio),
-            "model": {"restitution": list(self.restitution)},
-            "order": self.order,
-            "tree": packed,
-        }
-        return json.dumps(values, indent=1) + "\n"
+        return json.dumps(self.values() | {"tree": packed}, indent=1) + "\n"
 
     @checked
-    def check(self, leaves: Leaves = 1000) -> bool:
-        """Return whether boxes drawn at random, or all, are proved again to be what they are.
+    def box_json(self, amplitude: float, frequency_ratio: float) -> str:
+        """Return the text of the file of the box alone in which a point lies.
+
+        Parameters
+        ----------
+        amplitude, frequency_ratio
+            The point.
+
+        Raises
+        ------
+        InputError
+            If it lies outside the region, or its box is undecided.
+        """
+        paths = region_checker.leaves({"tree": json.loads(self.to_json())["tree"]})
+        for (box, letter), (path, _) in zip(self.boxes(), paths, strict=True):
+            inside = box.low <= amplitude <= box.high and box.slow <= frequency_ratio <= box.fast
+            if inside and letter != UNDECIDED:
+                claim = {"path": path, "claim": {"letter": letter}}
+                return json.dumps(self.values() | claim, indent=1) + "\n"
+        raise InputError(
+            "amplitude", amplitude, "nothing is proved at this point", "take one in a decided box"
+        )
+
+    @checked
+    def check(self, leaves: Leaves = 1000, arithmetic: str = "arb") -> str:
+        """Return "holds" if boxes drawn at random, or all, are proved again by the program alone.
 
         Parameters
         ----------
         leaves
             Number of boxes; None for all.
+        arithmetic
+            "arb" of python-flint, or "iv" of mpmath.
+
+        Returns
+        -------
+        str
+            Otherwise "refused" or "undecided", and why.
         """
-        rows = [each for each in self.boxes() if each[1] != UNDECIDED]
+        values = json.loads(self.to_json())
+        rows = [each for each in region_checker.leaves(values) if each[1] != UNDECIDED]
         if leaves is not None and leaves < len(rows):
             chosen = np.random.default_rng(len(rows)).choice(len(rows), leaves, replace=False)
             rows = [rows[k] for k in chosen]
-        with precision(BITS):
-            restitution = ball(self.restitution)
-            return all(verdict_of(box, restitution, self.order) == letter for box, letter in rows)
+        for path, letter in rows:
+            text = json.dumps(self.values() | {"path": path, "claim": {"letter": letter}})
+            answer = str(checker.check(text, getattr(checker, arithmetic)))
+            if answer != "holds":
+                return answer
+        return "holds"
 
     def describe(self) -> Description:
         """Return the shares of the area, and the ranges."""
