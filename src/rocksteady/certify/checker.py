@@ -128,7 +128,7 @@ def above(K, W, b, phases, T, tail, depth):
 
 
 def chain(K, M, x, n, w=1):
-    """Return e, its Jacobian and derivatives by A, and the trace of a chain that closes, by w = 1."""
+    """Return e, its Jacobian, which closes with a factor w, its derivatives by A, and the trace."""
     m, P = len(x), [[1, 0], [0, 1]]
     J = [[K.num(0)] * m for _ in x]
     rows = [impact(K, M, x[k - 1], x[k], x[(k + 1) % m], n[k - 1], n[k]) for k in range(m)]

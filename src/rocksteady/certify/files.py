@@ -4,10 +4,12 @@ import json
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib import import_module
+from importlib.resources import files
 from os import PathLike
 from pathlib import Path
 
-from rocksteady.certify import checker, fate_checker, point_checker, region_checker
+from rocksteady.certify import checker, fate_checker
 from rocksteady.certify._balls import precision
 from rocksteady.certify.region import Leaves, region_from
 from rocksteady.errors import InputError
@@ -16,7 +18,7 @@ from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
 
-FURTHER = {"point": point_checker, "region": region_checker}
+FURTHER = {"point": "point_checker.py", "region": "region_checker.py"}
 """What is added to the program that checks orbits and chaos, by kind."""
 HOLDS, REFUSED, UNDECIDED = "holds", "refused", "undecided"
 
@@ -116,6 +118,8 @@ def check_certificate(
                 text, getattr(fate_checker, arithmetic), list(accelerations_m_s2)
             )
         else:
+            if kind in FURTHER:
+                import_module(f"rocksteady.certify.{kind}_checker")
             answer = checker.check(text, getattr(checker, arithmetic))
     verdict, _, reason = answer.partition(": ")
     return CheckedCertificate(kind=kind, verdict=verdict, reason=reason)
@@ -129,10 +133,12 @@ def program(kind: str) -> str:
     kind
         "orbit", "point", "fate", "region" or "chaos".
     """
-    text = Path((fate_checker if kind == "fate" else checker).__file__).read_text("utf-8")
+    here = files("rocksteady.certify")
+    name = "fate_checker.py" if kind == "fate" else "checker.py"
+    text = here.joinpath(name).read_text(encoding="utf-8")
     if kind not in FURTHER:
         return text
-    further = Path(FURTHER[kind].__file__).read_text("utf-8")
-    added = re.sub(r"^from rocksteady.*\n", "", further, flags=re.MULTILINE)
+    further = here.joinpath(FURTHER[kind]).read_text(encoding="utf-8")
+    added = re.sub(r"^from rocksteady[^\n(]*(\([^)]*\))?\n", "", further, flags=re.MULTILINE)
     body, start, end = text.partition('if __name__ == "__main__":')
     return f"{body}{added}\n\n{start}{end}"
