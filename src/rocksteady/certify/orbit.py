@@ -133,7 +133,8 @@ def links(
     sines = [Phase(*phase.sin_cos()) for phase in ends]
     orders = (half_periods[-1], *half_periods)
     flights = [
-        factors(shaking.duration(ends[k], ends[k + 1], order)) for k, order in enumerate(orders)
+        factors((-shaking.duration(ends[k], ends[k + 1], order)).exp())
+        for k, order in enumerate(orders)
     ]
     rows = [row(shaking, sines[k : k + 3], flights[k], flights[k + 1]) for k in range(len(phases))]
     return Links(sines[1:-1], flights[1:], rows)
