@@ -8,13 +8,14 @@ from typing import Any
 
 import mpmath as mp
 import numpy as np
-import pytest
 
 from rocksteady.certify import checker, region_checker
 from rocksteady.certify.files import check_certificate, program
 from rocksteady.certify.region import ProvedRegion, certify_region
-from rocksteady.errors import InputError
 from tests.every import every
+
+STABLE = "0011000", "2"
+"""A box around A = 2, W = 4, and its letter."""
 
 
 def small(order: int) -> ProvedRegion:
@@ -48,11 +49,12 @@ def truth(amplitude: float, ratio: float, order: int) -> str:
 @every("order", [1, 3])
 def test_boxes_hold_alone_with_the_letter_of_their_points_and_no_other(order: int) -> None:
     region, random = small(order), np.random.default_rng(order)
-    boxes = [each for each in region.boxes() if each[1] != "0"]
+    paths = region_checker.leaves(json.loads(region.to_json()))
+    boxes = [each for each in zip(region.boxes(), paths, strict=True) if each[0][1] != "0"]
     for number in random.choice(len(boxes), 40):
-        box, letter = boxes[number]
+        (box, letter), path = boxes[number]
         point = random.uniform(box.low, box.high), random.uniform(box.slow, box.fast)
-        values = json.loads(region.box_json(*point))
+        values = json.loads(region.box_json(*path))
         assert truth(*point, order) == letter == values["claim"]["letter"], (point, values)
         assert checker.check(json.dumps(values), checker.arb) == "holds"
         assert checker.check(json.dumps(values), checker.iv) == "holds"
@@ -62,7 +64,7 @@ def test_boxes_hold_alone_with_the_letter_of_their_points_and_no_other(order: in
 
 
 def test_a_box_moved_to_where_another_letter_is_true_is_refused() -> None:
-    values = json.loads(small(1).box_json(2.0, 4.0))
+    values = json.loads(small(1).box_json(*STABLE))
     assert checker.check(json.dumps(values), checker.arb) == "holds"
     for change in (
         {"model": {"restitution": ["1.2"]}},
@@ -83,15 +85,11 @@ def test_trees_are_read_whole_or_refused() -> None:
     assert checker.check(json.dumps(values), checker.arb).startswith("refused")
 
 
-def test_an_undecided_point_has_no_file_and_a_box_is_checked_by_the_program_alone(
-    tmp_path: Path,
-) -> None:
+def test_a_box_is_checked_by_the_program_alone(tmp_path: Path) -> None:
     region = small(1)
-    with pytest.raises(InputError, match="nothing is proved at this point"):
-        region.box_json(7.0, 4.0)
     alone, file = tmp_path / "check.py", tmp_path / "box.json"
     alone.write_text(program("region"), encoding="utf-8")
-    values = json.loads(region.box_json(2.0, 4.0))
+    values = json.loads(region.box_json(*STABLE))
     for letter, code in (("2", 0), ("3", 1)):
         file.write_text(json.dumps(values | {"claim": {"letter": letter}}), encoding="utf-8")
         command = [sys.executable, "-I", str(alone), str(file)]

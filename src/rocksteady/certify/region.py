@@ -199,29 +199,19 @@ class ProvedRegion(Result):
         packed = base64.b64encode(zlib.compress(self.tree.encode(), 9)).decode()
         return json.dumps(self.values() | {"tree": packed}, indent=1) + "\n"
 
-    @checked
-    def box_json(self, amplitude: float, frequency_ratio: float) -> str:
-        """Return the text of the file of the box alone in which a point lies.
+    def box_json(self, path: str, letter: str) -> str:
+        """Return the text of the file of one box.
 
         Parameters
         ----------
-        amplitude, frequency_ratio
-            The point.
-
-        Raises
-        ------
-        InputError
-            If it lies outside the region, or its box is undecided.
+        path
+            Which halves lead to it: 0 for a lower half and 1 for an upper, of amplitudes and of
+            frequency ratios by turns.
+        letter
+            What is claimed of it, as `WORDS` says.
         """
-        paths = region_checker.leaves({"tree": json.loads(self.to_json())["tree"]})
-        for (box, letter), (path, _) in zip(self.boxes(), paths, strict=True):
-            inside = box.low <= amplitude <= box.high and box.slow <= frequency_ratio <= box.fast
-            if inside and letter != UNDECIDED:
-                claim = {"path": path, "claim": {"letter": letter}}
-                return json.dumps(self.values() | claim, indent=1) + "\n"
-        raise InputError(
-            "amplitude", amplitude, "nothing is proved at this point", "take one in a decided box"
-        )
+        claim = {"path": path, "claim": {"letter": letter}}
+        return json.dumps(self.values() | claim, indent=1) + "\n"
 
     @checked
     def check(self, leaves: Leaves = 1000, arithmetic: str = "arb") -> str:
@@ -245,10 +235,9 @@ class ProvedRegion(Result):
             chosen = np.random.default_rng(len(rows)).choice(len(rows), leaves, replace=False)
             rows = [rows[k] for k in chosen]
         for path, letter in rows:
-            text = json.dumps(self.values() | {"path": path, "claim": {"letter": letter}})
-            answer = str(checker.check(text, getattr(checker, arithmetic)))
+            answer = checker.check(self.box_json(path, letter), getattr(checker, arithmetic))
             if answer != "holds":
-                return answer
+                return str(answer)
         return "holds"
 
     def describe(self) -> Description:
