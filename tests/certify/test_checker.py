@@ -39,7 +39,7 @@ def verdict(values: dict[str, Any], arithmetic: Any = checker.arb) -> str:
         return str(checker.check(json.dumps(values), arithmetic))
 
 
-@every("kind, longest", [("orbit", 200), ("fate", 200), ("point", 300), ("region", 275)])
+@every("kind, longest", [("orbit", 200), ("fate", 200), ("point", 300), ("region", 280)])
 def test_the_programs_import_nothing_of_the_package_and_are_short(kind: str, longest: int) -> None:
     source = program(kind)
     names = {

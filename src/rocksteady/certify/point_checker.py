@@ -8,18 +8,7 @@ at -1 is stable (supercritical) where a times the derivative of the trace by A, 
 from which it begins, is below 0: there that orbit is unstable.
 """
 
-from rocksteady.certify.checker import (
-    KINDS,
-    K,
-    boxes,
-    chain,
-    flight,
-    impact,
-    krawczyk,
-    need,
-    numbers,
-    positive,
-)
+from rocksteady.certify.checker import *
 
 
 class Series:

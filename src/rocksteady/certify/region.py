@@ -330,27 +330,17 @@ def certify_region(
     )
 
 
-LONGEST = 100_000_000
-"""Letters of a tree in a file that are read."""
-
-
 def region_from(values: dict[str, Any]) -> ProvedRegion | None:
     """Return the region of a certificate's file; None if the file holds none."""
     try:
-        if values["format"] != FORMAT:
-            return None
         (low, high), (slow, fast) = values["amplitude"], values["frequency_ratio"]
         region = ProvedRegion(
             amplitude=(float(low), float(high)),
             frequency_ratio=(float(slow), float(fast)),
             restitution=tuple(map(str, values["model"]["restitution"])),
             order=int(values["order"]),
-            tree=zlib.decompressobj()
-            .decompress(base64.b64decode(values["tree"]), LONGEST)
-            .decode(),
+            tree=region_checker.tree_of(values),
         )
-        valid = set(region.tree) <= set("012345") and region.order % 2 == 1
-        halved = region.tree.count(SPLIT)
-        return region if valid and len(region.tree) == 2 * halved + 1 else None
-    except (ValueError, TypeError, LookupError, zlib.error):
+        return region if values["format"] == FORMAT and region.order % 2 == 1 else None
+    except (ValueError, TypeError, LookupError):
         return None

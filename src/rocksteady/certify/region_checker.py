@@ -13,18 +13,27 @@ import base64
 import math
 import zlib
 
-from rocksteady.certify.checker import KINDS, above, exact, need, numbers, positive
+from rocksteady.certify.checker import *
+
+
+def tree_of(c):
+    """Return the letters of a tree, if it is one."""
+    try:
+        tree = zlib.decompressobj().decompress(base64.b64decode(c["tree"]), 10**8).decode()
+    except zlib.error:
+        raise ValueError("it is no tree") from None
+    need(
+        True,
+        not set(tree) <= set("012345") or len(tree) != 2 * tree.count("5") + 1,
+        "it is no tree",
+    )
+    return tree
 
 
 def leaves(c):
     """Return the path to each box of a tree, 0 for a lower half and 1 for an upper, and letters."""
     paths, found = [""], []
-    try:
-        tree = zlib.decompressobj().decompress(base64.b64decode(c["tree"]), 10**8).decode()
-    except zlib.error:
-        raise ValueError("it is no tree") from None
-    need(True, set(tree) > set("012345") or len(tree) != 2 * tree.count("5") + 1, "it is no tree")
-    for k, letter in enumerate(tree):
+    for k, letter in enumerate(tree_of(c)):
         if letter == "5":
             paths += [paths[k] + "0", paths[k] + "1"]
         else:

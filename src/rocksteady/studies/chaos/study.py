@@ -1,8 +1,6 @@
 """The whole study: chaos proved at two points and over a map of boxes, and its output folder."""
 
-import time
 from dataclasses import dataclass
-from functools import partial
 from itertools import pairwise, product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -27,7 +25,7 @@ if TYPE_CHECKING:
 SCHEMA = "rocksteady/chaos/1"
 OURS = r"map\.(png|svg|pdf|csv)|(hilltop|homoclinic|chaos)\.json|chaos\.html"
 """Names of the files, as a regular expression."""
-CASES = {"hilltop": ("2", "2"), "homoclinic": ("2.698", "2")}
+CASES: dict[Any, tuple[str, str]] = {"hilltop": ("2", "2"), "homoclinic": ("2.698", "2")}
 """Amplitude and frequency ratio of each proof at a point."""
 EDGES = np.linspace(0.6, 4.0, 35), np.linspace(1.0, 3.0, 21)
 """Default ends of the boxes of the map: amplitudes, and frequency ratios."""
@@ -50,8 +48,6 @@ class Chaos(Saved):
         Ends of the boxes of the map: amplitudes, and frequency ratios.
     entropy
         Proved entropy per period of each box, a row for each amplitude; 0 where nothing is proved.
-    seconds
-        Run time of the computation [s].
     """
 
     ours = OURS
@@ -60,7 +56,6 @@ class Chaos(Saved):
     points: dict[str, Certificate]
     edges: Edges
     entropy: NDArray[np.float64]
-    seconds: float
 
     @property
     def sentences(self) -> list[str]:
@@ -119,8 +114,9 @@ class Chaos(Saved):
         shown = {"study": self, "picture": twins(self.figure, WORDS), "checks": checks}
         done("map")
         save_text("out", stage / "chaos.json", json_text(SCHEMA, self.values(), indent=1) + "\n")
-        page = partial(render, __package__, "chaos.html.j2", environment=environment())
-        save_text("out", stage / "chaos.html", page(version=__version__, **shown))
+        ran = {"environment": environment(), "version": __version__}
+        page = render(__package__, "chaos.html.j2", **shown, **ran)
+        save_text("out", stage / "chaos.html", page)
         done("page")
 
 
@@ -136,26 +132,13 @@ def chaos(restitution: str = "0.8", edges: Edges = EDGES, *, done: Done = nothin
     done
         Called with the name of each step.
     """
-    began, points = time.perf_counter(), {}
-    for kind, at in CASES.items():
-        points[kind] = certify_chaos(*at, restitution, kind=kind)  # type: ignore[arg-type]
-        done(kind)
-    entropy = []
-    for low, high in pairwise(edges[0].tolist()):
-        row = [
-            certify_chaos((low, high), ends, restitution) for ends in pairwise(edges[1].tolist())
-        ]
-        entropy.append(
-            [
-                float(dict(each.content.get("claim", {})).get("entropy_per_period", 0))
-                for each in row
-            ]
-        )
-        done(f"A from {low:g}")
-    return Chaos(
-        restitution=restitution,
-        points=points,
-        edges=edges,
-        entropy=np.array(entropy),
-        seconds=time.perf_counter() - began,
-    )
+    points = {kind: certify_chaos(*at, restitution, kind=kind) for kind, at in CASES.items()}
+    done("points")
+    rows, columns = (pairwise(axis.tolist()) for axis in edges)
+    across, entropy = list(columns), []
+    for up in rows:
+        proofs = (certify_chaos(up, ratios, restitution) for ratios in across)
+        claims = (each.content["claim"] if each.proved else {} for each in proofs)
+        entropy.append([float(claim.get("entropy_per_period", 0.0)) for claim in claims])
+        done(f"A from {up[0]:g}")
+    return Chaos(restitution=restitution, points=points, edges=edges, entropy=np.array(entropy))
