@@ -3,12 +3,15 @@
 One phase moves over its box, the others and A follow, and the trace passes its value. Near the
 point the phases on the branch that turns (1) or begins (-1, where s becomes -s when the chain has
 closed) are x + s v + s^2 u + ..., with v[0] = 1 and A + a s^2: it opens to larger A where a > 0.
-At 1 the second order of e gives a; at -1 it gives u but for a, and the third order a. What begins
+At 1 the second order of e gives a; at -1 it gives u for each a, and the third order a. What begins
 at -1 is stable (supercritical) where a times the derivative of the trace by A, along the orbit
 from which it begins, is below 0: there that orbit is unstable.
 """
 
-from rocksteady.certify.checker import *
+from rocksteady.certify.checker import KINDS, K, boxes, chain, flight, impact, krawczyk
+
+# isort: split
+from rocksteady.certify.checker import need, numbers, positive
 
 
 class Series:

@@ -13,7 +13,7 @@ import base64
 import math
 import zlib
 
-from rocksteady.certify.checker import *
+from rocksteady.certify.checker import KINDS, above, exact, need, numbers, positive
 
 
 def tree_of(c):
@@ -32,13 +32,13 @@ def tree_of(c):
 
 def leaves(c):
     """Return the path to each box of a tree, 0 for a lower half and 1 for an upper, and letters."""
-    paths, found = [""], []
+    paths, boxes = [""], []
     for k, letter in enumerate(tree_of(c)):
         if letter == "5":
             paths += [paths[k] + "0", paths[k] + "1"]
         else:
-            found.append((paths[k], letter))
-    return found
+            boxes.append((paths[k], letter))
+    return boxes
 
 
 def leaf(K, c, path, letter):

@@ -52,7 +52,7 @@ def test_a_box_is_proved_where_a_point_of_it_is_and_none_below_the_closed_form()
 
 @pytest.mark.slow
 def test_the_folder_holds_certificates_that_hold_and_claims_no_more(tmp_path: Path) -> None:
-    study, done = small(), []
+    study, done = small(), list[str]()
     with unrendered():
         files = study.save(tmp_path / "out", done=done.append)
     assert done == ["map", "page"]

@@ -83,8 +83,9 @@ class Chaos(Saved):
         }
 
     def figure(self, page: Page = SCREEN) -> "Figure":
-        """Return the map: what is proved, hatched where undecided, and A_het."""
-        across, up = np.linspace(*self.edges[1][[0, -1]], 200), self.edges[0][[0, -1]]
+        """Return the map: what is proved, hatched where nothing is, and A_het."""
+        (first, *_, last), up = self.edges[1], self.edges[0][[0, -1]]
+        across = np.linspace(first, last, 200)
         level = heteroclinic_amplitude(across, float(self.restitution))
         with page.figure(7.2, 4.6, "") as figure:
             axes = figure.subplots()
@@ -94,7 +95,7 @@ class Chaos(Saved):
             axes.plot(across, level, c=inks_of(axes).ink, label="$A_{het}$")
             figure.colorbar(drawn, label="entropy per period, at least")
             axes.set(xlabel=r"$\Omega=\omega/p$", ylabel="$A$", xlim=across[[0, -1]], ylim=up)
-            axes.legend(loc="upper right")
+            axes.legend(loc="upper left", frameon=True)
         return figure
 
     def write(self, stage: Path, done: Done) -> None:

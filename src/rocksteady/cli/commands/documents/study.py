@@ -51,9 +51,9 @@ FACADE_EXAMPLES = (
 CHAOS_HELP = (
     "Where motions of the block are proved to be chaotic.\n\n"
     "Proves that every sequence of certain flights is a motion, at two points and over boxes of "
-    "amplitude and frequency. Writes certificates, checked in two arithmetics, the map as PNG, "
-    "SVG, PDF and CSV, chaos.json, and the page chaos.html.\n\n"
-    "Takes some four minutes. Needs the extra proof (python-flint)."
+    "amplitude and frequency. Writes certificates, checked in balls and in intervals, the map as "
+    "PNG, SVG, PDF and CSV, chaos.json, and the page chaos.html.\n\n"
+    "Takes some two minutes. Needs the extra proof (python-flint)."
 )
 CHAOS_EXAMPLES = "Example:\n\nrocksteady study chaos --out chaos"
 
