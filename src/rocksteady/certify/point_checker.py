@@ -8,7 +8,9 @@ at -1 is stable (supercritical) where a times the derivative of the trace by A, 
 from which it begins, is below 0: there that orbit is unstable.
 """
 
-from rocksteady.certify.checker import KINDS, K, boxes, chain, flight, impact, krawczyk
+from types import SimpleNamespace as K
+
+from rocksteady.certify.checker import KINDS, boxes, chain, flight, impact, krawczyk
 
 # isort: split
 from rocksteady.certify.checker import need, numbers, positive
