@@ -92,7 +92,7 @@ def certify(
     ),
     print_checker: bool = proof_flag(
         "--print-checker",
-        "Print the program that checks certificates alone, that of fates beside WHAT = fate.",
+        "Print the program that checks certificates of WHAT alone; default orbit and chaos.",
         default=False,
     ),
     as_json: bool = options.as_json(),
