@@ -18,6 +18,7 @@ FILES = sorted(SOURCE.rglob("*.py"))
 STARTED = {
     *("rocksteady.__main__", "rocksteady.cli.app", "rocksteady.kernels.entries"),
     *("rocksteady.certify.checker", "rocksteady.certify.fate_checker"),
+    *("rocksteady.certify.point_checker", "rocksteady.certify.region_checker"),
 }
 """Modules that are run by their names."""
 TWICE = {

@@ -42,7 +42,8 @@ def test_fold_and_symmetry_breaking_are_the_closed_forms() -> None:
             assert certificate.proved
             enclosed = mp.mpf(str(certificate.content["amplitude"]))
             assert abs(enclosed - exact) < mp.mpf(10) ** -30
-            assert certificate.content["claim"] == {"sign": sign}
+            side = {} if sign == 1 else {"criticality": "supercritical"}
+            assert certificate.content["claim"] == {"sign": sign, "opens": 1} | side
             assert checker.check(certificate.to_json(), checker.arb) == "holds"
             assert ("supercritical" in certificate.claim) == (sign < 0)
 

@@ -174,7 +174,7 @@ USUAL = {
     ],
 }
 """Small cases, which random flags are added to; a new command has none and needs none."""
-LONG = {"paper", "study atlas", "study facade-checks"}
+LONG = {"paper", "study atlas", "study chaos", "study facade-checks"}
 """Commands that run for minutes where their usual flags are not there."""
 VAGUE = re.compile(
     r"= '?(not given|both given|neither given|given|no axis|one size)'? is|the block = "

@@ -31,6 +31,7 @@ GUIDES = {
     "restitution": ("guides/restitution.md",),
     "paper": ("theory/literature.md",),
     "study-atlas": ("theory/steady.md", "guides/sweeps.md"),
+    "study-chaos": ("theory/proofs.md", "how-to/prove.md"),
     "study-facade-checks": ("guides/facade-checks.md",),
 }
 """Pages that explain the subject of a command, below `docs`."""
@@ -52,6 +53,7 @@ FILES = {
     "restitution": ("observations",),
     "paper": ("results",),
     "study-atlas": ("results",),
+    "study-chaos": ("results",),
     "study-facade-checks": ("results",),
 }
 """Pages on the files that a command reads and writes, in `docs/reference/files`."""

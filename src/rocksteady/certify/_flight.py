@@ -1,4 +1,4 @@
-"""Flights between impact phases in balls, in the side frame of docs/theory/march.md.
+"""Flights between impact phases, in balls or floats, in the side frame of docs/theory/march.md.
 
 A flight is known by the phases of its two impacts and its duration (E2), and a chain of flights is
 a motion where each impact fits the flights before and after it (E3): the forms of
@@ -6,7 +6,7 @@ docs/theory/proofs.md, of which no term grows with the length of the flight.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -20,11 +20,12 @@ DEPTH = 60
 
 @dataclass(frozen=True)
 class Shaking:
-    """Amplitude, frequency ratio and restitution, as balls or as power series of balls."""
+    """Amplitude, frequency ratio and restitution: balls, power series of balls, or floats."""
 
     amplitude: Any
-    ratio: arb
-    restitution: arb
+    ratio: Any
+    restitution: Any
+    pi: Any = field(default_factory=arb.pi)
 
     @classmethod
     def of(cls, numbers: dict[str, Stated]) -> "Shaking":
@@ -38,7 +39,7 @@ class Shaking:
 
     def duration(self, phase: Any, next_phase: Any, half_periods: int) -> Any:
         """Return the duration of a flight from one impact phase to the next."""
-        return (next_phase - phase + half_periods * arb.pi()) * (1 / self.ratio)
+        return (next_phase - phase + half_periods * self.pi) * (1 / self.ratio)
 
 
 class Factors(NamedTuple):
@@ -65,9 +66,8 @@ class Row(NamedTuple):
     after: Any
 
 
-def factors(duration: Any) -> Factors:
-    """Return the factors of one duration, from the decaying exponential."""
-    decay = (-duration).exp()
+def factors(decay: Any) -> Factors:
+    """Return the factors of a duration T, from the decaying exponential e^-T."""
     square = decay * decay
     scale = 1 / (1 - square)
     return Factors((1 + square) * scale, 2 * decay * scale, (1 - decay) / (1 + decay))

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rocksteady.arrays import Floats
+from rocksteady.certify._flight import Phase, Row, Shaking, factors, row
 from rocksteady.dynamics.steady.states import steady_states
 
 NEAR = 1e-3
@@ -39,22 +40,12 @@ class Model(NamedTuple):
     ratio: float
     restitution: float
 
-    def row(self, x: Any, y: Any, z: Any) -> tuple[Any, Any, Any, Any]:
+    def row(self, x: Any, y: Any, z: Any) -> Row:
         """Return (E3) and its derivatives of arrays of phases."""
-        beta = self.amplitude / (1.0 + self.ratio**2)
-        loss, ratio = self.restitution, self.ratio
-        t0, t1 = (y - x + math.pi) / ratio, (z - y + math.pi) / ratio
-        coth0, coth1, q0, q1 = 1 / np.tanh(t0), 1 / np.tanh(t1), 1 / np.sinh(t0), 1 / np.sinh(t1)
-        early = (1 - beta * np.sin(x)) * coth0 - (1 + beta * np.sin(y)) * q0
-        late = (1 + beta * np.sin(z)) * coth1 - (1 - beta * np.sin(y)) * q1
-        coths = loss * coth0 + coth1
-        mismatch = np.sin(y) * coths + loss * np.sin(x) * q0 + np.sin(z) * q1
-        mismatch += (1 - loss) * ratio * np.cos(y)
-        mismatch -= (np.tanh(t1 / 2) - loss * np.tanh(t0 / 2)) / beta
-        at = np.cos(y) * coths - (1 - loss) * ratio * np.sin(y)
-        at += (loss * early * q0 + late * q1) / (beta * ratio)
-        before = loss * (np.cos(x) - early / (beta * ratio)) * q0
-        return mismatch, before, at, (np.cos(z) - late / (beta * ratio)) * q1
+        shaking = Shaking(*self, math.pi)
+        spans = shaking.duration(x, y, 1), shaking.duration(y, z, 1)
+        first, second = (factors(np.exp(-span)) for span in spans)
+        return row(shaking, [Phase(np.sin(v), np.cos(v)) for v in (x, y, z)], first, second)
 
     def next_phase(self, x: Any, y: Any) -> Any:
         """Return the next impact phases of states, nan where Newton's method finds none."""

@@ -1,20 +1,25 @@
 """Files of certificates checked, by the programs that check them alone."""
 
 import json
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib import import_module
+from importlib.resources import files
 from os import PathLike
 from pathlib import Path
 
 from rocksteady.certify import checker, fate_checker
 from rocksteady.certify._balls import precision
-from rocksteady.certify.region import Leaves, ProvedRegion, region_from
+from rocksteady.certify.region import Leaves, region_from
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
 
+FURTHER = {"point": "point_checker.py", "region": "region_checker.py"}
+"""What is added to the program that checks orbits and chaos, by kind."""
 HOLDS, REFUSED, UNDECIDED = "holds", "refused", "undecided"
 
 
@@ -104,20 +109,36 @@ def check_certificate(
             "give a file that `rocksteady certify` has written with --out",
         ) from None
     with precision(64):
-        if kind == "region":
-            answer = _checked_region(region_from(values), leaves)
+        if kind == "region" and "tree" in values:
+            region = region_from(values)
+            refusal = "refused: it is no region"
+            answer = refusal if region is None else region.check(leaves, arithmetic)
         elif kind == "fate":
             answer = fate_checker.check(
                 text, getattr(fate_checker, arithmetic), list(accelerations_m_s2)
             )
         else:
+            if kind in FURTHER:
+                import_module(f"rocksteady.certify.{kind}_checker")
             answer = checker.check(text, getattr(checker, arithmetic))
     verdict, _, reason = answer.partition(": ")
     return CheckedCertificate(kind=kind, verdict=verdict, reason=reason)
 
 
-def _checked_region(region: ProvedRegion | None, leaves: int | None) -> str:
-    """Return the verdict on a region."""
-    if region is None:
-        return "refused: it is no region"
-    return HOLDS if region.check(leaves) else "refused: a box is not what its letter says"
+def program(kind: str) -> str:
+    """Return the text of the program that checks certificates of a kind alone.
+
+    Parameters
+    ----------
+    kind
+        "orbit", "point", "fate", "region" or "chaos".
+    """
+    here = files("rocksteady.certify")
+    name = "fate_checker.py" if kind == "fate" else "checker.py"
+    text = here.joinpath(name).read_text(encoding="utf-8")
+    if kind not in FURTHER:
+        return text
+    further = here.joinpath(FURTHER[kind]).read_text(encoding="utf-8")
+    added = re.sub(r"^from rocksteady[^\n(]*(\([^)]*\))?\n", "", further, flags=re.MULTILINE)
+    body, start, end = text.partition('if __name__ == "__main__":')
+    return f"{body}{added}\n\n{start}{end}"

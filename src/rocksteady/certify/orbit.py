@@ -1,7 +1,6 @@
 """Periodic motions proved: existence, uniqueness, first impacts and stability."""
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -110,12 +109,7 @@ class Links(NamedTuple):
     rows: list[Row]
 
 
-def links(
-    shaking: Shaking,
-    phases: list[Any],
-    half_periods: tuple[int, ...],
-    turned: Callable[[Any], Any] = lambda phase: phase,
-) -> Links:
+def links(shaking: Shaking, phases: list[Any], half_periods: tuple[int, ...]) -> Links:
     """Return the flights and the equations (E3) of a closed chain of impacts.
 
     Parameters
@@ -126,27 +120,24 @@ def links(
         The impact phases, balls or power series.
     half_periods
         The odd number of half periods of each flight.
-    turned
-        What a phase is where the chain has closed; itself by default.
     """
-    ends = [turned(phases[-1]), *phases, turned(phases[0])]
+    ends = [phases[-1], *phases, phases[0]]
     sines = [Phase(*phase.sin_cos()) for phase in ends]
     orders = (half_periods[-1], *half_periods)
     flights = [
-        factors(shaking.duration(ends[k], ends[k + 1], order)) for k, order in enumerate(orders)
+        factors((-shaking.duration(ends[k], ends[k + 1], order)).exp())
+        for k, order in enumerate(orders)
     ]
     rows = [row(shaking, sines[k : k + 3], flights[k], flights[k + 1]) for k in range(len(phases))]
     return Links(sines[1:-1], flights[1:], rows)
 
 
-def jacobian(rows: list[Row], wrap: int = 1) -> list[list[arb]]:
-    """Return the derivatives of the mismatches; `wrap` -1 of the chain that closes with a sign."""
+def jacobian(rows: list[Row]) -> list[list[arb]]:
+    """Return the derivatives of the mismatches."""
     count = len(rows)
     matrix = [[arb(0)] * count for _ in rows]
     for k, each in enumerate(rows):
-        late = wrap if k == count - 1 else 1
-        early = wrap if k == 0 else 1
-        for j, value in ((k - 1, early * each.before), (k, each.at), (k + 1, late * each.after)):
+        for j, value in ((k - 1, each.before), (k, each.at), (k + 1, each.after)):
             matrix[k][j % count] = matrix[k][j % count] + value
     return matrix
 

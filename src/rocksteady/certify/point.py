@@ -3,10 +3,9 @@
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 from flint import arb, arb_mat, arb_series, ctx
 
-from rocksteady.certify import checker
+from rocksteady.certify import checker, point_checker
 from rocksteady.certify._balls import ball, decimals_around, mid, precision, size
 from rocksteady.certify._flight import Shaking
 from rocksteady.certify._krawczyk import Enclosure, enclose
@@ -22,7 +21,6 @@ from rocksteady.certify.certificate import (
 )
 from rocksteady.certify.orbit import (
     Proposal,
-    jacobian,
     links,
     passage,
     propose,
@@ -68,7 +66,7 @@ class Extended:
         columns = []
         for chosen in range(len(unknowns)):
             lifted = [arb_series([x, int(k == chosen)], 2) for k, x in enumerate(unknowns)]
-            columns.append([term(part, 1) for part in self._residuals(lifted)])
+            columns.append([arb(part[1]) for part in self._residuals(lifted)])
         plain = self._residuals(unknowns)
         return plain, [list(entries) for entries in zip(*columns, strict=True)]
 
@@ -87,73 +85,20 @@ class Extended:
         -------
         tuple
             a_2 of the amplitude A + a_2 s^2 along the branch that turns or begins at the point, s a
-            measure of the distance (docs/theory/proofs.md), and the derivative of the trace by the
-            amplitude along the orbit that doubles; 0 at a fold.
+            measure of the distance (docs/theory/proofs.md), by the program that checks it, and the
+            derivative of the trace by the amplitude along the orbit that doubles; 0 at a fold.
         """
         *phases, amplitude = zero
-        count, sign = len(phases), self.sign
-        rows = links(self.shaking(amplitude), phases, self.orders).rows
-        right, left = null_vectors(jacobian(rows, sign))
-        _, extended = self(zero)
-        by_amplitude = [extended[k][count] for k in range(count)]
-        still = [arb(0)] * count
-
-        def expansion(second: list[arb], rise: int) -> list[Any]:
-            """Return the mismatches along a curve, as series in its parameter s."""
-            ctx.cap = 4
-            curve = [
-                arb_series([x, v, u], 4) for x, v, u in zip(phases, right, second, strict=True)
-            ]
-            shaken = self.shaking(arb_series([amplitude, 0, rise], 4))
-            turned = reflected if sign < 0 else (lambda phase: phase)
-            mismatches = links(shaken, curve, self.orders, turned).rows
-            return [each.mismatch for each in mismatches]
-
-        bent = [term(part, 2) for part in expansion(still, 0)]
-        if sign > 0:
-            return -dot(left, bent) / dot(left, by_amplitude), arb(0)
-        whole = arb_mat(jacobian(rows))
-        column = solved(whole, by_amplitude)
-        second = [-x for x in solved(whole, bent)]
-        third = dot(left, [term(part, 3) for part in expansion(second, 0)])
-        risen = [u - x for u, x in zip(second, column, strict=True)]
-        slope = dot(left, [term(part, 3) for part in expansion(risen, 1)]) - third
-        passing = extended[count][count] - dot(extended[count][:count], column)
-        return -third / slope, passing
-
-
-def reflected(series: arb_series) -> arb_series:
-    """Return a power series in s as one in -s."""
-    return arb_series([x if k % 2 == 0 else -x for k, x in enumerate(series.coeffs())], 4)
-
-
-def term(series: Any, order: int) -> arb:
-    """Return a coefficient of a power series."""
-    return arb(series[order])
-
-
-def dot(left: list[arb], right: list[arb]) -> arb:
-    """Return the sum of products."""
-    return sum((x * y for x, y in zip(left, right, strict=True)), arb(0))
-
-
-def solved(matrix: arb_mat, right: list[arb]) -> list[arb]:
-    """Return the solution of linear equations in balls."""
-    proof = matrix.solve(arb_mat(len(right), 1, right))
-    return [proof[k, 0] for k in range(len(right))]
-
-
-def null_vectors(matrix: list[list[arb]]) -> tuple[list[arb], list[arb]]:
-    """Return the right and left null vectors of a singular matrix within balls.
-
-    By the matrix bordered with approximations of both, which is regular.
-    """
-    count = len(matrix)
-    u, _, vt = np.linalg.svd(np.array([[float(x.mid()) for x in line] for line in matrix]))
-    left, right = [arb(float(x)) for x in u[:, -1]], [arb(float(x)) for x in vt[-1]]
-    bordered = arb_mat([*([*line, left[k]] for k, line in enumerate(matrix)), [*right, arb(0)]])
-    unit = [arb(int(k == count)) for k in range(count + 1)]
-    return solved(bordered, unit)[:count], solved(bordered.transpose(), unit)[:count]
+        count, ratio = len(phases), self.ratio
+        shaken = amplitude, ratio, self.restitution, amplitude / (1 + ratio * ratio)
+        numbers = checker.arb(ctx.prec)
+        opens = point_checker.opening(numbers, shaken, phases, self.orders, self.sign)
+        if self.sign > 0:
+            return opens, arb(0)
+        *rows, last = self(zero)[1]
+        right = arb_mat(count, 1, [each[count] for each in rows])
+        column = arb_mat([each[:count] for each in rows]).solve(right)
+        return opens, last[count] - sum(last[k] * column[k, 0] for k in range(count))
 
 
 def prove_point(proposal: Proposal, sign: int, most_bits: int = MOST_BITS) -> PointProof:
@@ -183,7 +128,7 @@ def _proof(system: Extended, start: list[float], bits: int, numbers: Numbers) ->
         return PointProof(UNDECIDED, "a flight is not above the floor", bits, numbers, zero)
     try:
         rise, passing = system.direction(zero.box)
-    except (ValueError, ZeroDivisionError):
+    except (ArithmeticError, ValueError):
         return PointProof(UNDECIDED, "its criticality is undecided", bits, numbers, zero)
     opens = 1 if rise > 0 else (-1 if rise < 0 else 0)
     product = rise * passing
@@ -194,7 +139,7 @@ def _proof(system: Extended, start: list[float], bits: int, numbers: Numbers) ->
 
 
 def _content(
-    proposal: Proposal, sign: int, centres: list[str], radii: list[str]
+    proposal: Proposal, claim: dict[str, Any], centres: list[str], radii: list[str]
 ) -> dict[str, object]:
     """Return what the certificate holds, with the widest box of the first phase that is checked.
 
@@ -209,10 +154,10 @@ def _content(
             "phases": centres[:-1],
             "amplitude": centres[-1],
             "radii": [f"1e-{place_of_radius + share}", *radii[1:]],
-            "claim": {"sign": sign},
+            "claim": claim,
         }
         try:
-            checker.point(checker.arb(ctx.prec + 64), {"model": numbers, **content})
+            point_checker.point(checker.arb(ctx.prec + 64), {"model": numbers, **content})
         except (ArithmeticError, ValueError):
             continue
         return content
@@ -274,7 +219,9 @@ def certify_point(origin: BranchPoint, *, most_bits: BitCount = MOST_BITS) -> Ce
             width = size(amplitude - mid(amplitude))
             apart = size(amplitude - arb(origin.amplitude))
             shown, side = amplitude.str(30), "larger" if proof.opens > 0 else "smaller"
-            content = _content(proposal, sign, centres, radii)
+            claim_of: dict[str, Any] = {"sign": sign, "opens": proof.opens}
+            claim_of |= {"criticality": proof.critical} if sign < 0 else {}
+            content = _content(proposal, claim_of, centres, radii)
         facts = [
             Fact("amplitude", centres[-1], "A", shown),
             Fact("error", width, "A within", f"{width:.1g}"),

@@ -14,6 +14,7 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
+from rocksteady.certify import checker, region_checker
 from rocksteady.certify._balls import ball, hull, precision, stated
 from rocksteady.certify._flight import Arc, Shaking, stays_above
 from rocksteady.certify.certificate import FORMAT
@@ -181,36 +182,63 @@ class ProvedRegion(Result):
             cells[part] = int(letter)
         return cells
 
+    def values(self) -> dict[str, Any]:
+        """Return what the file of the region, or of one of its boxes, holds."""
+        return {
+            "format": FORMAT,
+            "kind": "region",
+            "model": {"restitution": list(self.restitution)},
+            "bits": BITS,
+            "amplitude": list(self.amplitude),
+            "frequency_ratio": list(self.frequency_ratio),
+            "order": self.order,
+        }
+
     def to_json(self) -> str:
         """Return the text of the file: the ranges, and the tree of bisections packed."""
         packed = base64.b64encode(zlib.compress(self.tree.encode(), 9)).decode()
-        values = {
-            "format": FORMAT,
-            "kind": "region",
-            "amplitude": list(self.amplitude),
-            "frequency_ratio": list(self.frequency_ratio),
-            "model": {"restitution": list(self.restitution)},
-            "order": self.order,
-            "tree": packed,
-        }
-        return json.dumps(values, indent=1) + "\n"
+        return json.dumps(self.values() | {"tree": packed}, indent=1) + "\n"
+
+    def box_json(self, path: str, letter: str) -> str:
+        """Return the text of the file of one box.
+
+        Parameters
+        ----------
+        path
+            Which halves lead to it: 0 for a lower half and 1 for an upper, of amplitudes and of
+            frequency ratios by turns.
+        letter
+            What is claimed of it, as `WORDS` says.
+        """
+        claim = {"path": path, "claim": {"letter": letter}}
+        return json.dumps(self.values() | claim, indent=1) + "\n"
 
     @checked
-    def check(self, leaves: Leaves = 1000) -> bool:
-        """Return whether boxes drawn at random, or all, are proved again to be what they are.
+    def check(self, leaves: Leaves = 1000, arithmetic: str = "arb") -> str:
+        """Return "holds" if boxes drawn at random, or all, are proved again by the program alone.
 
         Parameters
         ----------
         leaves
             Number of boxes; None for all.
+        arithmetic
+            "arb" of python-flint, or "iv" of mpmath.
+
+        Returns
+        -------
+        str
+            Otherwise "refused" or "undecided", and why.
         """
-        rows = [each for each in self.boxes() if each[1] != UNDECIDED]
+        values = json.loads(self.to_json())
+        rows = [each for each in region_checker.leaves(values) if each[1] != UNDECIDED]
         if leaves is not None and leaves < len(rows):
             chosen = np.random.default_rng(len(rows)).choice(len(rows), leaves, replace=False)
             rows = [rows[k] for k in chosen]
-        with precision(BITS):
-            restitution = ball(self.restitution)
-            return all(verdict_of(box, restitution, self.order) == letter for box, letter in rows)
+        for path, letter in rows:
+            answer = checker.check(self.box_json(path, letter), getattr(checker, arithmetic))
+            if answer != "holds":
+                return str(answer)
+        return "holds"
 
     def describe(self) -> Description:
         """Return the shares of the area, and the ranges."""
@@ -302,27 +330,17 @@ def certify_region(
     )
 
 
-LONGEST = 100_000_000
-"""Letters of a tree in a file that are read."""
-
-
 def region_from(values: dict[str, Any]) -> ProvedRegion | None:
     """Return the region of a certificate's file; None if the file holds none."""
     try:
-        if values["format"] != FORMAT:
-            return None
         (low, high), (slow, fast) = values["amplitude"], values["frequency_ratio"]
         region = ProvedRegion(
             amplitude=(float(low), float(high)),
             frequency_ratio=(float(slow), float(fast)),
             restitution=tuple(map(str, values["model"]["restitution"])),
             order=int(values["order"]),
-            tree=zlib.decompressobj()
-            .decompress(base64.b64decode(values["tree"]), LONGEST)
-            .decode(),
+            tree=region_checker.tree_of(values),
         )
-        valid = set(region.tree) <= set("012345") and region.order % 2 == 1
-        halved = region.tree.count(SPLIT)
-        return region if valid and len(region.tree) == 2 * halved + 1 else None
-    except (ValueError, TypeError, LookupError, zlib.error):
+        return region if values["format"] == FORMAT and region.order % 2 == 1 else None
+    except (ValueError, TypeError, LookupError):
         return None

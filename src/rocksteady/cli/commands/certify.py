@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -93,7 +92,7 @@ def certify(
     ),
     print_checker: bool = proof_flag(
         "--print-checker",
-        "Print the program that checks certificates alone, that of fates beside WHAT = fate.",
+        "Print the program that checks certificates of WHAT alone; default orbit and chaos.",
         default=False,
     ),
     as_json: bool = options.as_json(),
@@ -105,8 +104,9 @@ def certify(
         raise InputError("WHAT", what, "there is no such proof", "give " + ", ".join(KINDS))
     if print_checker:
         refuse({"--json": as_json}, "the checker is a program, and no object", "leave one out")
-        name = "fate_checker.py" if what == "fate" else "checker.py"
-        print(files("rocksteady.certify").joinpath(name).read_text(encoding="utf-8"), end="")
+        from rocksteady.certify.files import program
+
+        print(program(what or "orbit"), end="")
         return 0
     output = OutputFlags(as_json=as_json, more=more, quiet=quiet, plot=plot, force=force)
     if what != "region":

@@ -7,12 +7,16 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from rocksteady.certify.chaos import certify_chaos
 from rocksteady.studies.atlas import study as module
 from rocksteady.studies.atlas.study import Atlas, steps
+from rocksteady.studies.chaos import study as chaos_study
 from tests.cli.program import refused, rocksteady
 from tests.every import every
+from tests.outputs import unrendered
 from tests.studies.atlas.small import smallest, tiny
 
 PROGRESS = re.compile(r"(computing|drawing): \d+ of \d+ \(\d+ %\), .+")
@@ -295,3 +299,26 @@ def test_checks_of_facades_refuse_in_one_line(arguments: str, words: str, tmp_pa
     folder = tmp_path / "out"
     assert words in refused(f"study facade-checks {arguments} --out", folder)
     assert not folder.exists()
+
+
+def test_the_study_of_chaos_leaves_its_page_and_its_contract(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    proof = certify_chaos(0.6, 2, "0.8")
+    ready = chaos_study.Chaos(
+        restitution="0.8",
+        points={"hilltop": proof, "homoclinic": proof},
+        edges=(np.array([0.6, 0.7]), np.array([2.0, 2.1])),
+        entropy=np.array([[0.5]]),
+    )
+    monkeypatch.setattr(chaos_study, "chaos", lambda _, done: ready)  # noqa: ARG005
+    folder = tmp_path / "out"
+    with unrendered():
+        ran = rocksteady("study chaos --json --out", folder)
+    assert ran.code == 0
+    assert ran.json["schema"] == chaos_study.SCHEMA
+    assert ran.json["files"] == sorted(file.name for file in folder.iterdir())
+    assert "proved on 1 of 1 boxes" in ran.json["sentences"][0]
+    again = rocksteady("study chaos --out", folder)
+    assert again.code != 0
+    assert "--force" in again.err

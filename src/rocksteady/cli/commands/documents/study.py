@@ -19,7 +19,7 @@ from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import resumable_study, workers_flag
 from rocksteady.results.description import Description
 
-HELP = "Run a study of minutes, a folder each: atlas, facade-checks."
+HELP = "Run a study of minutes, a folder each: atlas, chaos, facade-checks."
 ATLAS_HELP = (
     "The plane of frequency and amplitude for one restitution.\n\n"
     "Every stable symmetric, unsymmetric and doubled region of the families n = 1, 3, 5 with exact "
@@ -48,10 +48,24 @@ FACADE_EXAMPLES = (
     "rocksteady study facade-checks --records suite --pga-g 0.2,0.3 --height-m 3:9:4 --out checks"
 )
 
+CHAOS_HELP = (
+    "Where motions of the block are proved to be chaotic.\n\n"
+    "Proves that every sequence of certain flights is a motion, at two points and over boxes of "
+    "amplitude and frequency. Writes certificates, checked in balls and in intervals, the map as "
+    "PNG, SVG, PDF and CSV, chaos.json, and the page chaos.html.\n\n"
+    "Takes some two minutes. Needs the extra proof (python-flint)."
+)
+CHAOS_EXAMPLES = "Example:\n\nrocksteady study chaos --out chaos"
+
 app = typer.Typer(cls=HelpfulGroup, no_args_is_help=True, rich_markup_mode="rich")
 
 plane_flag = options.Panel("Plane")
 wall_flag = options.Panel("Walls and records")
+restitution_flag = plane_flag(
+    "--restitution -r R",
+    "Ratio of angular velocities after and before an impact, in (0, 1).",
+    default="0.8",
+)
 
 
 @app.callback()
@@ -64,11 +78,7 @@ def study() -> None:
 def atlas(
     context: typer.Context,
     out: Path = options.out_folder(),
-    restitution: str = plane_flag(
-        "--restitution -r R",
-        "Ratio of angular velocities after and before an impact, in (0, 1).",
-        default="0.8",
-    ),
+    restitution: str = restitution_flag,
     amplitude: str | None = plane_flag(
         "--amplitude -A AXIS",
         "Rows of the maps, a_max over alpha g, as start:stop:count; default 0.08:8:100.",
@@ -107,6 +117,27 @@ def atlas(
         with progress("drawing", result.steps) as done:
             files = result.save(out, force=force or resume, parts=parts, done=done)
     _leave("atlas", result, output, out, files)
+
+
+@app.command("chaos", cls=OncePerFlag, help=CHAOS_HELP, epilog=CHAOS_EXAMPLES)
+@grouped
+def chaos(
+    out: Path = options.out_folder(),
+    restitution: str = restitution_flag,
+    force: bool = options.force(),
+    *,
+    output: ScreenFlags,
+) -> None:
+    """Run `rocksteady study chaos`; `CHAOS_HELP` is what its users read."""
+    from rocksteady.show.export.folders import check_folder
+    from rocksteady.studies.chaos import study as module
+
+    check_folder(out, module.OURS, force=force)
+    with progress("computing", len(module.EDGES[0]) + 1) as done:
+        result = module.chaos(restitution, done=done)
+    with progress("drawing", result.steps) as done:
+        files = result.save(out, force=force, done=done)
+    _leave("chaos", result, output, out, files)
 
 
 @app.command("facade-checks", cls=OncePerFlag, help=FACADE_HELP, epilog=FACADE_EXAMPLES)

@@ -1,0 +1,105 @@
+"""Check also certificates of regions: of each box of A and W, or of one.
+
+A symmetric motion has all phases p and all flights T = n pi/W: its e is 0 where, with S = b sin p,
+C = b cos p, h = th T/2 and g = (1 - r)/(1 + r), S + g h W C = g h h. Branch 1 is the larger S. The
+trace of half a cycle follows from the derivatives of e. With A sin(p + W t) - 1 at most once
+positive, from the start on, a flight cannot dip: where y is least below 0, y'' = y - 1 + ... < 0.
+So for n = 1 it has no dip if A < 1, A sin p > 1, or p > pi/2, which is b > g h h.
+The letters of a tree, breadth first, are 5 where a box is halved, by turns in A and in W; else
+1 no solution, 2 stable, 3 unstable, 4 through the floor, and 0, of which nothing is claimed.
+"""
+
+import base64
+import math
+import zlib
+
+from rocksteady.certify.checker import KINDS, above, exact, need, numbers, positive
+
+
+def tree_of(c):
+    """Return the letters of a tree, if it is one."""
+    try:
+        tree = zlib.decompressobj().decompress(base64.b64decode(c["tree"]), 10**8).decode()
+    except zlib.error:
+        raise ValueError("it is no tree") from None
+    need(
+        True,
+        not set(tree) <= set("012345") or len(tree) != 2 * tree.count("5") + 1,
+        "it is no tree",
+    )
+    return tree
+
+
+def leaves(c):
+    """Return the path to each box of a tree, 0 for a lower half and 1 for an upper, and letters."""
+    paths, boxes = [""], []
+    for k, letter in enumerate(tree_of(c)):
+        if letter == "5":
+            paths += [paths[k] + "0", paths[k] + "1"]
+        else:
+            boxes.append((paths[k], letter))
+    return boxes
+
+
+def leaf(K, c, path, letter):
+    """Check what is claimed of one box."""
+    n, ends = c["order"], [[exact(x) for x in c[k]] for k in ("amplitude", "frequency_ratio")]
+    false = type(n) is not int or n < 1 or n % 2 == 0 or letter not in set("1234")
+    need(True, false or len(path) > 200, "it is no claim")
+    for k, half in enumerate(path):
+        low, high = ends[k % 2]
+        ends[k % 2] = [low, (low + high) / 2] if half == "0" else [(low + high) / 2, high]
+    A, W, r, b = numbers(K, {**c["model"], "amplitude": ends[0], "frequency_ratio": ends[1]})
+    T = n * K.pi / W
+    d = K.exp(-T)
+    h, g, s = (1 - d) / (1 + d), (1 - r) / (1 + r), 1 + W * W
+    P, Q, why = g * h * W, g * h * h, "a box is not what its letter says"
+    root = b * b * (1 + P * P) - Q * Q
+    if letter == "1":
+        need(positive(-root), positive(root), why)
+        return
+    need(positive(root), positive(-root), why)
+    R = K.sqrt(root)
+    S, C = (Q + P * R) / (1 + P * P), (Q * Q - b * b) / (Q * P + R)
+    t = (1 - d) ** 2 / (2 * d) * ((1 - r * r) / (2 * S) - (1 - r) ** 2 * s / 2 - 2 * r) - 2 * r
+    inner, outer = positive(1 + r * r - t, 1 + r * r + t), positive(abs(t) - 1 - r * r)
+    if letter != "4":
+        need(inner if letter == "2" else outer, outer if letter == "2" else inner, why)
+    if n == 1 and (positive(1 - A) or positive(S * s - 1) or positive(b - Q)):
+        need(True, letter == "4", why)
+        return
+    near = math.atan2(float(K.mid(S)), float(K.mid(C)))
+    (i, j), o = K.sin_cos(K.num(near)), K.hull(0, 1) / 4
+    x = (S * j - C * i) / b  # sin(p - near), of an angle from x to x + x^3/4 up to 0.8
+    need(positive(C * j + S * i, 0.64 - x * x))
+    p = K.num(near) + x * (1 + x * x * o)
+    if letter != "4":
+        above(K, W, b, (p, p, *[K.sin_cos(p)[0]] * 2), T, False, 12)
+        return
+
+    def height(k):
+        e, f = (lambda u: K.exp(-u * T / 32)), K.sin_cos(p + n * K.pi * k / 32)[0]
+        ends = (1 - S) * (e(k) - e(64 - k)) + (1 + S) * (e(32 - k) - e(32 + k))
+        return 1 - b * f - ends / (1 - e(64))
+
+    need(any(positive(-height(k)) for k in range(1, 32)))
+
+
+def divided(K, c, path, letter, left=4):
+    """Check one box, in parts where it is undecided."""
+    try:
+        leaf(K, c, path, letter)
+    except ArithmeticError:
+        need(left)
+        for half in "01":
+            divided(K, c, path + half, letter, left - 1)
+
+
+def region(K, c):
+    """Check the box of a path, or each box of a tree of which something is claimed."""
+    for path, letter in [(c["path"], c["claim"]["letter"])] if "path" in c else leaves(c):
+        if letter != "0" or "path" in c:
+            divided(K, c, path, letter)
+
+
+KINDS["region"] = region
