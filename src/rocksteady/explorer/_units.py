@@ -57,7 +57,12 @@ def _factor(conversion: str) -> list[float | int]:
         float(CONVERSIONS[conversion][1](Block.from_p(alpha=alpha, p=p, restitution=1.0), 1.0))
         for alpha, p in ((1.0, 1.0), (0.5, 1.0), (1.0, 2.0))
     )
-    return [unit, round(math.log2(unit / slenderness)), round(math.log2(rate / unit))]
+    return [unit, _power_of_two(unit / slenderness), _power_of_two(rate / unit)]
+
+
+def _power_of_two(ratio: float) -> int:
+    """Return the k of which a ratio is 2^k but for rounding."""
+    return math.frexp(math.sqrt(2.0) * ratio)[1] - 1
 
 
 def _plain(name: str) -> str:

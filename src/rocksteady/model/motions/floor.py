@@ -227,7 +227,7 @@ class Floor:
             inside = minus(Parts(z.real[:-1], z.imag[:-1]), steady_line(a[:-1], slope, rate))
             swings.append(times(power, inside))
             left.append(times(power, Parts(float(z.real[-1]), float(z.imag[-1]))))
-            curved = curved + _size(rate) ** 2 * hypot(*swings[-1])
+            curved = curved + _square(rate) * hypot(*swings[-1])
         after = modes.quiet_after(left, error)
         curvature = max(float(curved.max()), modes.curvature(left))
         parts = max(1, math.ceil(dt * math.sqrt(curvature / (8.0 * error))))
@@ -389,7 +389,7 @@ class _Modes:
     def curvature(self, swings: Sequence[Parts]) -> float:
         """Return an upper bound of the second derivative of free swings."""
         return math.fsum(
-            _size(rate) ** 2 * hypot(*swing) for rate, swing in zip(self.rates, swings, strict=True)
+            _square(rate) * hypot(*swing) for rate, swing in zip(self.rates, swings, strict=True)
         )
 
     def response(self, pieces: Sequence[Segment], tolerance: float) -> tuple[Segment, ...]:
@@ -398,7 +398,9 @@ class _Modes:
         Each mode is the response that lasts, in closed form, and a free swing that decays.
         """
         largest = max(map(_largest, pieces), default=0.0)
-        jumps = [abs(piece.jump) * _size(rate) for piece in pieces for rate in self.rates]
+        jumps = [
+            abs(piece.jump) * math.sqrt(_square(rate)) for piece in pieces for rate in self.rates
+        ]
         error = tolerance * max(largest, *jumps, 0.0)
         if error == 0.0:
             return tuple(pieces)
@@ -450,7 +452,7 @@ class _Modes:
                 total = total + imaginary(swing, grown(rate, s))
             return total
 
-        lasting = math.fsum(size * frequency**2 for size, frequency, _ in turned)
+        lasting = math.fsum(size * frequency * frequency for size, frequency, _ in turned)
         parts: list[tuple[float, float]] = []
         count = math.ceil(span * min(-rate.real for rate in self.rates))  # as swings decay
         for place in range(count):
@@ -538,8 +540,8 @@ def _numbers(name: str, value: object, rule: Bounds) -> tuple[float, ...]:
     return tuple(rule(name, each) for each in given)
 
 
-def _size(z: Parts) -> float:
-    return float(hypot(z.real, z.imag))
+def _square(z: Parts) -> float:
+    return float(z.real * z.real + z.imag * z.imag)
 
 
 def _plus(x: Parts, y: Parts) -> Parts:

@@ -189,7 +189,7 @@ class Assessment(Result):
             return {}
         levels = self.fragility.ensemble["level"].values
         level = self.level.of(self.fragility.measure, self.facts.block)
-        nearest = int(np.abs(np.log(levels / level)).argmin())
+        nearest = int(np.maximum(levels / level, level / levels).argmin())
         return most_of_standing(self.fragility.ensemble.isel(level=nearest).load())
 
     @property
