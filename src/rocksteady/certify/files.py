@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rocksteady.certify import checker, fate_checker
 from rocksteady.certify._balls import precision
+from rocksteady.certify.certificate import FORMAT
 from rocksteady.certify.region import Leaves, ProvedRegion, region_from
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
@@ -103,6 +104,13 @@ def check_certificate(
             "it cannot be read as the JSON of a certificate",
             "give a file that `rocksteady certify` has written with --out",
         ) from None
+    if (form := values.get("format")) != FORMAT:
+        raise InputError(
+            "certificate",
+            file,
+            f"its form is {form}, and this version of rocksteady reads {FORMAT}",
+            "check it with the version that wrote it",
+        )
     with precision(64):
         if kind == "region":
             answer = _checked_region(region_from(values), leaves)
