@@ -151,6 +151,11 @@ def test_undecided_is_in_the_glossary_one_click_away() -> None:
     assert re.search(r"^undecided$", glossary.read_text(encoding="utf-8"), re.MULTILINE)
 
 
+def test_the_start_page_has_a_block_to_push_before_the_first_line_to_type() -> None:
+    first = re.findall(r"^```(.*)$", START.read_text(encoding="utf-8"), re.MULTILINE)[0]
+    assert first == "{scene} push"
+
+
 def test_every_part_of_the_manual_is_one_click_away() -> None:
     for part in ("start", "tutorials", "how-to", "guides", "evidence", "reference"):
         assert clicks(DOCS / part / "index.md") == 1, part
