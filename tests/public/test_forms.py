@@ -6,6 +6,7 @@ Stores have a test of their own, `tests/sweep/store/test_forms.py`.
 import re
 import zipfile
 from collections import defaultdict
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -85,13 +86,13 @@ def test_a_certificate_of_version_0_1_0_holds(kind: str, files: Path) -> None:
 
 
 def test_a_form_to_come_is_refused_with_both_names(files: Path) -> None:
-    fit = files / "fit" / "fit.json"
-    readers = [(fit, lambda _: read_posterior(files / "fit"), "calibrate")]
-    for kind in CERTIFIED:
-        file = files / "certificates" / f"{kind}.json"
-        readers.append((file, check_certificate, "rocking-certificate"))
-    for file, read, form in readers:
+    def refused(file: Path, form: str, read: Callable[[Path], object], read_from: Path) -> None:
         text = file.read_text(encoding="utf-8")
         file.write_text(text.replace(f'{form}/1"', f'{form}/2"', 1), encoding="utf-8")
         with pytest.raises(rs.errors.InputError, match=f"its form is .*{form}/2.* reads .*/1"):
-            read(file)
+            read(read_from)
+
+    refused(files / "fit" / "fit.json", "calibrate", read_posterior, files / "fit")
+    for kind in CERTIFIED:
+        file = files / "certificates" / f"{kind}.json"
+        refused(file, "rocking-certificate", check_certificate, file)
