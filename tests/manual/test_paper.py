@@ -176,3 +176,13 @@ def test_a_claim_of_the_registry_stands_in_the_paper_and_its_tests_exist(
         assert (ROOT / path).exists(), path
         for name in re.findall(r"\w+", names):
             assert f"def {name}(" in (ROOT / path).read_text(encoding="utf-8"), name
+
+
+def test_every_line_of_the_functionality_has_a_claim_of_the_registry() -> None:
+    part = BODY.split("# Functionality\n", 1)[1].split("\n# ", 1)[0]
+    lines = [
+        " ".join(each.split()).lower() for each in re.split(r"^- |\.\s", part, flags=re.MULTILINE)
+    ]
+    claims = [claim.lower() for claim, _ in ROW.findall(CLAIMS)]
+    bare = [each for each in lines if each and not any(claim in each for claim in claims)]
+    assert bare == ["the functions cover"]

@@ -16,7 +16,7 @@ PROGRAMS = ("chromium", "chromium-browser", "google-chrome")
 LEFT_OUT = ("reference/**", "evidence/**", "tutorials/**", "guides/**", "explorer.md")
 PAGES = (
     *(f"theory/{page.stem}" for page in sorted((ROOT / "docs" / "theory").glob("*.md"))),
-    *("glossary", "how-to/basins", "gallery/index", "gallery/histories/wall"),
+    *("index", "glossary", "how-to/basins", "gallery/index", "gallery/histories/wall"),
 )
 WIDTH = 390
 READY = "() => Boolean(window.MathJax?.startup?.promise)"

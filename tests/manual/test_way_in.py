@@ -101,6 +101,15 @@ def test_the_readme_can_be_read_in_five_minutes() -> None:
     assert len((ROOT / "README.md").read_text(encoding="utf-8").split()) <= 1050
 
 
+def test_the_lines_of_the_readme_print_what_stands_beside_them(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    (lines,) = re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    exec(lines, {})
+    assert lines.rpartition("# ")[2] == capsys.readouterr().out
+
+
 def test_the_changelog_has_what_a_user_notices_in_short_lines() -> None:
     text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     unreleased = text.split("## [Unreleased]", 1)[1].split("\n## ", 1)[0]
@@ -149,6 +158,11 @@ def test_undecided_is_in_the_glossary_one_click_away() -> None:
     glossary = DOCS / "glossary.md"
     assert clicks(glossary) == 1
     assert re.search(r"^undecided$", glossary.read_text(encoding="utf-8"), re.MULTILINE)
+
+
+def test_the_start_page_has_a_block_to_push_before_the_first_line_to_type() -> None:
+    first = re.findall(r"^```(.*)$", START.read_text(encoding="utf-8"), re.MULTILINE)[0]
+    assert first == "{scene} push"
 
 
 def test_every_part_of_the_manual_is_one_click_away() -> None:

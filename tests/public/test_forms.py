@@ -1,13 +1,27 @@
-"""Forms of what the package writes: an object and a store of today are read by later versions."""
+"""Forms of what the package writes: what version 0.1.0 wrote is read by every later one.
+
+Stores have a test of their own, `tests/sweep/store/test_forms.py`.
+"""
 
 import re
+import zipfile
 from collections import defaultdict
+from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
+import rocksteady as rs
+from rocksteady.calibration import read_posterior
+from rocksteady.proofs import check_certificate
+from tests.every import every
 from tools.freeze.records import FOLDER, loaded
 
 KEYS = Path(__file__).with_name("json-keys.txt")
 """Of each schema the keys that its objects have, each with the block or flag that it belongs to."""
+WRITTEN = Path(__file__).with_name("written-0.1.0.zip")
+"""A calibration by four synthetic tests, and a certificate of each kind."""
+CERTIFIED = ("chaos", "fate", "orbit", "point", "region")
 
 
 def written() -> dict[str, set[str]]:
@@ -42,3 +56,43 @@ def test_a_key_goes_only_with_the_number_of_its_schema() -> None:
 def test_every_schema_has_a_number() -> None:
     numbers = [re.fullmatch(r"rocksteady/[a-z-]+/([1-9]\d*)", schema) for schema in promised()]
     assert all(numbers)
+
+
+# ------------------------------------------------------------------------ files that are read
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> Path:
+    with zipfile.ZipFile(WRITTEN) as archive:
+        archive.extractall(tmp_path)
+    return tmp_path
+
+
+def test_a_calibration_of_version_0_1_0_is_read(files: Path) -> None:
+    stored = read_posterior(files / "fit")
+    posterior = stored.posteriors["synthetic block"]
+    assert posterior.values.shape == (30, len(posterior.space.names))
+    assert posterior.values[0, :2].tolist() == [0.23174240548602404, 6.23504185098]
+    assert posterior.weights[:2].tolist() == [0.07812519052344345, 0.028880493239126642]
+    assert stored.predictions.p[:2].tolist() == [0.014805745693544547, 0.06687097989735255]
+    assert sorted(stored.trained) == [f"test {number}" for number in range(1, 5)]
+    assert (stored.model, stored.sampling.draws) == (rs.Linear(), 30)
+
+
+@every("kind", CERTIFIED)
+def test_a_certificate_of_version_0_1_0_holds(kind: str, files: Path) -> None:
+    found = check_certificate(files / "certificates" / f"{kind}.json")
+    assert (found.kind, found.verdict) == (kind, "holds")
+
+
+def test_a_form_to_come_is_refused_with_both_names(files: Path) -> None:
+    def refused(file: Path, form: str, read: Callable[[Path], object], read_from: Path) -> None:
+        text = file.read_text(encoding="utf-8")
+        file.write_text(text.replace(f'{form}/1"', f'{form}/2"', 1), encoding="utf-8")
+        with pytest.raises(rs.errors.InputError, match=f"its form is .*{form}/2.* reads .*/1"):
+            read(read_from)
+
+    refused(files / "fit" / "fit.json", "calibrate", read_posterior, files / "fit")
+    for kind in CERTIFIED:
+        file = files / "certificates" / f"{kind}.json"
+        refused(file, "rocking-certificate", check_certificate, file)

@@ -106,6 +106,31 @@ def test_the_recipe_has_the_bounds_of_the_project_and_the_hash_of_the_sources(
     assert found["about"]["license_file"] == "LICENSE"
 
 
+SECTIONS = ("schema_version", "context", "package", "source", "build", "requirements", "tests")
+"""Of a recipe, in the order that the linter of conda-forge wants; `about` and `extra` follow."""
+
+
+def test_the_recipe_has_what_the_linter_of_conda_forge_wants(tmp_path: Path) -> None:
+    sdist = tmp_path / "a.tar.gz"
+    sdist.write_bytes(b"sources")
+    text = recipe(sdist, "https://a/b.tar.gz", "https://a", ["one"], "hatchling >= 1.27")
+    found = msgspec.yaml.decode(text.encode(), type=dict[str, Any])
+    assert tuple(found) == (*SECTIONS, "about", "extra")
+    assert {"homepage", "license", "license_file", "summary"} <= found["about"].keys()
+    assert "license" not in found["about"]["license"].lower()
+    assert found["build"]["number"] == 0
+    assert "--no-deps --no-build-isolation" in found["build"]["script"]
+    oldest = "${{ python_min }}"
+    needs = found["requirements"]
+    assert needs["host"][0] == f"python {oldest}.*"
+    assert needs["run"][0] == f"python >={oldest}"
+    assert not [each for each in needs["run"] if each != each.lower()]
+    checked, started = found["tests"]
+    assert checked["python"]["pip_check"]
+    assert f"{oldest}.*" in checked["python"]["python_version"]
+    assert f"python {oldest}.*" in started["requirements"]["run"]
+
+
 def test_what_is_missing_for_a_release_is_named_with_what_to_do() -> None:
     found = project.faults("v9.9")
     assert found[0] == f"v9.9 is not v{__version__}: rename the tag, or set __version__"

@@ -22,8 +22,8 @@ from tools.wheels.platforms import PURE, Platform
 ROOT = Path(__file__).parents[2]
 INSIDE = "rocksteady/kernels/machine_code/libraries"
 """Folder of the libraries and of the module in a wheel."""
-LARGEST = 3_300_000
-"""Bytes of a wheel. That of Linux on x86-64 has 3.0 million, its three libraries 0.87 of them."""
+LARGEST = 3_800_000
+"""Bytes of a wheel. That of Windows has 3.5 million, its three libraries 1.0 of them."""
 PROGRAMS = "rocksteady-gpu"
 """Name of the package of programs for GPUs."""
 PARTS = ["*.mjs", "*.mts"]

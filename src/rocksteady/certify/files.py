@@ -11,6 +11,7 @@ from pathlib import Path
 
 from rocksteady.certify import checker, fate_checker
 from rocksteady.certify._balls import precision
+from rocksteady.certify.certificate import FORMAT
 from rocksteady.certify.region import Leaves, region_from
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
@@ -108,6 +109,13 @@ def check_certificate(
             "it cannot be read as the JSON of a certificate",
             "give a file that `rocksteady certify` has written with --out",
         ) from None
+    if (form := values.get("format")) != FORMAT:
+        raise InputError(
+            "certificate",
+            file,
+            f"its form is {form}, and this version of rocksteady reads {FORMAT}",
+            "check it with the version that wrote it",
+        )
     with precision(64):
         if kind == "region" and "tree" in values:
             region = region_from(values)

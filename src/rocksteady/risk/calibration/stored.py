@@ -34,6 +34,8 @@ from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.risk.observations.spread import PriorRange
 from rocksteady.sweep.run import Execution
 
+FORM = "rocksteady/calibrate/1"
+"""Form of fit.json: a later one has another number."""
 TABLES = ("posterior.csv", "predictions.csv")
 FILES = ("fit.json", *TABLES)
 WEIGHTS = ("weight", "untempered_weight", "prior_weight")
@@ -164,6 +166,8 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
     }
     try:
         fit = json.loads(texts["fit.json"])
+        if (form := fit["schema"]) != FORM:
+            raise ValueError(f"its form is {form}, and this version of rocksteady reads {FORM}")
         sampling = DrawOptions(
             draws=fit["draws"], gains=fit["gains"], error=fit["error"], seed=fit["seed"]
         )

@@ -5,13 +5,11 @@ from pathlib import Path
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.risk.calibration.stored import TABLES, posterior_rows
+from rocksteady.risk.calibration.stored import FORM, TABLES, posterior_rows
 from rocksteady.show.calibration._calibration_report import calibration_html
 from rocksteady.show.export.files import json_text, save_csv, save_text
 from rocksteady.show.export.folders import CALIBRATION
 from rocksteady.show.export.manifest import make_manifest
-
-SCHEMA = "rocksteady/calibrate/1"
 
 
 @checked
@@ -71,7 +69,7 @@ def write_calibration(
         ):
             save_csv("out", stage / f"{name}.csv", table.header, table.records())
         hashes = {name: hashlib.sha256((stage / name).read_bytes()).hexdigest() for name in TABLES}
-        fit = json_text(SCHEMA, {**calibration.to_dict(), "files": hashes}, indent=2)
+        fit = json_text(FORM, {**calibration.to_dict(), "files": hashes}, indent=2)
         save_text("out", stage / "fit.json", fit + "\n")
         page = calibration_html(calibration, make_manifest(command=command))
         save_text("out", stage / "report.html", page)
