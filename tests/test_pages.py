@@ -243,6 +243,12 @@ def write_files(folder: Path) -> None:
     (folder / "peaks.csv").write_text("peak_rad\n0.06\n0.05\n0.043\n0.038\n", encoding="ascii")
     for name in ("objects.csv", "blocks.csv"):
         (folder / name).write_text("name,width_m,height_m\ncolumn,0.4,1.6\n", "utf-8")
+    (folder / "museum.toml").write_text(
+        '[[buildings]]\nname = "museum"\nstoreys = 3\nperiod_s = 0.35\n', "utf-8"
+    )
+    (folder / "museum.csv").write_text(
+        "name,width_m,height_m,floor\nvase,0.16,0.5,3\nstele,0.3,1.6,0\n", "utf-8"
+    )
     (folder / "floor.txt").write_text("# damping 0.05\n0 0.35\n0.4 0.8\n4 0.04\n", "utf-8")
     (folder / "site.csv").write_text("PGV [m/s],rate [1/year]\n0.05,0.1\n5,0.00001\n", "utf-8")
     rows = ["test,record,object,outcome,gain,session"]

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from rocksteady import DimensionlessBlock, Harmonic, find_orbits, outcomes
 from rocksteady.branches import PointType
-from rocksteady.cli.app import app
 from rocksteady.dynamics.continuation.chains.point_types import BIFURCATIONS
 from tests.every import every
+from tools.manual.commands import commands_of
 
 DOCS = Path(__file__).parents[2] / "docs"
 GLOSSARY = (DOCS / "glossary.md").read_text("utf-8")
@@ -22,7 +22,7 @@ LINK = re.compile(r"\]\(([\w./-]+\.(?:md|rst))(?:#([\w-]+))?\)")
 REFERENCE = re.compile(r"\{term\}`([^`<]+?)(?:\s+<([^`>]+)>)?`")
 GENERATED = re.compile(r"reference/commands/[\w-]+\.md|gallery/index\.rst")
 """Pages that the build of the manual writes."""
-COMMANDS = {command.name for command in app.registered_commands}
+COMMANDS = {"-".join(command.words) for command in commands_of()}
 
 
 def entries(text: str) -> list[tuple[str, str]]:

@@ -61,7 +61,7 @@ def _factor(conversion: str) -> list[float | int]:
 
 
 def _power_of_two(ratio: float) -> int:
-    """Return the k of which a ratio is 2^k but for rounding."""
+    """Return k of a ratio that is 2^k up to rounding."""
     return math.frexp(math.sqrt(2.0) * ratio)[1] - 1
 
 

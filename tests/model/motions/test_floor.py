@@ -82,7 +82,7 @@ def of_record(record: Record, times: Floats) -> Floats:
 def test_the_floor_of_a_record_is_that_of_an_integrator(
     samples: list[float], dt: float, hertz: list[float], damping: float, tolerance: float
 ) -> None:
-    if max(map(abs, samples)) < 0.1:
+    if max(map(abs, samples[:-1])) < 0.1:
         samples[1] = 1.0
     samples[-1] = 0.0  # else the floor falls to its free swing within one step
     ground = Record(acceleration_m_s2=np.array(samples), dt_s=dt)

@@ -394,6 +394,19 @@ CASES: dict[str, Case] = {
         {"dataset": t["weak"]},
         [np.where(t["weak"].status == 2, np.nan, t["weak"].peak_angle)],
     ),
+    "plot_floor_spectra": lambda t: (
+        {"floors": [t["record"]], "building_period_s": 0.5, "height_ratio": 1.0},
+        [
+            rs.measures.compute_response_spectrum(
+                t["record"], np.geomspace(0.05, 4.0, 60)
+            ).acceleration_m_s2
+            / t["record"].peak_acceleration_m_s2,
+            rs.codes.floor_accelerations(
+                np.geomspace(0.05, 4.0, 60), pga_g=1.0, building_period_s=0.5, height_ratio=1.0
+            )["EN 1998-1"],
+        ],
+    ),
+    "plot_plan": lambda t: ({"table": t["on floors"]}, [[0.0], [0.0, 0.5]]),
     "plot_suite_spectrum": lambda t: (
         {"summary": t["summary"]},
         [t["summary"].period.values, t["summary"].peak_angle.sel(quantile=0.5).values.ravel()],
