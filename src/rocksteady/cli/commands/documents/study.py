@@ -19,7 +19,7 @@ from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import resumable_study, workers_flag
 from rocksteady.results.description import Description
 
-HELP = "Run a study of minutes, a folder each: atlas, chaos, facade-checks."
+HELP = "Run a study into a folder: atlas, chaos, facade-checks."
 ATLAS_HELP = (
     "The plane of frequency and amplitude for one restitution.\n\n"
     "Every stable symmetric, unsymmetric and doubled region of the families n = 1, 3, 5 with exact "
