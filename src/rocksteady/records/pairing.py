@@ -13,7 +13,6 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.model.motions.record import Record
 from rocksteady.records.core.directions import TAIL, direction
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.read import read_recordings
@@ -348,7 +347,7 @@ def _cut(recording: Recording, first: int, last: int) -> Recording:
         f"{max(first, 0)} samples cut from the start and {max(count - last, 0)} from the end, "
         f"{before} and {after} zeros put there"
     )
-    record = Record(acceleration_m_s2=kept, dt_s=recording.record.dt_s, name=recording.record.name)
+    record = replace(recording.record, acceleration_m_s2=kept)
     start = recording.start_time
     if start is not None:
         from datetime import timedelta

@@ -1,12 +1,12 @@
 """Processing on request: baseline correction and resampling."""
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final, Literal
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
-from rocksteady.model.motions.record import Record
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.sampling import interpolated
 
@@ -61,7 +61,7 @@ def correct_baseline(recording: Recording, baseline: str) -> Recording:
     record = recording.record
     values = record.acceleration_m_s2
     fitted = _fitted(values, min(order, len(values) - 1))
-    corrected = Record(acceleration_m_s2=values - fitted, dt_s=record.dt_s, name=record.name)
+    corrected = replace(record, acceleration_m_s2=values - fitted)
     largest = float(np.abs(fitted).max())
     what = {0: "the mean", 1: "a straight line"}.get(order, f"a polynomial of order {order}")
     note = f"baseline: {what}, fitted by least squares, taken off ({largest:.3g} m/s^2 at most)"
@@ -137,7 +137,7 @@ def resample(
     else:
         new = _filtered(values, record.dt_s, step)[:count]
     note = f"resampled from {record.dt_s:g} s to {step:g} s ({method})"
-    return recording.processed(Record(acceleration_m_s2=new, dt_s=step, name=record.name), note)
+    return recording.processed(replace(record, acceleration_m_s2=new, dt_s=step), note)
 
 
 def _fitted(values: "Floats", order: int) -> "Floats":

@@ -99,6 +99,34 @@ def test_a_mistake_is_one_line(flags: str, words: list[str], file: Path) -> None
     assert all(word in line for word in words), line
 
 
+@pytest.mark.parametrize(
+    "command",
+    [
+        f"simulate {SIZE} --start 0.6,0",
+        f"screens {SIZE} --pga-g 0.3",
+        f"assess {SIZE} --pga-g 0.3 --pgv-m-s 0.3",
+        f"basins {SIZE} --accel-g 0.4 --freq-hz 1",
+        "certify orbit -A 2 -W 2 -r 0.8",
+        "assess --example",
+        "facade --example",
+        "back-analyse --example",
+        f"fragility --example {SIZE}",
+    ],
+)
+def test_a_floor_that_nothing_has_is_refused(command: str) -> None:
+    assert "--floor-hz" in refused(f"{command} --floor-hz 2")
+
+
+def test_a_floor_stands_in_the_file_or_beside_it(tmp_path: Path) -> None:
+    table, buildings = tmp_path / "objects.csv", tmp_path / "museum.toml"
+    table.write_text("name,width_m,height_m,floor\nvase,0.2,0.6,1\n", encoding="utf-8")
+    text = '[[buildings]]\nname = "museum"\nstoreys = 1\nperiod_s = 0.3\n'
+    buildings.write_text(text, encoding="utf-8")
+    records = at2(tmp_path / "across.AT2", samples())
+    line = f"assess {table} --buildings {buildings} --records {records} --pga-g 0.3 --floor-hz 2"
+    assert "--buildings has the floor of each object" in refused(line)
+
+
 def test_hertz_need_a_block_and_windows_of_pulses_a_ground() -> None:
     line = refused("simulate -A 2 -W 2 -r 0.8 --pulse one-sine --floor-hz 2")
     assert "--floor-hz" in line

@@ -2,6 +2,8 @@
 
 import itertools
 import math
+import pickle
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -23,6 +25,7 @@ from rocksteady import (
     read_record,
     run_ensemble,
     simulate,
+    simulate_many,
 )
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.base_motion import base_acceleration
@@ -30,8 +33,9 @@ from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError, ModelError
 from rocksteady.measures import compute_response_spectrum
 from rocksteady.motions import Floor, FourierSeries, Impulses, Segment, cut, make_synthetic_suite
+from rocksteady.records import correct_baseline, resample
 from rocksteady.risk import Levels
-from tests.records import FOLDER, synthetic
+from tests.records import FOLDER, recording, synthetic
 
 BLOCK = Block.rectangle(width=0.6, height=2.0)
 TWO: dict[str, Any] = {
@@ -318,3 +322,40 @@ def test_the_longer_the_period_of_the_building_the_more_statues_fall() -> None:
     assert counts == sorted(counts)
     assert counts[0] == 0
     assert counts[-1] >= 15  # 20 of the 28 records of the reference
+
+
+def test_a_reversed_ground_reverses_its_floor_and_modes_have_no_order() -> None:
+    (ground,) = make_synthetic_suite(1)
+    floor = Floor(**TWO)
+    other = Floor(**{name: values[::-1] for name, values in TWO.items()})
+    moved = floor.motion(ground)
+    assert floor.motion(ground.reversed()) == moved.reversed()
+    again = other.motion(ground)
+    assert again.dt_s == moved.dt_s
+    assert again.acceleration_m_s2 == pytest.approx(moved.acceleration_m_s2, abs=1e-9)
+    assert pickle.loads(pickle.dumps(moved)) == moved
+    arrays: dict[str, Any] = {name: np.array(values) for name, values in TWO.items()}
+    assert Floor(**arrays) == floor
+
+
+def test_what_is_made_of_a_floor_keeps_its_ground() -> None:
+    (ground,) = make_synthetic_suite(1)
+    moved = floor_motion(ground, frequencies_hz=1.0, shapes=1.3)
+    given = recording(moved.acceleration_m_s2, moved.dt_s)
+    given = replace(given, record=moved)
+    for processed in (resample(given, moved.dt_s / 2.0), correct_baseline(given, "linear")):
+        assert processed.record.reference == ground
+    upstairs = floor_motion(moved, frequencies_hz=3.0)
+    assert upstairs.reference == ground
+    found = simulate_many(BLOCK, moved, pga_g=[0.3])
+    level = 0.3 * 9.80665 / ground.peak_acceleration_m_s2
+    alone = simulate_many(BLOCK, moved, scales=[level])
+    assert found["peak_angle"].values == pytest.approx(alone["peak_angle"].values, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "frequencies", [np.ma.array([1.0, 2.0], mask=[False, True]), {1.0}, None, True, [[1.0]], 1j]
+)
+def test_what_is_no_frequency_is_refused(frequencies: Any) -> None:
+    with pytest.raises(InputError, match="frequencies_hz"):
+        Floor(frequencies_hz=frequencies, shapes=1.0)

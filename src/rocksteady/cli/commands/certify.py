@@ -126,10 +126,12 @@ def certify(
     for file in written.values():
         check_writable("--out", file, force=force)
     if what == "fate":
-        of_record = recorded.given(reading, pulse=pulse.given)
+        of_record = recorded.given(reading, pulse=pulse.given, on_floor=pulse.given)
         body = recorded.block(block) if of_record else block.described()
         certificates = [_fate(body, shaking, pulse, recorded, reading)]
     else:
+        idle = {"--record": next(iter(recorded.record or ()), None), **reading.given}
+        refuse(idle, f"a proof of {what} is of lasting shaking", "leave it out, or prove a fate")
         body = block.described()
         if what == "region":
             return _region(output, body, shaking, order, out)

@@ -92,7 +92,8 @@ def simulate(
     """Run `rocksteady simulate`; `HELP` is what its users read."""
     output.check(recorded.files)
     film.check(output, recorded.files)
-    of_record = recorded.given(reading, pulse=pulse.given)
+    on_floor = pulse.given or shaking.given
+    of_record = recorded.given(reading, pulse=pulse.given, on_floor=on_floor)
     body = recorded.block(block) if of_record else block.described()
     motion: Motion | Record = Still()
     if series.given and (of_record or pulse.given or not shaking.given):

@@ -9,7 +9,7 @@ from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, 
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.parsing import axis, decimal, number, restitution_from
-from rocksteady.cli.flags.record_files import ReadingFlags
+from rocksteady.cli.flags.record_files import FLOOR_FLAGS, ReadingFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_text
@@ -113,7 +113,8 @@ class SuiteFlags:
             If no file can be read, or --pair meets a flag that it has no use for.
         """
         if self.pair:
-            idle = {k: v for k, v in reading.given.items() if k not in ("--units", "--dt-s")}
+            kept = ("--units", "--dt-s", *FLOOR_FLAGS.values())
+            idle = {flag: value for flag, value in reading.given.items() if flag not in kept}
             refuse(idle, "channels are paired as their files have them", "leave one out")
         suite = Suite(motions=[], files=[])
         good: list[Path] = []

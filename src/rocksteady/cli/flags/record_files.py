@@ -1,7 +1,7 @@
 """Flags for recorded ground motions: files, how to read them, how they shake a block."""
 
 import re
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -118,7 +118,7 @@ class FloorFlags:
                 }
             )
 
-    def on_floor(self, motion: Any, body: object = None) -> Any:
+    def on_floor(self, motion: Any, body: Any = None) -> Any:
         """Return the motion of the floor; on the ground the motion itself.
 
         Raises
@@ -152,9 +152,8 @@ class ReadingFlags(FloorFlags):
 
     @property
     def given(self) -> dict[str, object]:
-        """The flags of reading that were given, with their values."""
-        floor = {"--" + each.name.replace("_", "-") for each in fields(FloorFlags)}
-        return {flag: value for flag, value in given_in(self).items() if flag not in floor}
+        """The flags that were given, with their values."""
+        return given_in(self)
 
     def recordings(self, file: Path) -> "list[Recording]":
         """Return the channels of a file, or the chosen channel; their warnings are printed.
@@ -308,7 +307,7 @@ class RecordFlags:
         """The files that are read."""
         return [*(self.record or []), *([] if self.vertical is None else [self.vertical])]
 
-    def given(self, reading: ReadingFlags, *, pulse: bool = False) -> bool:
+    def given(self, reading: ReadingFlags, *, pulse: bool = False, on_floor: bool = False) -> bool:
         """Return whether there is a record.
 
         Parameters
@@ -317,6 +316,8 @@ class RecordFlags:
             How it is read.
         pulse
             Whether there is a pulse, which --reverse reverses too.
+        on_floor
+            Whether there is another motion that a floor has; default False.
 
         Raises
         ------
@@ -334,7 +335,8 @@ class RecordFlags:
             "--vertical": self.vertical,
         }
         for flag, value in (reading.given | flags).items():
-            needs(flag, value, "--record", "FILE")
+            if not on_floor or flag not in FLOOR_FLAGS.values():
+                needs(flag, value, "--record", "FILE")
         return False
 
     def recordings(self, reading: ReadingFlags) -> list["Recording"]:

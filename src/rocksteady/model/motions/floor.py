@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Any, overload
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, overload
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, exp, hypot, log, sincos
@@ -47,6 +47,8 @@ MOST_SAMPLES = 5_000_000
 """Of the record of a floor."""
 
 DEFAULT_TOLERANCE = 1e-3
+
+Shaken = TypeVar("Shaken", Record, BaseMotion)
 
 
 @checked
@@ -166,18 +168,18 @@ class Floor:
         return np.asarray(hypot(*self._modes_at(1.0).shares(2.0 * math.pi * given)))
 
     @overload
-    def motion(self, ground: Record, block: Any = None, *, tolerance: float = ...) -> Record: ...
+    def motion(
+        self, ground: Shaken, block: Block | None = None, *, tolerance: float = ...
+    ) -> Shaken: ...
     @overload
     def motion(
-        self, ground: BaseMotion, block: Any = None, *, tolerance: float = ...
-    ) -> BaseMotion: ...
-    @overload
-    def motion(self, ground: Motion, block: Any = None, *, tolerance: float = ...) -> Motion: ...
+        self, ground: Motion, block: Block | None = None, *, tolerance: float = ...
+    ) -> Motion: ...
     @checked
     def motion(
         self,
         ground: "Motion | Record | BaseMotion",
-        block: Any = None,
+        block: Block | None = None,
         *,
         tolerance: Annotated[float, TOLERANCE] = DEFAULT_TOLERANCE,
     ) -> "Motion | Record | BaseMotion":
@@ -263,24 +265,14 @@ class Floor:
 
 @overload
 def floor_motion(
-    motion: Record,
+    motion: Shaken,
     *,
     frequencies_hz: Sequence[float] | float,
     damping: Sequence[float] | float = ...,
     shapes: Sequence[float] | float = ...,
     block: Block | None = ...,
     tolerance: float = ...,
-) -> Record: ...
-@overload
-def floor_motion(
-    motion: BaseMotion,
-    *,
-    frequencies_hz: Sequence[float] | float,
-    damping: Sequence[float] | float = ...,
-    shapes: Sequence[float] | float = ...,
-    block: Block | None = ...,
-    tolerance: float = ...,
-) -> BaseMotion: ...
+) -> Shaken: ...
 @overload
 def floor_motion(
     motion: Motion,

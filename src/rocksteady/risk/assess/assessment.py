@@ -416,7 +416,7 @@ def assess_object(
         demand=_words_of(described, level),
         onset=onset,
         target=given.assessment.target_probability,
-        on_floor=described.amplified != (1.0, 1.0),
+        on_floor=described.on_floor,
     )
     assessment = Assessment(
         described=described,
@@ -505,7 +505,7 @@ def _words_of(described: DescribedObject, level: DemandLevel) -> str:
     ]
     vertical = described.demand.vertical_words
     words = f"{' and '.join(peaks) or level.words}, of the {given.place}"
-    if described.amplified != (1.0, 1.0):
+    if described.on_floor:
         words += f", up to {number(described.amplified[0])} times that on its floor"
     return f"{words}, with {vertical}" if vertical else words
 

@@ -336,7 +336,7 @@ def _row(
         described.demand,
         described.given.assessment.target_probability,
     )
-    closed, on_floor = None, described.amplified != (1.0, 1.0)
+    closed, on_floor = None, described.on_floor
     if (
         not on_floor
         and demand.pga_g is not None
@@ -360,7 +360,7 @@ def _row(
         "storey": described.storey,
         "pga_g": described.given.demand.pga_g,
         "pgv_m_s": described.given.demand.pgv_m_s,
-        "floor_pga_g": demand.pga_g if on_floor else None,
+        "floor_pga_g": demand.pga_g if described.on_floor else None,
         "colour": colour,
         "class": WORDS[colour],
         "probability": answer.value,
@@ -412,4 +412,4 @@ def _sentence(
 
 def _peak(described: DescribedObject) -> str:
     """Return the peak acceleration of an object's demand in words."""
-    return peak_words(described.demand, on_floor=described.amplified != (1.0, 1.0))
+    return peak_words(described.demand, on_floor=described.on_floor)

@@ -8,13 +8,13 @@ from numpy.typing import ArrayLike
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
+from rocksteady.risk.screens.demand import PGA
 
 if TYPE_CHECKING:
     from rocksteady.arrays import Floats
 
 PERIOD: Final = Bounds(0.01, 60.0, "[]", "give the building's period in seconds, as 0.5")
 HEIGHT_RATIO: Final = Bounds(0.0, 1.0, "[]", "give z/H: 0 at the ground, 1 at the roof")
-PGA_G: Final = Bounds(0.0, 10.0, "(]", "give the peak ground acceleration with its soil in g")
 NTC: Final = ((0.5, 0.8, 1.4, 5.0), (1.0, 0.3, 1.2, 4.0), (np.inf, 0.3, 1.0, 2.5))
 """Periods of the building below which a, b and a_p hold (Circolare 7/2019, table C7.2.II)."""
 
@@ -23,7 +23,7 @@ NTC: Final = ((0.5, 0.8, 1.4, 5.0), (1.0, 0.3, 1.2, 4.0), (np.inf, 0.3, 1.0, 2.5
 def floor_accelerations(
     periods_s: ArrayLike,
     *,
-    pga_g: Annotated[float, PGA_G],
+    pga_g: Annotated[float, PGA],
     building_period_s: Annotated[float, PERIOD],
     height_ratio: Annotated[float, HEIGHT_RATIO],
 ) -> "dict[str, Floats]":

@@ -140,7 +140,7 @@ def cells_of_many(
             "levels are either of PGA or factors",
             "leave one of the two out",
         )
-    peaks = np.array([ground.record.peak_acceleration_m_s2 for ground in grounds])
+    peaks = np.array([ground.record.reference.peak_acceleration_m_s2 for ground in grounds])
     if pga_g is None:
         given = 1.0 if scales is None else scales
         levels = scale_values(given)
@@ -241,7 +241,7 @@ def _fates(
     bodies, body = told_apart(block)
     scale = level
     if peak_m_s2 is not None:
-        peaks = np.array([each.record.peak_acceleration_m_s2 for each in grounds])
+        peaks = np.array([each.record.reference.peak_acceleration_m_s2 for each in grounds])
         scale = level * peak_m_s2 / peaks[ground]
     fared = shaken_fates(
         grounds,

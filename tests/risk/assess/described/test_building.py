@@ -48,6 +48,9 @@ def test_a_file_says_what_the_constructor_does(tmp_path: Path) -> None:
         *(0, 0, 0, 2, 3, 0)
     ]
     assert museum.floor("shop") is None
+    assert museum.storey(" 2.0 ") == 2  # as a spreadsheet writes it
+    with pytest.raises(InputError, match="must be a name"):
+        Building.of_first_mode("house", storeys=2, period_s=0.3, rooms={"2": 1})
 
 
 def test_an_object_on_a_floor_is_one_on_the_motions_of_that_floor() -> None:
@@ -116,7 +119,8 @@ def test_an_object_may_have_a_demand_of_its_own() -> None:
         ({"floor": -1}, [MUSEUM], "floor", "0 for the ground"),
         ({"building": "annex", "floor": 1}, [MUSEUM], "building", "the buildings given are museum"),
         ({"floor": 1}, [], "floor", "--buildings"),
-        ({"floor": 1}, [MUSEUM, MUSEUM], "building", "museum"),
+        ({"building": "museum"}, [], "building = 'museum'", "--buildings"),
+        ({"floor": 1}, [MUSEUM, MUSEUM], "building is missing", "museum"),
         ({"floor": 1, "demand": {"place": "floor"}}, [MUSEUM], "place", "of the ground"),
     ],
 )

@@ -8,7 +8,7 @@ from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import Panel
-from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
+from rocksteady.cli.flags.record_files import FLOOR_FLAGS, ReadingFlags, RecordFlags
 from rocksteady.cli.flags.shaking_tests import TableFlags, objects_flag, records_flag, tests_flag
 from rocksteady.cli.flags.sweep import executor_flag, workers_flag
 from rocksteady.errors import InputError
@@ -126,7 +126,7 @@ def _refuse_idle(
             "--pga-g": recorded.pga_g,
             "--vertical": recorded.vertical,
             "--reverse": recorded.reverse,
-            **{k: v for k, v in reading.given.items() if k == "--channel"},
+            **{k: v for k, v in reading.given.items() if k in ("--channel", *FLOOR_FLAGS.values())},
         }
         refuse(idle, "the table of --tests states it", "write it into the table")
         refuse({"--format": reading.format}, "the format of each file of --tests is recognised")

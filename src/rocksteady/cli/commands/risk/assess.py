@@ -114,6 +114,9 @@ def assess(
     _refuse_idle(block, peaks, recorded, reading, kept, file, hazard, out, example=example)
     if file is None:
         refuse({"--buildings": buildings}, "it belongs to objects of a FILE", "leave it out")
+    if buildings is not None:
+        floor = {"--floor-hz": reading.floor_hz}
+        refuse(floor, "--buildings has the floor of each object", "leave one of the two out")
     answer: FormulaAssessment | Assessment | ObjectsTable
     if file is None and not example:
         answer = quick_answer(block, peaks)

@@ -38,7 +38,7 @@ def shaken_by(
 ) -> "tuple[Block | DimensionlessBlock, BaseMotion]":
     """Return the block, and the record or the pulse that shakes it."""
     begin = single("--phase", axis("--phase", phase))
-    if not recorded.given(reading, pulse=pulse.given):
+    if not recorded.given(reading, pulse=pulse.given, on_floor=pulse.given):
         body = block.described()
         size = shaking.at(body)
         motion = pulse.of(size, phase=begin or None, reverse=recorded.reverse)

@@ -98,7 +98,8 @@ def basins(
 ) -> None:
     """Run `rocksteady basins`; `HELP` is what its users read."""
     sweep.check(output, recorded.files)
-    if recorded.given(reading, pulse=pulse.given) or pulse.given:
+    on_floor = pulse.given
+    if recorded.given(reading, pulse=pulse.given, on_floor=on_floor) or pulse.given:
         refuse(
             {
                 "--seed": window.seed,

@@ -15,7 +15,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import DAMPING, LARGEST_SUM, SHAPE, Floor
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.record import Record
-from rocksteady.risk.assess.described.objects import GROUND, DescribedObject
+from rocksteady.risk.assess.described.objects import DescribedObject, floor_number
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import TomlTables, named
 from rocksteady.seismic.measures.scalar import compute_measure
@@ -91,6 +91,9 @@ class Building:
         object.__setattr__(self, "floors", tuple(self.floors))
         for room, place in self.rooms.items():
             hint = "give the number of its floor; 0 is the ground"
+            if room.strip() != room or floor_number(room) is not None:
+                words = "it must be a name, without a number alone and spaces at its ends"
+                raise InputError("rooms", room, words, "name it, as hall 2")
             whole_number(f"rooms: {room}", place, at_least=0, at_most=len(self.floors), hint=hint)
 
     @classmethod
@@ -143,10 +146,8 @@ class Building:
         """
         text = str(place).strip()
         number = self.rooms.get(text)
-        if number is None and text in GROUND:
-            number = 0
-        if number is None and text.isdecimal():
-            number = int(text)
+        if number is None:
+            number = floor_number(text)
         if number is None or number > len(self.floors):
             rooms = f", or a room: {', '.join(self.rooms)}" if self.rooms else ""
             raise InputError(
@@ -315,9 +316,10 @@ def _floor_of(
         )
     names = [building.name for building in buildings]
     if not names:
+        key = "building" if given.floor is None else "floor"
         raise ModelError(
-            named(source, "", "floor"),
-            given.floor,
+            named(source, "", key),
+            getattr(given, key),
             "a floor moves as its building does, and none is given",
             "give a file of buildings, as --buildings museum.toml",
         )
@@ -325,7 +327,7 @@ def _floor_of(
     if wanted not in names:
         raise InputError(
             named(source, "", "building"),
-            given.building,
+            Words("is missing") if given.building is None else given.building,
             f"the buildings given are {', '.join(names)}",
             "name one of them",
         )

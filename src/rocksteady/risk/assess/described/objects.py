@@ -34,6 +34,14 @@ EXAMPLE = Path(__file__).with_name("example.toml")
 """The object of ``rocksteady assess --example``, of our own making."""
 
 
+def floor_number(place: str) -> int | None:
+    """Return the number of a floor, "2.0" of a spreadsheet too; None of a room."""
+    if place in GROUND:
+        return 0
+    whole = place.removesuffix(".0")
+    return int(whole) if whole.isascii() and whole.isdecimal() else None
+
+
 def parameter_words(parameter: str) -> str:
     """Return what was changed in words: of a key of the object's file its name without the unit.
 
@@ -142,14 +150,20 @@ did you mean width_m?
         return self.given.name
 
     @property
+    def on_floor(self) -> bool:
+        """Whether its demand is that of the ground below a floor."""
+        return self.amplified != (1.0, 1.0)
+
+    @property
     def label(self) -> str:
         """Name of the object and where it stands, as "vase on floor 2 of museum"."""
         given = self.given
-        floor = "" if given.floor is None else str(given.floor).strip()
-        if floor in GROUND:
+        room = "" if given.floor is None else str(given.floor).strip()
+        number = floor_number(room)
+        if number == 0:
             return given.name
-        words = f" on floor {floor}" if floor.isdecimal() else f" in {floor}" if floor else ""
-        return f"{given.name}{words}{f' of {given.building}' if given.building else ''}"
+        where = f"in {room}" if number is None else f"on floor {number}"
+        return f"{given.name} {where}{f' of {given.building}' if given.building else ''}"
 
     @property
     def body(self) -> Body:

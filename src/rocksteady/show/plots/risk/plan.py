@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.assess.described.objects import floor_number
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 
 TALLEST = 0.5
 """Height of the tallest object over the distance of two floors."""
+BELOW, ABOVE = 0.55, 0.6
+"""Room below the lowest floor and above the highest, over the same."""
 
 
 def floors_of(table: ObjectsTable) -> list[tuple[str, list[dict[str, Any]]]]:
@@ -29,7 +32,7 @@ def floors_of(table: ObjectsTable) -> list[tuple[str, list[dict[str, Any]]]]:
         number = storey if storey is not None else 0
         room = str(place).strip() if place is not None else ""
         where = f"floor {number}" if number else "ground"
-        named = f"{where}, {room}" if room and not room.isdecimal() and room != where else where
+        named = where if floor_number(room) is not None else f"{where}, {room}"
         building = row["building"] or ""
         floors[building, number, named].append(row)
     several = len({building for building, _, _ in floors}) > 1
@@ -94,7 +97,7 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
     most = max(len(rows) for _, rows in floors)
     step = 1.0 / most
     wide, high = size_of(axes)
-    shape = high / wide / (len(floors) + TALLEST - 0.35)  # a unit across over one upwards
+    shape = high / wide / (len(floors) - 1 + BELOW + ABOVE)  # a unit across over one upwards
     up = min(
         TALLEST / max(height for _, height in sizes.values()),
         0.9 * step / shape / max(width for width, _ in sizes.values()),
@@ -142,7 +145,7 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
     if any(row["probability"] is None for row in table.rows):
         handles.append(Patch(fc=inks.undecided, hatch="xxxx", ec=inks.edge, label="no answer"))
     axes.set_yticks(range(len(floors)), [literal(name) for name, _ in floors])
-    axes.set(xlim=(0.0, 1.0), ylim=(-0.55, len(floors) - 1 + TALLEST + 0.1), xticks=[])
+    axes.set(xlim=(0.0, 1.0), ylim=(-BELOW, len(floors) - 1 + ABOVE), xticks=[])
     axes.tick_params(length=0)
     axes.spines[:].set_visible(False)
     draw_legend(axes, "below", handles=handles, title=palette.LABELS["falling"])
