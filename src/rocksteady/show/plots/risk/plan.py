@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 TALLEST = 0.5
 """Height of the tallest object over the distance of two floors."""
+TURNED = ((3, 0.0), (8, 20.0), (14, 45.0))
+"""Largest number of objects on a floor, and the angle of their names [°]; beyond there are none."""
 BELOW, ABOVE = 0.55, 0.6
 """Room below the lowest floor and above the highest, over the same."""
 
@@ -46,8 +48,8 @@ def floors_of(table: ObjectsTable) -> list[tuple[str, list[dict[str, Any]]]]:
 def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
     """Draw each floor with its objects in proportion, coloured by the probability of falling.
 
-    The worst stands on the left, with its name below where there is room.  An object without an
-    answer is crosshatched.
+    The worst stands on the left.  Names stand below where no floor has more than 14 objects.  An
+    object without an answer is crosshatched.
 
     Parameters
     ----------
@@ -103,6 +105,7 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
         0.9 * step / shape / max(width for width, _ in sizes.values()),
     )
     across = up * shape
+    turn = next((angle for count, angle in TURNED if most <= count), None)
     for place, (_, rows) in enumerate(floors):
         axes.plot([0.0, 1.0], [place, place], color=inks.edge, lw=1.0, zorder=1)
         for at, row in enumerate(rows):
@@ -120,13 +123,15 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
                     zorder=2,
                 )
             )
+            if turn is None:
+                continue
             name = literal(palette.shortened(row["name"], 12))
             axes.text(
                 middle,
                 place - 0.04,
                 name,
-                rotation=20 if most > 3 else 0,
-                ha="right" if most > 3 else "center",
+                rotation=turn,
+                ha="right" if turn else "center",
                 va="top",
                 rotation_mode="anchor",
                 size=small,
