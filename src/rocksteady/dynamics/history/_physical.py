@@ -294,7 +294,7 @@ class Physical:
         sides = {1.0: (block.positive, block.negative), -1.0: (block.negative, block.positive)}
         return max((impact_friction(*sides[sign]) for sign in signs), default=None)
 
-    @property
+    @cached_property
     def _friction_of_forces(self) -> float | None:
         """Largest ratio of horizontal and vertical force at the pivot, impacts left out."""
 
@@ -406,8 +406,12 @@ class Physical:
         fastest = float(np.abs(self._landings.velocity_before).max(initial=0.0))
         return self.block.width * (self.block.alpha * self.block.p * fastest)
 
-    def _largest(self, measure: Callable[[Floats, Floats], Floats]) -> float | None:
-        """Return the largest value of a measure of both forces while the block rocks."""
+    @cached_property
+    def _rocking(self) -> tuple[Floats, NDArray[np.int64], Floats, Floats, Floats, Floats] | None:
+        """Durations of rows, and of samples while it rocks: row, time in it, step and both forces.
+
+        None if it never rocks, or where the forces are not known.
+        """
         if self._shaken_block is None:
             return None
         count, durations = len(self.rows), self.rows[:, columns.ROW_DURATION].copy()
@@ -423,14 +427,17 @@ class Physical:
         ends = np.cumsum(steps + 1)
         place = np.arange(ends[-1]) - np.repeat(ends - steps - 1, steps + 1)
         step = np.repeat(durations[flying] / steps, steps + 1)
-        values = measure(*self._forces(row, place * step))
+        since = place * step
+        return durations, row, since, step, *self._forces(row, since)
+
+    def _largest(self, measure: Callable[[Floats, Floats], Floats]) -> float | None:
+        """Return the largest value of a measure of both forces while the block rocks."""
+        if self._rocking is None:
+            return None
+        durations, row, since, step, across, up = self._rocking
+        values = measure(across, up)
         best = int(values.argmax())
-        largest, index, at, width = (
-            float(values[best]),
-            row[best],
-            place[best] * step[best],
-            step[best],
-        )
+        largest, index, at, width = float(values[best]), row[best], since[best], step[best]
         for _ in range(ROUNDS):
             near = np.clip(np.linspace(at - width, at + width, FINER), 0.0, durations[index])
             values = measure(*self._forces(np.full(FINER, index), near))
