@@ -143,6 +143,7 @@ def test_a_place_that_is_none_is_refused_in_one_line(
         ("buildings = []", "has no building"),
         ('[[buildings]]\nname = "a"\nstoreys = 2', "period_s or frequencies_hz"),
         ('[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 0', "period_s"),
+        ('[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 350', "in seconds"),  # of ms
         ('[[buildings]]\nname = "a"\nstoreys = 0\nperiod_s = 1', "storeys"),
         ('[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 1\ndamping = 1.0', "damping"),
         ('[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 1\nshapes = [[1]]', "one mode"),

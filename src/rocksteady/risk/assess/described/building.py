@@ -18,12 +18,12 @@ from rocksteady.model.motions.record import Record
 from rocksteady.risk.assess.described.objects import DescribedObject, floor_number
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import TomlTables, named
+from rocksteady.risk.screens.floors import PERIOD
 from rocksteady.seismic.measures.scalar import compute_measure
 
 HINT = "name a file of buildings in TOML"
 STOREYS = Whole(1, 200, "give the number of floors above the ground")
 PARTICIPATION = Bounds(0.0, LARGEST_SUM, "(]", SHAPE.hint)
-PERIOD = Bounds(1e-4, 1e4, "[]", "give T of the first mode in seconds")
 
 Motions = Sequence[Record | BaseMotion]
 
