@@ -120,6 +120,7 @@ def plain(value: Any) -> str:
 
 _TEXTS: tuple[tuple[Any, Callable[[Any], str]], ...] = (
     (enum.Enum, str),
+    (Path, lambda value: value.name if value.is_absolute() else value.as_posix()),
     (float | np.floating, lambda value: float(value).hex()),
     (complex | np.complexfloating, lambda value: f"({plain(value.real)}, {plain(value.imag)})"),
     (np.ndarray, of_array),
