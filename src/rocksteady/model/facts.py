@@ -7,6 +7,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.sides import same_shape
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
+from rocksteady.model.units import in_g
 from rocksteady.results.numbers import angle, length, number, quantity
 
 AnyBlock = Block | DimensionlessBlock
@@ -60,7 +61,7 @@ def harmonic_values(block: AnyBlock, motion: PeriodicMotion) -> dict[str, Any]:
         values["harmonics"] = [list(wave) for wave in motion.harmonics]
     if isinstance(block, Block):
         values["block"] = block_values(block)
-        values["accel_g"] = motion.acceleration_m_s2(block) / block.gravity
+        values["accel_g"] = in_g(motion.acceleration_m_s2(block))
         values["freq_hz"] = motion.frequency_hz(block)
     return values
 
@@ -117,7 +118,7 @@ def amplitude_text(block: AnyBlock, amplitude: float) -> str:
     ratio = f"A = {number(amplitude, 4)}"
     if isinstance(block, DimensionlessBlock):
         return ratio
-    return f"{quantity(amplitude * block.alpha, 'g')} ({ratio})"
+    return f"{quantity(in_g(amplitude * block.uplift_acceleration), 'g')} ({ratio})"
 
 
 def lean_text(block: AnyBlock, lean: float) -> str:
@@ -142,5 +143,5 @@ def tilt_text(block: AnyBlock, lean: float) -> str:
 def peak_unit(block: AnyBlock, amplitude: float) -> str:
     """Return an amplitude of an answer: in g where the block has a size, else as A."""
     if isinstance(block, Block):
-        return quantity(amplitude * block.alpha, "g")
+        return quantity(in_g(amplitude * block.uplift_acceleration), "g")
     return f"A = {number(amplitude)}"

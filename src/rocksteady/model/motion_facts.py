@@ -2,13 +2,14 @@
 
 from collections.abc import Iterator
 
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import AnyBlock
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion, Still
+from rocksteady.model.units import in_g
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import number, quantity
 
@@ -43,7 +44,7 @@ def motion_text(
     if isinstance(motion, BaseMotion):
         vertical, motion = motion.vertical, motion.horizontal
     if isinstance(motion, Record):
-        peak = quantity(motion.peak_acceleration_m_s2 / STANDARD_GRAVITY, "g")
+        peak = quantity(in_g(motion.peak_acceleration_m_s2), "g")
         words = f"{motion.name or 'a record'} (PGA {peak})"
     elif isinstance(motion, PeriodicMotion | Pulse):
         words = "harmonic shaking" if isinstance(motion, Harmonic) else "periodic shaking"
@@ -51,7 +52,7 @@ def motion_text(
             words = f"a {'reversed ' if motion.reverse else ''}{motion.shape} pulse"
         ratios = f"A = {number(motion.amplitude)}, Ω = {number(motion.frequency_ratio)}"
         if isinstance(block, Block):
-            level = quantity(motion.acceleration_m_s2(block) / block.gravity, "g")
+            level = quantity(in_g(motion.acceleration_m_s2(block)), "g")
             ratios = f"{level} at {quantity(motion.frequency_hz(block), 'Hz')}, {ratios}"
         words += f" ({ratios})"
     elif isinstance(motion, Still):
@@ -75,7 +76,7 @@ def motion_facts(
         yield Fact("amplitude", motion.amplitude)
         yield Fact("frequency_ratio", motion.frequency_ratio)
         if isinstance(block, Block):
-            yield Fact("accel_g", motion.acceleration_m_s2(block) / block.gravity)
+            yield Fact("accel_g", in_g(motion.acceleration_m_s2(block)))
             yield Fact("freq_hz", motion.frequency_hz(block))
         if isinstance(motion, FourierSeries):
             yield Fact("harmonics", [list(wave) for wave in motion.harmonics])
@@ -92,7 +93,7 @@ def motion_facts(
         yield Fact("dt_s", motion.dt_s)
         yield Fact("duration_s", motion.duration_s)
         if isinstance(vertical, Record):
-            peak = vertical.peak_acceleration_m_s2 / STANDARD_GRAVITY
+            peak = in_g(vertical.peak_acceleration_m_s2)
             words = f"{vertical.name or 'a record'} ({quantity(peak, 'g')})"
             yield Fact("vertical", vertical.name, "vertical motion", words)
             yield Fact("vertical_pga_g", peak)

@@ -22,6 +22,17 @@ Converter: TypeAlias = Callable[[Block, Any], Any]
 """Takes a number or an array, and returns it in its unit."""
 
 
+def in_g(acceleration_m_s2: Any) -> Any:
+    """Return an acceleration in units of standard gravity, 9.80665 m/s^2, on any planet.
+
+    Examples
+    --------
+    >>> in_g(4.903325)
+    0.5
+    """
+    return acceleration_m_s2 / STANDARD_GRAVITY
+
+
 def _degrees(block: Block, ratio: Any) -> Any:
     return math.degrees(block.alpha) * ratio
 
@@ -30,7 +41,7 @@ CONVERSIONS: Final[Mapping[str, tuple[str, Converter]]] = {
     "pt": ("time_s", lambda block, pt: pt / block.p),
     "amplitude": (
         "accel_g",
-        lambda block, amplitude: amplitude * block.uplift_acceleration / block.gravity,
+        lambda block, amplitude: in_g(amplitude * block.uplift_acceleration),
     ),
     "frequency_ratio": ("freq_hz", lambda block, ratio: ratio * block.p / (2.0 * math.pi)),
     "angle": ("angle_deg", _degrees),
@@ -47,11 +58,11 @@ CONVERSIONS: Final[Mapping[str, tuple[str, Converter]]] = {
     ),
     "base_acceleration_per_alpha_g": (
         "base_acceleration_g",
-        lambda block, base: base * block.uplift_acceleration / STANDARD_GRAVITY,
+        lambda block, base: in_g(base * block.uplift_acceleration),
     ),
     "vertical_acceleration_per_g": (
         "vertical_acceleration_g",
-        lambda block, lift: lift * block.gravity / STANDARD_GRAVITY,
+        lambda block, lift: in_g(lift * block.gravity),
     ),
 }
 """Name with its unit, and the conversion, of each dimensionless column."""
@@ -116,11 +127,11 @@ def _counts(values: Sequence[Any]) -> bool:
     return {type(value) for value in values} == {int, type(None)}
 
 
-COORDINATES: Final[Mapping[str, tuple[str, Callable[[float], float]]]] = {
-    "alpha": ("alpha_deg", lambda _: math.degrees(1.0)),
-    "acceleration_m_s2": ("accel_g", lambda gravity: 1.0 / gravity),
+COORDINATES: Final[Mapping[str, tuple[str, float]]] = {
+    "alpha": ("alpha_deg", math.degrees(1.0)),
+    "acceleration_m_s2": ("accel_g", in_g(1.0)),
 }
-"""Name with its unit, and factor by the acceleration of gravity, of coordinates of sweeps."""
+"""Name with its unit, and factor, of coordinates of sweeps."""
 
 
 def with_unit(name: str, unit: str) -> str:

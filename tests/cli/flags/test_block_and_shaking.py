@@ -22,6 +22,7 @@ from tests.every import every
 BARE = DimensionlessBlock(restitution=0.8)
 SIZED = Block.rectangle(width=0.4, height=1.2)
 AGAINST_WALL = DimensionlessBlock(restitution=0.0, one_sided=True)
+ON_THE_MOON = Block.rectangle(width=0.4, height=1.2, gravity=1.62)
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 
 
@@ -159,12 +160,12 @@ def test_flags_with_axes_have_a_block_at_the_first_values() -> None:
     assert BlockFlags(restitution="0.8").restitutions == []
 
 
-@pytest.mark.parametrize("block", [SIZED, LEANING])
+@pytest.mark.parametrize("block", [SIZED, LEANING, ON_THE_MOON])
 def test_shaking_in_si_is_what_the_block_feels(block: Block) -> None:
     flags = ShakingFlags(accel_g="0.2:0.6:3", freq_hz="2")
     amplitudes, (ratio,) = flags.of(block)
     for accel, amplitude in zip((0.2, 0.4, 0.6), amplitudes, strict=True):
-        felt = Harmonic.from_si(block, acceleration_m_s2=accel * block.gravity, frequency_hz=2.0)
+        felt = Harmonic.from_si(block, acceleration_m_s2=accel * 9.80665, frequency_hz=2.0)
         assert (amplitude, ratio) == pytest.approx((felt.amplitude, felt.frequency_ratio))
     mixed = ShakingFlags(amplitude="2", freq_hz="2").at(block, phase=0.5)
     assert mixed == Harmonic(amplitude=2.0, frequency_ratio=ratio, phase=0.5)

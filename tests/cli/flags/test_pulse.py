@@ -65,7 +65,8 @@ def test_the_numbers_of_mavroeidis_and_papageorgiou() -> None:
 def test_m1_at_its_printed_digits() -> None:
     command = "simulate --width-m 1 --height-m 3 -r 0.85 --gravity-m-s2 9.81 --pulse one-sine"
     for accel_g, status in ((0.451539, "at-rest"), (0.451541, "overturned")):
-        values = rocksteady(f"{command} --freq-hz 1 --accel-g {accel_g} --model linear --json").json
+        level = f"--freq-hz 1 --accel-g {accel_g * 9.81 / 9.80665}"
+        values = rocksteady(f"{command} {level} --model linear --json").json
         assert values["status"] == status
 
 

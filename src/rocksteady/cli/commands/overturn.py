@@ -28,6 +28,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Harmonic, Still
+from rocksteady.model.units import in_g
 from rocksteady.results.numbers import quantity
 
 if TYPE_CHECKING:
@@ -377,7 +378,7 @@ def _range(
             "g needs a block with a slenderness",
             "describe a block, or give -A",
         )
-    unit = body.uplift_acceleration / body.gravity
+    unit = in_g(body.uplift_acceleration)
     low, high = _ends("--accel-g", accel_g, lowest * unit)
     return low / unit, min(high / unit, LARGEST)
 

@@ -42,7 +42,8 @@ class ShakingFlags:
         "Set Omega = omega/p, the circular frequency of the shaking over the block's p.",
     )
     accel_g: str | None = options.motion_flag(
-        "--accel-g G", "Set the peak base acceleration in g, instead of -A; needs a block."
+        "--accel-g G",
+        "Set the peak base acceleration in g (9.80665 m/s^2), instead of -A; needs a block.",
     )
     accel_m_s2: str | None = options.motion_flag(
         "--accel-m-s2 ACC", "Set the peak base acceleration in m/s^2, instead of -A; needs a block."
@@ -96,7 +97,7 @@ class ShakingFlags:
             peaks = axis("--accel-g", self.accel_g)
             for end in (peaks[0], peaks[-1]):
                 non_negative("--accel-g", end, hint="give the peak in g; 0.3 is usual")
-            axes_given["acceleration_m_s2"] = [min(g, LARGEST) * block.gravity for g in peaks]
+            axes_given["acceleration_m_s2"] = [min(g, LARGEST) * STANDARD_GRAVITY for g in peaks]
         if self.accel_m_s2 is not None:
             peaks = axis("--accel-m-s2", self.accel_m_s2)
             for end in (peaks[0], peaks[-1]):

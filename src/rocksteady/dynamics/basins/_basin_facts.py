@@ -19,6 +19,7 @@ from rocksteady.model.facts import (
     harmonic_values,
     lean_text,
 )
+from rocksteady.model.units import in_g
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
@@ -106,7 +107,11 @@ def erosion_described(erosion: Any) -> Description:
     sized = isinstance(block, Block)
     columns = {
         "amplitude": erosion.amplitude,
-        **({"accel_g": erosion.amplitude * block.alpha} if isinstance(block, Block) else {}),
+        **(
+            {"accel_g": in_g(erosion.amplitude * block.uplift_acceleration)}
+            if isinstance(block, Block)
+            else {}
+        ),
         "global_integrity": erosion.global_integrity,
         "integrity_factor": erosion.integrity_factor,
         "safe_share": erosion.safe_share,
@@ -143,7 +148,7 @@ def erosion_described(erosion: Any) -> Description:
         ),
     ]
     if isinstance(block, Block):
-        value = None if tangency is None else tangency * block.alpha
+        value = None if tangency is None else in_g(tangency * block.uplift_acceleration)
         facts.append(Fact("heteroclinic_accel_g", value))
     facts += [
         Fact("", label=drop_label(measure), text=drop_text(erosion, measure))

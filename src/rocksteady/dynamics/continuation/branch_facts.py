@@ -13,6 +13,7 @@ from rocksteady.model.facts import AnyBlock, block_text, block_values, restituti
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.units import in_g
 from rocksteady.results.description import Column, Fact, Table
 from rocksteady.results.numbers import number
 
@@ -102,7 +103,7 @@ def in_si(block: AnyBlock, amplitude: float, frequency_ratio: float) -> dict[str
         return {}
     motion = Harmonic(amplitude=amplitude, frequency_ratio=frequency_ratio)
     return {
-        "accel_g": motion.acceleration_m_s2(block) / block.gravity,
+        "accel_g": in_g(motion.acceleration_m_s2(block)),
         "freq_hz": motion.frequency_hz(block),
     }
 

@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.dynamics.maps.cell_classes import map_counts
 from rocksteady.dynamics.parameters import AXES
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import ratio_words
 from rocksteady.model.equations import LINEAR_NOTE, UNLIKE
+from rocksteady.model.units import in_g
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, plural, quantity, share
@@ -124,8 +124,7 @@ def _axes(dataset: "Labelled") -> str:
         ends = [float(dataset[str(name)].values[at]) for at in (0, -1)] if size else []
         symbol, unit = SHORT.get(str(name), (str(name).replace("_", " "), ""))
         if name == "acceleration_m_s2":
-            gravity = dataset.attrs.get("gravity", STANDARD_GRAVITY)
-            ends, unit = [end / gravity for end in ends], " g"
+            ends, unit = [in_g(end) for end in ends], " g"
         unit = unit or (f" {UNITS[str(name)]}" if name in UNITS else "")
         words.append(f"{symbol} {' to '.join(map(number, ends))}{unit}".strip())
     return ", ".join(words)
@@ -197,7 +196,7 @@ def _text(name: str, given: "dict[str, Any]") -> str:
     """Return the value of a parameter as engineers write it."""
     value = given[name]
     if name == "acceleration_m_s2":
-        return quantity(value / given.get("gravity", STANDARD_GRAVITY), "g")
+        return quantity(in_g(value), "g")
     if name in WORDS and math.isfinite(value):
         return WORDS[name](value)
     if name in UNITS:

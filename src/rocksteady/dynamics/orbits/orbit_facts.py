@@ -15,6 +15,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import AnyBlock, block_text, case_text, harmonic_values, lean_text
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
+from rocksteady.model.units import in_g
 from rocksteady.outcomes import INFINITELY_MANY
 from rocksteady.results.description import Column, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
@@ -30,7 +31,7 @@ def motion_text(block: AnyBlock, motion: PeriodicMotion) -> str:
     if not isinstance(block, Block):
         ratio = number(motion.frequency_ratio, 4)
         return f"A = {number(motion.amplitude, 4)}, Ω = {ratio}{orders}"
-    accel_g = motion.acceleration_m_s2(block) / block.gravity
+    accel_g = in_g(motion.acceleration_m_s2(block))
     return f"{quantity(accel_g, 'g')} at {quantity(motion.frequency_hz(block), 'Hz')}{orders}"
 
 

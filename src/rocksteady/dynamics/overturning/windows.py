@@ -22,6 +22,7 @@ from rocksteady.model.checks.validation import in_range, index_value, is_pair, r
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import amplitude_text, case_text, restitution_values
 from rocksteady.model.motions.pulses import Pulse
+from rocksteady.model.units import in_g
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
@@ -159,7 +160,7 @@ class OverturningWindows(WindowLists):
         """Return where it falls, at the one frequency or at each."""
         sized, unit = isinstance(self.block, Block), 1.0
         if isinstance(self.block, Block):
-            unit = self.block.uplift_acceleration / self.block.gravity
+            unit = in_g(self.block.uplift_acceleration)
 
         def write(amplitude: float) -> str:
             size = number(amplitude * unit)
@@ -221,7 +222,7 @@ class OverturningWindows(WindowLists):
             **self._left(index),
         }
         if isinstance(self.block, Block):
-            unit = self.block.uplift_acceleration / self.block.gravity
+            unit = in_g(self.block.uplift_acceleration)
             row["freq_hz"] = replace(self.pulse, frequency_ratio=ratio).frequency_hz(self.block)
             row["intervals_g"] = [[end * unit for end in ends] for ends in intervals]
         return row
@@ -236,7 +237,7 @@ class OverturningWindows(WindowLists):
                 low, high = mode["interval"]
                 window: dict[str, Any] = {**head, "low": low, "high": high}
                 if isinstance(self.block, Block):
-                    unit = self.block.uplift_acceleration / self.block.gravity
+                    unit = in_g(self.block.uplift_acceleration)
                     window |= {"low_g": low * unit, "high_g": high * unit}
                 for name in ("impacts", "side", "endless"):
                     window[name] = mode[name]

@@ -21,6 +21,7 @@ from rocksteady.model.facts import (
     lean_text,
 )
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.units import in_g
 from rocksteady.results.description import Column, Description, Fact, Table, shown
 from rocksteady.results.numbers import number, plural
 
@@ -47,7 +48,7 @@ def point_values(states: Any, index: tuple[int, ...]) -> dict[str, Any]:
     if block is not None:
         motion = Harmonic(amplitude=values["amplitude"], frequency_ratio=values["frequency_ratio"])
         values["block"] = block_values(block)
-        values["accel_g"] = motion.acceleration_m_s2(block) / block.gravity
+        values["accel_g"] = in_g(motion.acceleration_m_s2(block))
         values["freq_hz"] = motion.frequency_hz(block)
     if region != 4:
         values["solutions"] = [_solution(states, (which, *index)) for which in (0, 1)]

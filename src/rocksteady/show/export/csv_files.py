@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.units import COORDINATES, with_unit
 from rocksteady.show.export._slices import beside, parts_of, refuse_others
 from rocksteady.show.export.files import save_csv
@@ -41,7 +40,7 @@ def save_cells(name: str, file: Path, dataset: "xarray.Dataset") -> None:
     for key in (*map(str, first.dims), *beside(dataset, first)):
         if key in COORDINATES:
             in_unit, factor = COORDINATES[key]
-            values = dataset[key] * factor(dataset.attrs.get("gravity", STANDARD_GRAVITY))
+            values = dataset[key] * factor
             coordinates[in_unit] = _texts(dataset.assign_coords({in_unit: values}), in_unit, first)
         coordinates[key] = _texts(dataset, key, first)
     rows = _rows(coordinates, outputs, parts_of(first))

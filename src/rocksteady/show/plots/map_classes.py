@@ -16,6 +16,7 @@ from rocksteady.dynamics.maps.cell_classes import (
 )
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.units import in_g
 from rocksteady.show.style import palette
 from rocksteady.show.style.areas import swatch
 from rocksteady.show.style.scales import Scale, scale_of
@@ -101,8 +102,6 @@ class MapCells:
         A quantity of each cell, shape of the axes, nan where there is none; None without one.
     block
         The block of all cells where it has a size, in whose units the axes are drawn, else None.
-    gravity
-        Acceleration of gravity [m/s^2]; None where it is not known.
     """
 
     names: tuple[str, ...]
@@ -111,7 +110,6 @@ class MapCells:
     fixed: tuple[tuple[str, float], ...]
     reached: Floats | None = None
     block: Block | None = None
-    gravity: float | None = None
 
     def having(self, reached: Floats) -> "MapCells":
         """Return the same cells with a quantity of each."""
@@ -142,8 +140,8 @@ class MapCells:
             scale = scale_of(name, self.block, at_start=True)
             return scale, scale
         near = Scale(1.0, palette.axis_label(name))
-        if name == "acceleration_m_s2" and self.gravity is not None:
-            near = Scale(1.0 / self.gravity, palette.axis_label("accel_g"))
+        if name == "acceleration_m_s2":
+            near = Scale(in_g(1.0), palette.axis_label("accel_g"))
         return near, scale_of(name_without_size, self.block)
 
     def parts(self, name: str) -> "list[MapCells]":
@@ -201,14 +199,12 @@ def map_cells(dataset: "xarray.Dataset") -> MapCells:
         if (order[1:] < order[:-1]).any():
             points, classes = points[order], np.take(classes, order, axis=axis)
         values.append(points)
-    gravity = dataset.attrs.get("gravity")
     return MapCells(
         names=names,
         values=tuple(values),
         classes=classes,
         fixed=fixed_values(variables),
         block=_block_of(dataset),
-        gravity=None if gravity is None else float(gravity),
     )
 
 

@@ -11,6 +11,7 @@ from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import AnyBlock, block_text, block_values, case_text
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.units import in_g
 from rocksteady.outcomes import INFINITELY_MANY
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
@@ -31,7 +32,7 @@ def in_si(block: AnyBlock, motion: Harmonic) -> dict[str, float]:
     """Return harmonic motion in g and Hz where the block has a size, else nothing."""
     if not isinstance(block, Block):
         return {}
-    accel_g = motion.acceleration_m_s2(block) / block.gravity
+    accel_g = in_g(motion.acceleration_m_s2(block))
     return {"accel_g": accel_g, "freq_hz": motion.frequency_hz(block)}
 
 
