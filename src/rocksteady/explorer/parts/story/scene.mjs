@@ -159,7 +159,7 @@ export function drawReel(pen, theme, reel, time, { flashes = true, ...at }) {
 export function drawHistory(pen, theme, reel, time, { area, seconds, base }) {
   const [left, top, width, height] = area, middle = top + 0.5 * height;
   const across = (/** @type {number} */ at) => left + (at / seconds) * width;
-  const up = (/** @type {number} */ angle) => middle - Math.max(-1.3, Math.min(1.3, angle)) * 0.3 * height;
+  const up = (/** @type {number} */ angle) => middle - Math.max(-1.25, Math.min(1.25, angle)) * 0.27 * height;
   drawLine(pen, theme, [left, middle, left + width, middle], 'hair');
   for (const edge of [-1, 1]) drawLine(pen, theme, [left, up(edge), left + width, up(edge)], 'ink', 1, [5, 4]);
   write(pen, theme, `tipping angle ${degreeText(reel.block.alpha)}`, left, up(1) - 5);
@@ -170,7 +170,7 @@ export function drawHistory(pen, theme, reel, time, { area, seconds, base }) {
       const at = (k / (points - 1)) * seconds;
       return [across(at), low - base(at) * 0.06 * height];
     }, { role: 'base', width: 1.25 });
-    write(pen, theme, 'ground', left + 0.2 * width, low - 7, { role: 'base', bold: true, over: 'page' });
+    write(pen, theme, 'ground', left + 0.2 * width, low - 6, { role: 'base', bold: true, over: 'page' });
   }
   const { angle, step, impacts } = reel, count = Math.min(angle.length, Math.ceil(seconds / step) + 1);
   const place = (/** @type {number} */ k) => /** @type {const} */ ([across(k * step), up(angle[k])]);

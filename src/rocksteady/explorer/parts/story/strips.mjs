@@ -8,29 +8,36 @@ import { drawLine, drawRing, write } from './draw.mjs';
 
 /** @typedef {{ name: MotionClass, words: string[] }} Cell  words: the longest that fit are written */
 
+const HANDLE = 3; // [px] half its width
+
 /** @type {Partial<Record<MotionClass, Role>>} */
 const ON = { overturned: 'onFalls', rocking: 'onRocks' };
 /** @type {Partial<Record<MotionClass, Role>>} */
 const FILLS = { overturned: 'falls', rocking: 'rocks', rest: 'rest' };
 
 /**
- * Draw cells side by side, neighbours of one word as one.
+ * Draw cells side by side, neighbours of one word as one; words make way for the handle.
  * @param {Pen} pen
  * @param {Theme} theme
  * @param {readonly Cell[]} cells
  * @param {Area} area
+ * @param {number} handle  its x
  */
-export function drawStrip(pen, theme, cells, [left, top, width, height]) {
+export function drawStrip(pen, theme, cells, [left, top, width, height], handle) {
   const step = width / cells.length;
   for (let from = 0, to = 1; to <= cells.length; to++) {
     if (to < cells.length && cells[to].words[0] === cells[from].words[0]) continue;
     const { name, words } = cells[from], x = left + from * step, wide = (to - from) * step;
     fillClass(pen, theme, name, { left: x, top, width: wide + (to < cells.length ? 0.5 : 0), height });
     pen.font = theme.strong;
-    const fits = words.find((word) => pen.measureText(word).width < wide - 8);
-    if (fits) {
-      const how = { bold: true, role: ON[name] ?? 'ink', over: FILLS[name] };
-      write(pen, theme, fits, x + Math.min(9, (wide - pen.measureText(fits).width) / 2), top + height / 2 + 4, how);
+    const right = x + wide, split = Math.max(x, Math.min(right, handle)), how = { bold: true, role: ON[name] ?? 'ink', over: FILLS[name] };
+    /** @type {[number, number][]} */
+    const rooms = split > x && split < right ? [[x, split - HANDLE], [split + HANDLE, right]] : [[x, right]];
+    for (const word of words) {
+      const long = pen.measureText(word).width, room = rooms.find(([begin, end]) => long < end - begin - 8);
+      if (!room) continue;
+      write(pen, theme, word, room[0] + Math.min(9, (room[1] - room[0] - long) / 2), top + height / 2 + 4, how);
+      break;
     }
     from = to;
   }

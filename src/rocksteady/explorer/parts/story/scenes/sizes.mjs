@@ -64,15 +64,16 @@ export function makeSizes(app) {
     const area = /** @type {Area} */ ([46, 0.75 * height, width - 60, 0.17 * height]);
     const [left, top, wide, high] = strip = area;
     write(pen, theme, 'what each does, over the length of the push', left, top - 24);
+    const handle = left + partOf(length) * wide;
     strips.forEach((cells, k) => {
       const row = top + (k * high) / 3;
       write(pen, theme, `${HEIGHTS[k]} m`, left - 8, row + high / 6 + 4, { align: 'right' });
-      drawStrip(pen, theme, cells, [left, row, wide, high / 3 - 2]);
+      drawStrip(pen, theme, cells, [left, row, wide, high / 3 - 2], handle);
     });
     for (const length of [0.2, 0.5, 1, 2]) {
       write(pen, theme, `${length} s`, left + partOf(length) * wide, top + high + 16, { role: 'quiet', align: 'center' });
     }
-    drawHandle(pen, theme, left + partOf(length) * wide, area);
+    drawHandle(pen, theme, handle, area);
   });
   const player = makePlayer(app, view, SECONDS, () => reels);
 

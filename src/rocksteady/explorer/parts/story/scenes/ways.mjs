@@ -80,12 +80,13 @@ export function makeWays(app) {
     const [left, top, length, tall] = strip = area;
     const across = (/** @type {number} */ g) => left + ((g - WEAKEST) / (STRONGEST - WEAKEST)) * length;
     write(pen, theme, 'what it does, over the strength of the push', left, top - 26);
-    if (cells.length) drawStrip(pen, theme, cells, area);
+    const handle = across(app.state.strength);
+    if (cells.length) drawStrip(pen, theme, cells, area, handle);
     for (const g of [0.2, 0.4, 0.6, 0.8, 1, ...(narrow ? [] : [1.2]), STRONGEST]) {
       const last = g === STRONGEST, text = `${g.toFixed(1)}${last ? ' g' : ''}`;
       write(pen, theme, text, across(g), top + tall + 16, { role: 'quiet', align: last ? 'right' : 'center' });
     }
-    drawHandle(pen, theme, across(app.state.strength), area);
+    drawHandle(pen, theme, handle, area);
   });
   const player = makePlayer(app, view, SECONDS, () => [reel]);
 
