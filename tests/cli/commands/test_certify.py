@@ -72,6 +72,15 @@ def test_points_over_a_range_are_proved() -> None:
     assert "symmetry breaking" in ran.json["claim"]
 
 
+@pytest.mark.slow
+def test_the_points_include_the_cascade_to_32_impacts() -> None:
+    rows = rocksteady("certify point -A 1:2.7 -W 2 -r 0.8 --json").json["certificates"]
+    assert {each["verdict"] for each in rows} == {"proved"}
+    assert [each["claim"].partition(" with ")[2].split()[0] for each in rows] == [
+        *("2", "2", "4", "8", "16")
+    ]
+
+
 @every("kind", ["", "fate"])
 def test_the_printed_program_runs_alone(kind: str, tmp_path: Path) -> None:
     program, file = tmp_path / "check.py", tmp_path / "certificate.json"

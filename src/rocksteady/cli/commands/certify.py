@@ -49,6 +49,8 @@ EXAMPLES = (
     "rocksteady certify chaos -A 2.698 -W 2 -r 0.8 --kind homoclinic\n\n"
     "rocksteady certify --check orbit.json"
 )
+DOUBLINGS = 4
+"""Of the cascade that is proved with the points: to 32 impacts."""
 KINDS = ("orbit", "point", "fate", "region", "chaos")
 proof_flag = options.Panel("Proof")
 
@@ -226,12 +228,17 @@ def _proofs(
         orbits = find_orbits(body, shaking.at(body))
         return [certify_orbit(orbit) for orbit in orbits if not orbit.rest_phases]
     from rocksteady.certify.point import SIGNS, certify_point
+    from rocksteady.dynamics.continuation.branches import BranchOptions
     from rocksteady.dynamics.continuation.find_bifurcations import find_bifurcations
 
     within = _ends("--amplitude/-A", shaking.amplitude)
     motion = replace(shaking, amplitude=str(within[1])).at(body)
-    diagram = find_bifurcations(body, motion, "amplitude", within=within, values=0)
+    search = BranchOptions(doublings=DOUBLINGS)
+    diagram = find_bifurcations(body, motion, "amplitude", within=within, values=0, search=search)
     points = [each.point for each in diagram.points if each.point.type in SIGNS]
+    most = max((each.impacts for each in points), default=0)
+    further = () if diagram.cascade is None else diagram.cascade.points
+    points += [each for each in further if each.impacts > most]
     return [certify_point(point) for point in points]
 
 
