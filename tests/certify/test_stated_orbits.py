@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib import pyplot as plt
 
 import rocksteady as rs
 from rocksteady.certify.orbit import certify_orbit
@@ -80,6 +81,7 @@ def test_every_orbit_of_the_manual_is_proved_as_it_is_stated(
         names: dict[str, object] = {}
         for cell in cells:
             exec(OPTIONS.sub("", cell), names)
+        plt.close("all")
         # Also those inside diagrams, attractors and lists.
         found |= {id(each): each for each in gc.get_objects() if isinstance(each, Orbit)}
     assert len(pages) >= 12
