@@ -87,7 +87,8 @@ def plot_fragility_surface(
     peaks, shares = peaks_and_shares(fragility)
     order = np.argsort(shares, kind="stable")
     axes.scatter(
-        *peaks[order].T,
+        peaks[order, 0],
+        peaks[order, 1],
         s=10.0,
         c=[inks.risk_step(share) for share in shares[order]],
         edgecolors=inks.edge,
