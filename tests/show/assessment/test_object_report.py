@@ -190,7 +190,7 @@ def test_each_file_that_was_read_has_its_hash(slides: Assessment, tmp_path: Path
 
 def test_every_picture_is_a_drawing_with_words(page: Page) -> None:
     pictures = page.of("img")
-    assert len(pictures) == 5
+    assert len(pictures) == 6
     for each in pictures:
         assert len(each["alt"]) > 40
         assert each["alt"].endswith(".")

@@ -153,10 +153,10 @@ class Assessment(Result):
                 f"the curve's {chance(self.by_curve)} is more than "
                 f"{100.0 * MOST_MISFIT:g} points from that."
             )
-        both = self.by_both_peaks
-        if both is not None and counted_otherwise(self.probability, both):
+        share = self.by_both_peaks
+        if share is not None and counted_otherwise(self.probability, share):
             sentences.append(
-                f"By PGA and PGV together {chance(both)} fall: more than "
+                f"By PGA and PGV together {chance(share)} fall: more than "
                 f"{100.0 * MOST_MISFIT:g} points from that of {self.level.measure.label} alone."
             )
         return tuple(sentences)

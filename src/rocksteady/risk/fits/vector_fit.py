@@ -128,7 +128,7 @@ class VectorCurve(Result):
         >>> fit = fit_vector(pairs, [2, 5, 22, 21, 38], [40] * 5, names=("PGA", "PGV"))
         >>> median, beta = fit.along(0.8)
         >>> print(f"{median:.3f} {beta:.3f} {fit.probability([median / 0.8, median]):.3f}")
-        0.510 0.543 0.500
+        0.506 0.544 0.500
         """
         of_first = positive("ratio", ratio, hint="give the second intensity over the first")
         if len(self.names) != 2:

@@ -122,11 +122,11 @@ class Fragility(Result):
         if self.surface is None or math.isnan(self.surface.explained):
             return ""
         words = f"explain {number(100.0 * self.surface.explained, 2)} % of the deviance"
-        alone, both = _shape(self.states[-1]), self.surface
-        if alone.trials == both.trials and alone.measure[0] in both.names:
-            flat = both.log_likelihood / (1.0 - both.explained)
-            share = 1.0 - alone.log_likelihood / flat
-            words += f", {alone.measure[0]} alone {number(100.0 * share, 2)} %"
+        curve, surface = _shape(self.states[-1]), self.surface
+        if curve.trials == surface.trials and curve.measure[0] in surface.names:
+            flat = surface.log_likelihood / (1.0 - surface.explained)
+            share = 1.0 - curve.log_likelihood / flat
+            words += f", {curve.measure[0]} alone {number(100.0 * share, 2)} %"
         return words
 
     def describe(self) -> Description:

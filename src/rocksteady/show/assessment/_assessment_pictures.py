@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.results.numbers import chance, number
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.assess.demand_in_units import demand_in_measure
-from rocksteady.risk.fits._status import FITTED
 from rocksteady.show.assessment._object_drawing import draw_object
 from rocksteady.show.plots.risk.assessment import plot_assessment
 from rocksteady.show.plots.risk.fragility import plot_fragility_states
@@ -46,7 +45,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
             4.2,
             f"Shares of runs and fragility curves of the damage states {names}.",
         )
-    if fragility.surface is not None and fragility.surface.status == FITTED:
+    if fragility.surface_words:
         pictures["surface"] = picture(
             lambda axes: plot_fragility_surface(
                 fragility,

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.assessment.object_report import report_html
@@ -150,7 +151,7 @@ def _write_curves(assessment: "Assessment", fragility: "Fragility", stage: Path)
     except InputError as error:
         return [f"No fragility for loss tools: {error}"]
     if assessment.by_both_peaks is not None and peaks.pga_g and peaks.pgv_m_s:
-        asked["m_s_per_g"] = peaks.pgv_m_s / peaks.pga_g
+        asked["pgv_per_pga_s"] = peaks.pgv_m_s / (STANDARD_GRAVITY * peaks.pga_g)
         components.append(
             LossComponent.from_fragility(fragility, f"{identifier[:69]}.peaks", **asked)
         )

@@ -232,7 +232,7 @@ class LossComponent:
         *,
         floor: bool = False,
         description: str = "",
-        m_s_per_g: float | None = None,
+        pgv_per_pga_s: float | None = None,
     ) -> "LossComponent":
         """Return the component of an ensemble's fragility, in PGA, PGV or spectral acceleration.
 
@@ -251,9 +251,9 @@ class LossComponent:
             Whether the motions are those of a floor; off by default.
         description
             Description of the object, in a sentence.
-        m_s_per_g
-            PGV over PGA where the object stands [m/s per g]: the component is then that of the last
-            damage state over PGV, by the surface over both; default None, the curves of the report.
+        pgv_per_pga_s
+            PGV over PGA where the object stands [s]: the component is then that of the last damage
+            state over PGV, by the surface over both; default None, the curves of the report.
 
         Raises
         ------
@@ -261,13 +261,15 @@ class LossComponent:
             If the measure has no name in loss tools, the blocks are several, no state is left, or
             there is no surface to be cut at a ratio.
         """
-        if m_s_per_g is not None:
+        if pgv_per_pga_s is not None:
+            ratio = STANDARD_GRAVITY * positive("pgv_per_pga_s", pgv_per_pga_s, hint="give seconds")
+            gate = _gate_of(fragility)
             return cls(
                 identifier=identifier,
                 measure="pgv_m_s",
-                states=(_state_along(fragility, m_s_per_g),),
+                states=(_state_along(fragility, ratio),),
                 floor=floor,
-                no_damage=(gate := _gate_of(fragility)) and gate * m_s_per_g,
+                no_damage=None if gate is None else gate * ratio,
                 description=description,
             )
         measure, factor = _measure_of(fragility)
@@ -483,16 +485,16 @@ def _gate_of(fragility: Fragility) -> float | None:
     return math.tan(_side_of(fragility)[0])
 
 
-def _state_along(fragility: Fragility, m_s_per_g: float) -> LossState:
-    """Return the last damage state over PGV where PGV is a ratio of PGA, by the surface."""
+def _state_along(fragility: Fragility, ratio: float) -> LossState:
+    """Return the last damage state over PGV where PGV [m/s] is a ratio of PGA [g]."""
     surface = fragility.surface
-    median, beta = (math.nan, math.nan) if surface is None else surface.along(m_s_per_g)
+    median, beta = (math.nan, math.nan) if surface is None else surface.along(ratio)
     if surface is None or math.isnan(median):
         valid = "a fit over PGA and PGV of runs that fall and runs that stand is needed"
         hint = "give more records, of several shapes"
         raise InputError("fragility", Words("has no surface"), valid, hint)
     note = (
-        f"Lognormal where PGV is {number(m_s_per_g)} m/s per g of PGA, of the runs that lift, by a "
+        f"Lognormal where PGV is {number(ratio)} m/s per g of PGA, of the runs that lift, by a "
         f"fit over both to {surface.trials} runs with {surface.failures} in this state."
     )
     return LossState(name=fragility.states[-1].state.name, median=median, beta=beta, note=note)

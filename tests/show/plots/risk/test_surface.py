@@ -53,7 +53,7 @@ def test_lines_dots_and_demand_are_those_of_the_surface(found: Fragility) -> Non
 
 
 def test_loss_tools_get_the_cut_at_the_ratio_of_the_peaks(found: Fragility, tmp_path: Path) -> None:
-    made = LossComponent.from_fragility(found, "RS.vase", m_s_per_g=1.25)
+    made = LossComponent.from_fragility(found, "RS.vase", pgv_per_pga_s=1.25 / 9.80665)
     (state,) = made.states
     assert found.surface is not None
     at = np.array([0.2, 0.5, 0.9])
@@ -72,6 +72,6 @@ def test_without_a_surface_there_is_no_picture_and_no_component(found: Fragility
     with pytest.raises(InputError, match="no fitted surface"):
         plots.fragility_surface(none)
     with pytest.raises(InputError, match="no surface"):
-        LossComponent.from_fragility(none, "A", m_s_per_g=1.0)
-    with pytest.raises(InputError, match="ratio"):
-        LossComponent.from_fragility(found, "A", m_s_per_g=0.0)
+        LossComponent.from_fragility(none, "A", pgv_per_pga_s=1.0)
+    with pytest.raises(InputError, match="pgv_per_pga_s"):
+        LossComponent.from_fragility(found, "A", pgv_per_pga_s=0.0)

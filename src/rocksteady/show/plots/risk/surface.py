@@ -1,6 +1,5 @@
 """Plot of fragility over PGA and PGV: the runs, and lines of equal probability."""
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -75,7 +74,7 @@ def plot_fragility_surface(
     from matplotlib.patches import Patch
 
     surface = fragility.surface
-    if surface is None or math.isnan(surface.explained):
+    if surface is None or not fragility.surface_words:
         raise InputError(
             "fragility",
             Words("has no fitted surface"),
