@@ -109,7 +109,7 @@ class VectorCurve(Result):
         Parameters
         ----------
         ratio
-            im_2/im_1, above 0: of PGA [g] and PGV [m/s] in m/s per g.
+            im_2/im_1, above 0, in their units.
 
         Returns
         -------
