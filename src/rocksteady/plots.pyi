@@ -54,6 +54,7 @@ from .show.plots.risk.hazard_curve import plot_hazard_curve as hazard_curve
 from .show.plots.risk.objects import plot_objects as objects
 from .show.plots.risk.plan import plot_plan as plan
 from .show.plots.risk.screens import plot_screens as screens
+from .show.plots.risk.surface import plot_fragility_surface as fragility_surface
 from .show.plots.risk.tornado import plot_measure_efficiency as measure_efficiency
 from .show.plots.risk.tornado import plot_tornado as tornado
 from .show.plots.value_rows import plot_rows as rows
@@ -90,6 +91,7 @@ __all__ = [
     "floor_spectra",
     "fragility",
     "fragility_states",
+    "fragility_surface",
     "free_rocking",
     "hazard_curve",
     "husid",

@@ -88,6 +88,7 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         },
         rs.plots.fragility: {"fragility": t["fragility"]},
         rs.plots.fragility_states: {"fragility": t["fragility"]},
+        rs.plots.fragility_surface: {"fragility": t["fragility"], "pga_g": 0.4, "pgv_m_s": 0.5},
         rs.plots.measure_efficiency: {"fragility": t["fragility"]},
         rs.plots.tornado: {"rows": [("restitution", 0.3, 0.5)], "base": 0.4},
         rs.export.LossState: {"name": "overturned", "median": 0.4, "beta": 0.5},

@@ -18,7 +18,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
-from rocksteady.results.numbers import length
+from rocksteady.results.numbers import chance, length
 from rocksteady.risk.assess._counts import THE_DEMAND
 from rocksteady.risk.assess._probability import onset_of, probability_of
 from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, find_remedies
@@ -431,6 +431,16 @@ def test_what_is_doubtful_stands_on_the_answer(found: Assessment) -> None:
         for text in changed.doubts:
             assert text in " ".join(changed.summary(more=True).split())
             assert any(row["words"] == text for row in answer_rows(changed))
+    # A pair of peaks unlike those of the motions: the fit over both is the neighbour.
+    assert found.fragility.surface is not None
+    both = found.by_both_peaks or math.nan
+    assert both == pytest.approx(float(found.fragility.surface.probability([0.4, PGV])))
+    (row,) = (each for each in answer_rows(found) if each["name"] == "By PGA and PGV")
+    assert row["words"] == chance(both)
+    assert "explain" in row["note"]
+    far = dataclasses.replace(found, probability=abs(both - 0.2), by_curve=None)
+    assert any("By PGA and PGV together" in text for text in far.doubts)
+    assert far.to_dict()["by_both_peaks"] == both
     # A demand that does not lift it is certain.
     assert dataclasses.replace(found, probability=0.0).doubts == ()
 

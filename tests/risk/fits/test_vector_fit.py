@@ -9,7 +9,7 @@ import statsmodels.api as sm
 from scipy import stats
 
 from rocksteady.errors import InputError
-from rocksteady.risk import fit_curve, fit_vector
+from rocksteady.risk import VectorCurve, fit_curve, fit_vector
 from tests.every import every
 
 
@@ -131,3 +131,30 @@ def test_what_is_not_valid_is_refused() -> None:
         fit_vector([[1.0], [2.0]], [0, 1], names=("a", "b"))
     with pytest.raises(InputError, match="shape"):
         fit_vector([[1.0], [2.0]], [0, 1]).probability([[1.0, 2.0]])
+
+
+def rising(sign: float = 1.0) -> VectorCurve:
+    """Return the fit to runs whose probability rises, or falls, with both intensities."""
+    rng = np.random.default_rng(5)
+    logs = rng.normal(size=(150, 2))
+    failures = rng.binomial(9, stats.norm.cdf(sign * (logs @ [0.7, 1.4] - 0.2)))
+    return fit_vector(np.exp(logs), failures, [9] * len(logs))
+
+
+def test_where_two_intensities_have_a_ratio_the_fit_is_a_lognormal() -> None:
+    found, parts = rising(), np.array([0.3, 1.0, 2.5])
+    for ratio in (0.1, 1.0, 3.0):
+        median, beta = found.along(ratio)
+        second = median * parts
+        cut = found.probability(np.stack([second / ratio, second], axis=-1))
+        assert cut == pytest.approx(stats.norm.cdf(np.log(parts) / beta), rel=1e-12)
+
+
+def test_what_falls_has_no_lognormal_and_a_ratio_is_of_two() -> None:
+    assert all(map(math.isnan, rising(-1.0).along(1.0)))
+    for ratio in (0.0, -1.0, math.nan, math.inf):
+        with pytest.raises(InputError, match="ratio"):
+            rising().along(ratio)
+    single = fit_vector([[0.2], [0.4], [0.8]], [1, 3, 7], [9] * 3)
+    with pytest.raises(InputError, match="two intensities"):
+        single.along(1.0)

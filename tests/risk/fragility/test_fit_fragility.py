@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+import statsmodels.api as sm
 import xarray
 from matplotlib.figure import Figure
 from scipy.optimize import minimize
@@ -437,3 +438,33 @@ def test_the_suite_gives_the_published_curve() -> None:
     ):
         here = lifted & (reached >= low) & (reached < high)
         assert fell[here].mean() == pytest.approx(share, abs=5e-4), (low, high)
+
+
+def test_the_surface_is_a_fit_to_the_single_runs_that_lift() -> None:
+    runs = ensemble().stack(run=("block", "record", "direction", "vertical", "draw", "level"))
+    lifted = runs.isel(run=runs.peak_angle.values > 0.0)
+    peaks = np.stack([lifted[f"im_{name}"] * lifted["scale"] for name in ("pga_g", "pgv_m_s")])
+    fell = (lifted.status == Status.OVERTURNED).values
+    probit = sm.families.Binomial(sm.families.links.Probit())
+    oracle = sm.GLM(fell, sm.add_constant(np.log(peaks.T)), family=probit).fit(tol=1e-13)
+    surface = fragility().surface
+    assert surface is not None
+    assert (surface.names, surface.trials) == (("PGA", "PGV"), fell.size)
+    assert surface.coefficients == pytest.approx(oracle.params, rel=1e-6)
+    share = fragility().by_both_peaks(0.4, 0.5)
+    assert share == pytest.approx(oracle.predict([1.0, math.log(0.4), math.log(0.5)])[0])
+    assert fragility().by_both_peaks(None, 0.5) is None
+    assert fragility().by_both_peaks(0.4, None) is None
+    assert "explain" in fragility().surface_words
+
+
+def test_without_two_independent_peaks_or_a_fall_there_is_no_surface() -> None:
+    rests = {"peak_angle": np.array(0.0), "status": np.array(int(Status.AT_REST))}
+    still = fit_fragility(changed(**rests), fitting=PLAIN)
+    assert (still.surface, still.surface_words, still.by_both_peaks(1.0, 1.0)) == (None, "", None)
+    lifting = FitOptions(bands=None, states=["uplift"])
+    assert fit_fragility(ensemble(), fitting=lifting).surface is None
+    alike = fit_fragility(ensemble().isel(record=[0], block=[0]), fitting=PLAIN)
+    assert alike.surface is None
+    without = fit_fragility(ensemble().drop_vars("im_pga_g"), fitting=PLAIN)
+    assert without.surface is None

@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 import rocksteady as rs
+from rocksteady.risk.fragility.fit_fragility import peaks_and_shares
 from tests.every import every
 from tests.public.things import things
 from tools.namespace import THINGS
@@ -339,6 +340,10 @@ CASES: dict[str, Case] = {
     "plot_predictions": lambda t: (
         {"predictions": t["predictions"]},
         [[p] for p in t["predictions"].p.tolist()],
+    ),
+    "plot_fragility_surface": lambda t: (
+        {"fragility": t["fragility"], "pga_g": 0.4, "pgv_m_s": 0.5},
+        [[0.4], [0.5], *peaks_and_shares(t["fragility"])[0].T.tolist()],
     ),
     "plot_measure_efficiency": lambda t: (
         {"fragility": t["fragility"]},

@@ -153,7 +153,21 @@ class Assessment(Result):
                 f"the curve's {chance(self.by_curve)} is more than "
                 f"{100.0 * MOST_MISFIT:g} points from that."
             )
+        share = self.by_both_peaks
+        if share is not None and counted_otherwise(self.probability, share):
+            sentences.append(
+                f"By PGA and PGV together {chance(share)} fall: more than "
+                f"{100.0 * MOST_MISFIT:g} points from that of {self.level.measure.label} alone."
+            )
         return tuple(sentences)
+
+    @property
+    def by_both_peaks(self) -> float | None:
+        """The probability by the surface over PGA and PGV at the demand; None without both."""
+        if self.fragility is None or self.probability is None or self.verdict == "stands":
+            return None
+        demand = self.described.given.demand
+        return self.fragility.by_both_peaks(demand.pga_g, demand.pgv_m_s)
 
     @cached_property
     def level(self) -> DemandLevel:
@@ -216,6 +230,13 @@ class Assessment(Result):
         return f"at {pga} a PGV of {pgv} is percentile {self.pgv_percentile:.0f} of the motions"
 
     @property
+    def both_peaks_words(self) -> str:
+        """The probability by both peaks, and what they explain of the runs; empty without."""
+        if self.by_both_peaks is None or self.fragility is None:
+            return ""
+        return f"{chance(self.by_both_peaks)}; together they {self.fragility.surface_words}"
+
+    @property
     def case_probabilities(self) -> list[float]:
         """Probability of each case, all by the method of the answer."""
         return by_one_method(self.cases, self.basis)
@@ -258,6 +279,7 @@ class Assessment(Result):
             Fact("probability", self.probability, "probability", share),
             Fact("probability_band", self.probability_band and list(self.probability_band)),
             Fact("by_curve", self.by_curve),
+            Fact("by_both_peaks", self.by_both_peaks, "by PGA and PGV", self.both_peaks_words),
             Fact("basis", self.basis),
             Fact("method", self.method, "from", self.method),
             Fact("target_probability", target, "target", f"{number(100.0 * target)} %"),

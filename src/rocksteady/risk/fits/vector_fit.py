@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import positive
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.results.numbers import number, number_or_none, plural
@@ -99,6 +100,45 @@ class VectorCurve(Result):
         logs = np.log(np.clip(at, tiny, np.finfo(np.float64).max))
         eta = self.coefficients[0] + logs @ self.coefficients[1:]
         return np.asarray(family_of("lognormal").cdf(eta))
+
+    def along(self, ratio: float) -> tuple[float, float]:
+        """Return the lognormal of the second of two intensities where it is a ratio of the first.
+
+        P = Phi(ln(im_2/median)/beta) with beta = 1/(c_1 + c_2), as im_1 = im_2/ratio.
+
+        Parameters
+        ----------
+        ratio
+            im_2/im_1, above 0, in their units.
+
+        Returns
+        -------
+        tuple of float
+            Median and beta; both NaN unless fitted, or if the probability does not rise.
+
+        Raises
+        ------
+        InputError
+            If the ratio is not above 0, or there are not two intensities.
+
+        Examples
+        --------
+        >>> from rocksteady.risk import fit_vector
+        >>> pairs = [[0.2, 0.3], [0.4, 0.2], [0.4, 0.8], [0.8, 0.5], [1.6, 1.1]]
+        >>> fit = fit_vector(pairs, [2, 5, 22, 21, 38], [40] * 5, names=("PGA", "PGV"))
+        >>> median, beta = fit.along(0.8)
+        >>> print(f"{median:.3f} {beta:.3f} {fit.probability([median / 0.8, median]):.3f}")
+        0.506 0.544 0.500
+        """
+        of_first = positive("ratio", ratio, hint="give the second intensity over the first")
+        if len(self.names) != 2:
+            problem = Words(f"are {len(self.names)}")
+            raise InputError("names", problem, "two intensities have a ratio", "fit two")
+        constant, first, second = self.coefficients.tolist()
+        if not first + second > 0.0:
+            return math.nan, math.nan
+        beta = 1.0 / (first + second)
+        return math.exp(beta * (first * math.log(of_first) - constant)), beta
 
     @property
     def _answer(self) -> str:

@@ -7,6 +7,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
 
+import numpy as np
+
+from rocksteady.arrays import Floats
+from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -18,6 +22,7 @@ from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
 from rocksteady.risk.fits.fragility_curve import fit_curve
 from rocksteady.risk.fits.two_stages import fit_two_stages
+from rocksteady.risk.fits.vector_fit import VectorCurve, fit_vector
 from rocksteady.risk.fragility._labels_of_runs import (
     Labels,
     kept_measures,
@@ -35,6 +40,8 @@ from rocksteady.sweep.run import Execution
 if TYPE_CHECKING:
     import xarray
 
+PEAKS = (Measure("pga_g"), Measure("pgv_m_s"))
+"""Measures of the surface."""
 STAGE = "^(uplift|failure given uplift): "
 """What a sentence on one of two stages begins with."""
 
@@ -92,6 +99,7 @@ def fit_fragility(ensemble: "xarray.Dataset", *, fitting: FitOptions | None = No
         ensemble=ensemble,
         measure=measure,
         states=states,
+        surface=_surface(labels, options.damage_states[-1]),
         ranking=rank_measures(labels, compared, options.damage_states[-1], options.family),
         fitting=options,
         warnings=_warnings(labels, states),
@@ -218,6 +226,41 @@ def _fitted(
     else:
         points += [(level, count, None, fell) for level, count, fell, _ in fitted.curve.stripes]
     return replace(fitted, points=tuple(points))
+
+
+def _surface(labels: Labels, state: DamageState) -> VectorCurve | None:
+    """Return the probability over PGA and PGV of the runs that lift; None where there is none."""
+    kept = {labels.ensemble.attrs["measure"], *(x.key for x in kept_measures(labels.ensemble))}
+    lifted = labels.count(DamageState(UPLIFT))
+    some = lifted > 0
+    if state.name == UPLIFT or not some.any() or not kept.issuperset(each.key for each in PEAKS):
+        return None
+    try:
+        return fit_vector(
+            _peaks(labels)[some],
+            labels.count(state)[some],
+            lifted[some],
+            groups=labels.groups[some],
+            names=[each.label for each in PEAKS],
+        )
+    except InputError:  # records of one shape: PGA and PGV depend on each other
+        return None
+
+
+def _peaks(labels: Labels) -> Floats:
+    """Return PGA and PGV, shape (blocks, records, levels, 2)."""
+    return np.stack([labels.intensity(each) for each in PEAKS], axis=-1)
+
+
+def peaks_and_shares(fragility: Fragility) -> tuple[Floats, Floats]:
+    """Return PGA and PGV of each record and level with runs that lift, and how many of them fail.
+
+    Shapes (n, 2) and (n,), of the last damage state; the ensemble must hold both measures.
+    """
+    labels = labels_of(fragility.ensemble)
+    lifted = labels.count(DamageState(UPLIFT))
+    some = lifted > 0
+    return _peaks(labels)[some], labels.count(fragility.states[-1].state)[some] / lifted[some]
 
 
 def _warnings(labels: Labels, states: Sequence[StateFragility]) -> tuple[str, ...]:

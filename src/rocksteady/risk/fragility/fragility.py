@@ -14,6 +14,7 @@ from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
+from rocksteady.risk.fits.vector_fit import VectorCurve
 from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.fragility.efficiency import Efficiency
 from rocksteady.risk.fragility.fitting import FitOptions
@@ -57,6 +58,9 @@ class Fragility(Result):
         Measure of the curves' axis.
     states
         Curves and points of each damage state.
+    surface
+        Probability of the last damage state of the runs that lift, over PGA [g] and PGV [m/s]; None
+        without either beside the runs, for records of one shape, or where no run lifts.
     ranking
         Measures by efficiency for the last damage state, the best first.
     fitting
@@ -74,6 +78,7 @@ class Fragility(Result):
     ensemble: "xarray.Dataset"
     measure: Measure
     states: tuple[StateFragility, ...]
+    surface: VectorCurve | None = None
     ranking: tuple[Efficiency, ...]
     fitting: FitOptions
     warnings: tuple[str, ...]
@@ -100,6 +105,29 @@ class Fragility(Result):
                 return each
         known = ", ".join(each.state.name for each in self.states)
         raise InputError("name", name, f"the damage states are {known}", "give one of them")
+
+    def by_both_peaks(self, pga_g: float | None, pgv_m_s: float | None) -> float | None:
+        """Return the probability of the last damage state at a PGA and a PGV, of what lifts.
+
+        None where either is None, or the surface is not fitted.
+        """
+        if self.surface is None or pga_g is None or pgv_m_s is None:
+            return None
+        share = float(self.surface.probability([pga_g, pgv_m_s]))
+        return None if math.isnan(share) else share
+
+    @property
+    def surface_words(self) -> str:
+        """What PGA and PGV explain together, beside one of them alone; empty without."""
+        if self.surface is None or math.isnan(self.surface.explained):
+            return ""
+        words = f"explain {number(100.0 * self.surface.explained, 2)} % of the deviance"
+        curve, surface = _shape(self.states[-1]), self.surface
+        if curve.trials == surface.trials and curve.measure[0] in surface.names:
+            flat = surface.log_likelihood / (1.0 - surface.explained)
+            share = 1.0 - curve.log_likelihood / flat
+            words += f", {curve.measure[0]} alone {number(100.0 * share, 2)} %"
+        return words
 
     def describe(self) -> Description:
         """Return the curves of all states, their points and the ranking."""
@@ -129,6 +157,12 @@ class Fragility(Result):
                 "scale_factor_max",
                 self.scale_factor_max,
                 "largest scale factor",
+            ),
+            Fact(
+                "surface",
+                None if self.surface is None else self.surface.describe().to_dict(),
+                "PGA and PGV" if self.surface_words else "",
+                self.surface_words,
             ),
             Fact("seconds", self.seconds),
             Fact("warnings", list(self.warnings)),

@@ -9,6 +9,7 @@ from rocksteady.risk.assess.demand_in_units import demand_in_measure
 from rocksteady.show.assessment._object_drawing import draw_object
 from rocksteady.show.plots.risk.assessment import plot_assessment
 from rocksteady.show.plots.risk.fragility import plot_fragility_states
+from rocksteady.show.plots.risk.surface import plot_fragility_surface
 from rocksteady.show.plots.risk.tornado import plot_measure_efficiency, plot_tornado
 from rocksteady.show.report import picture, twins
 from rocksteady.show.style.wording import greek, key_words, span, state_words
@@ -43,6 +44,17 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
             lambda axes: plot_fragility_states(fragility, axes, legend="below"),
             4.2,
             f"Shares of runs and fragility curves of the damage states {names}.",
+        )
+    if fragility.surface_words:
+        pictures["surface"] = picture(
+            lambda axes: plot_fragility_surface(
+                fragility,
+                axes,
+                pga_g=assessment.described.given.demand.pga_g,
+                pgv_m_s=assessment.described.given.demand.pgv_m_s,
+            ),
+            4.4,
+            "Shares of the runs that fall over PGA and PGV, with lines of 10, 50 and 90 %.",
         )
     ranked = [each for each in fragility.ranking if math.isfinite(each.aic)]
     if len(ranked) > 1 and any(each.beta > 0.0 for each in ranked):

@@ -55,6 +55,9 @@ def answer_rows(assessment: Assessment) -> list[dict[str, str]]:
             words += f", counted at the demand; {chance(assessment.by_curve)} by the curve"
         target = f"target {number(100.0 * given.assessment.target_probability)} %"
         rows.append(_row("Probability of falling", words, target))
+    if assessment.both_peaks_words:
+        share, _, note = assessment.both_peaks_words.partition("; ")
+        rows.append(_row("By PGA and PGV", share, note))
     rows += [_row("Doubt", text) for text in assessment.doubts]
     if assessment.curve is not None:
         rows.append(_row("Median, half fall at", *_median_words(assessment)))

@@ -3,9 +3,10 @@
 import re
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.assessment.object_report import report_html
@@ -138,18 +139,22 @@ def _fill(
 
 def _write_curves(assessment: "Assessment", fragility: "Fragility", stage: Path) -> list[str]:
     """Write the curves that loss tools take; return what was left out and why."""
-    described = assessment.described
+    described, peaks = assessment.described, assessment.described.given.demand
     plain = re.sub(r"[^A-Za-z0-9_.]+", "_", described.name).strip("_.")
     identifier = f"RS.{plain}"[:75]
+    asked: dict[str, Any] = {
+        "floor": peaks.place == "floor",
+        "description": assessment.facts.describe().headline,
+    }
     try:
-        component = LossComponent.from_fragility(
-            fragility,
-            identifier,
-            floor=described.given.demand.place == "floor",
-            description=assessment.facts.describe().headline,
-        )
+        components = [LossComponent.from_fragility(fragility, identifier, **asked)]
     except InputError as error:
         return [f"No fragility for loss tools: {error}"]
-    write_pelicun(stage / "fragility.csv", [component])
-    write_openquake(stage / "fragility.xml", [component])
-    return list(component.left_out)
+    if assessment.by_both_peaks is not None and peaks.pga_g and peaks.pgv_m_s:
+        asked["pgv_per_pga_s"] = peaks.pgv_m_s / (STANDARD_GRAVITY * peaks.pga_g)
+        components.append(
+            LossComponent.from_fragility(fragility, f"{identifier[:69]}.peaks", **asked)
+        )
+    write_pelicun(stage / "fragility.csv", components)
+    write_openquake(stage / "fragility.xml", components)
+    return list(components[0].left_out)

@@ -16,6 +16,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 from rocksteady.results.doubts import misfit_words
+from rocksteady.results.numbers import number
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
@@ -231,6 +232,7 @@ class LossComponent:
         *,
         floor: bool = False,
         description: str = "",
+        pgv_per_pga_s: float | None = None,
     ) -> "LossComponent":
         """Return the component of an ensemble's fragility, in PGA, PGV or spectral acceleration.
 
@@ -249,12 +251,27 @@ class LossComponent:
             Whether the motions are those of a floor; off by default.
         description
             Description of the object, in a sentence.
+        pgv_per_pga_s
+            PGV over PGA where the object stands [s]: the component is then that of the last damage
+            state over PGV, by the surface over both; default None, the curves of the report.
 
         Raises
         ------
         InputError
-            If the measure has no name in loss tools, the blocks are several, or no state is left.
+            If the measure has no name in loss tools, the blocks are several, no state is left, or
+            there is no surface to be cut at a ratio.
         """
+        if pgv_per_pga_s is not None:
+            ratio = STANDARD_GRAVITY * positive("pgv_per_pga_s", pgv_per_pga_s, hint="give seconds")
+            gate = _gate_of(fragility)
+            return cls(
+                identifier=identifier,
+                measure="pgv_m_s",
+                states=(_state_along(fragility, ratio),),
+                floor=floor,
+                no_damage=None if gate is None else gate * ratio,
+                description=description,
+            )
         measure, factor = _measure_of(fragility)
         states: list[LossState] = []
         left_out: list[str] = []
@@ -466,6 +483,21 @@ def _gate_of(fragility: Fragility) -> float | None:
     if "with" in fragility.ensemble["vertical"].values.tolist():
         return None
     return math.tan(_side_of(fragility)[0])
+
+
+def _state_along(fragility: Fragility, ratio: float) -> LossState:
+    """Return the last damage state over PGV where PGV [m/s] is a ratio of PGA [g]."""
+    surface = fragility.surface
+    median, beta = (math.nan, math.nan) if surface is None else surface.along(ratio)
+    if surface is None or math.isnan(median):
+        valid = "a fit over PGA and PGV of runs that fall and runs that stand is needed"
+        hint = "give more records, of several shapes"
+        raise InputError("fragility", Words("has no surface"), valid, hint)
+    note = (
+        f"Lognormal where PGV is {number(ratio)} m/s per g of PGA, of the runs that lift, by a "
+        f"fit over both to {surface.trials} runs with {surface.failures} in this state."
+    )
+    return LossState(name=fragility.states[-1].state.name, median=median, beta=beta, note=note)
 
 
 def _state_of(fragility: StateFragility, factor: float) -> LossState | str:
