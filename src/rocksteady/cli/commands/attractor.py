@@ -71,7 +71,9 @@ def attractor(
         )
     output.write_csv(attractor.to_dataframe)
     output.write_plot(lambda page: figure_of(attractor, page))
-    further = "" if model == "nonlinear" else options.follow_up("basins", shaking, series, floor, block)
+    further = (
+        "" if model == "nonlinear" else options.follow_up("basins", shaking, series, floor, block)
+    )
     if attractor.reason.endswith("follow more cycles"):
         longer = "--model nonlinear" if model == "nonlinear" else ""
         longer = f"{longer} --cycles {10 * cycles}".strip()

@@ -76,7 +76,9 @@ def orbits(
     output.write_csv(lambda: framed(table.rows, body, "number"))
     output.write_plot(lambda page: orbits_figure(listed, description.headline, page))
     chosen = "--model nonlinear" if model == "nonlinear" else ""
-    further = options.follow_up("attractor", shaking, series, floor, block, chosen, *_start_of(listed, motion.phase))
+    further = options.follow_up(
+        "attractor", shaking, series, floor, block, chosen, *_start_of(listed, motion.phase)
+    )
     output.leave("orbits", description, follow_up=further)
 
 

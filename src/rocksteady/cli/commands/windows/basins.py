@@ -157,7 +157,9 @@ def basins(
         else:
             sampling = over.SamplingOptions(**chosen, seed=window.seed)
             result = over.compute_basin_shares(body, motion, *moving, sampling=sampling, **how)
-    drawn = _drawn(output, shaking, series, reading, block, window, *_given(model, cycles, shares=shares))
+    drawn = _drawn(
+        output, shaking, series, reading, block, window, *_given(model, cycles, shares=shares)
+    )
     if isinstance(result, Basins):
         _leave_basins(result, output, sweep, entropy, drawn, exponent=exponent)
     elif isinstance(result, Erosion):
