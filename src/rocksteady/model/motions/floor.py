@@ -45,7 +45,7 @@ MOST_SAMPLES = 5_000_000
 
 DEFAULT_TOLERANCE = 1e-3
 
-Shaken = TypeVar("Shaken", Record, BaseMotion, Record | BaseMotion, Motion)
+AnyMotion = TypeVar("AnyMotion", Record, BaseMotion, Record | BaseMotion, Motion)
 
 
 @checked
@@ -155,8 +155,8 @@ class Floor:
         return np.asarray(hypot(*self._modes_at(1.0).shares(2.0 * math.pi * given)))
 
     def motion(
-        self, motion: Shaken, block: Block | None = None, *, tolerance: float = DEFAULT_TOLERANCE
-    ) -> Shaken:
+        self, motion: AnyMotion, block: Block | None = None, *, tolerance: float = DEFAULT_TOLERANCE
+    ) -> AnyMotion:
         """Return the motion of the floor; as `floor_motion`, which documents it.
 
         Raises
@@ -252,14 +252,14 @@ class Floor:
 
 @checked
 def floor_motion(
-    motion: Shaken,
+    motion: AnyMotion,
     *,
     frequencies_hz: Sequence[float] | float,
     damping: Sequence[float] | float = DEFAULT_DAMPING,
     shapes: Sequence[float] | float = 1.0,
     block: Block | None = None,
     tolerance: float = DEFAULT_TOLERANCE,
-) -> Shaken:
+) -> AnyMotion:
     """Return the motion of a floor of a building on a base that moves.
 
     The response of each mode is exact for the ground that is given: lines of a record, constants,
