@@ -5,6 +5,7 @@ SciPy filters the ground by the building's mode; Runge and Kutta's steps rock al
 
 import itertools
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -41,7 +42,7 @@ def floor_of(record: Record, period_s: float) -> tuple[Floats, float]:
     fine = np.interp(times, record.dt_s * np.arange(len(ground)), ground)
     w = 2.0 * math.pi / period_s
     # x'' over the ground's acceleration: -s^2/(s^2 + 2 zeta w s + w^2)
-    mode = ([1.0 - SHAPE, 2.0 * ZETA * w, w * w], [1.0, 2.0 * ZETA * w, w * w])
+    mode: Any = ([1.0 - SHAPE, 2.0 * ZETA * w, w * w], [1.0, 2.0 * ZETA * w, w * w])
     above, below, _ = cont2discrete(mode, 0.5 * step, method="foh")
     return lfilter(above.ravel(), below, fine), step
 

@@ -45,7 +45,9 @@ MOST_SAMPLES = 5_000_000
 
 DEFAULT_TOLERANCE = 1e-3
 
-AnyMotion = TypeVar("AnyMotion", Record, BaseMotion, Record | BaseMotion, Motion)
+AnyMotion = TypeVar(
+    "AnyMotion", Record, BaseMotion, Record | BaseMotion, Harmonic, FourierSeries, Motion
+)
 
 
 @checked
