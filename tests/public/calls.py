@@ -117,7 +117,7 @@ def calls() -> dict[str, Call]:
         rs.Nonlinear: {"tolerance": 1e-8},
         rs.floor_motion: {"motion": record, "frequencies_hz": 2.0},
         rs.motions.Floor: {"frequencies_hz": 2.0},
-        rs.motions.Floor(frequencies_hz=2.0).motion: {"ground": record},
+        rs.motions.Floor(frequencies_hz=2.0).motion: {"motion": record},
         rs.motions.Floor(frequencies_hz=2.0).amplification: {"frequency_hz": [1.0, 2.0]},
         rs.BaseMotion: {"horizontal": record, "vertical": record},
         rs.BaseMotion(record).scaled: {"factor": 2.0},

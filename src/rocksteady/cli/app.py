@@ -44,6 +44,7 @@ from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.cli.flags.parsing import no_number
+from rocksteady.cli.flags.record_files import FLOOR_FLAGS
 from rocksteady.errors import RocksteadyError, UnfinishedError, one_line
 
 HELP = (
@@ -56,6 +57,11 @@ OUTPUT_LOST = "standard output cannot be written"
 LONGEST_MESSAGE = 400
 """Characters of what typer finds wrong, which shows arguments whole."""
 
+NO_FLOOR = (
+    "floors are flags of commands with one motion",
+    "give the shaking of the floor, of which rocksteady attractor --floor-hz states the amplitude",
+)
+"""What is valid, and what to do, of flags of floors where a command has none."""
 NO_NUMBER = "should be a valid number"
 """What typer finds of a text that is none."""
 
@@ -272,6 +278,8 @@ def _unknown(error: TyperException, path: str) -> str | None:
         near = sorted(error.possibilities or ())  # type: ignore[attr-defined]
         lists, hint = f"{path} --help-all lists its flags", "leave it out, or give one of these"
         hint = f"did you mean {' or '.join(near)}?" if near else hint
+        if option in FLOOR_FLAGS.values():
+            lists, hint = NO_FLOOR
         return one_line(f"{option} is no flag of {path}: {lists}; {hint}")
     words = re.match(
         r"No such command '(.*?)'\.(.*)|Got unexpected .*\((.*)\)", error.message, re.DOTALL

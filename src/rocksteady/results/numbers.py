@@ -61,6 +61,18 @@ def angle(rad: float) -> str:
     return quantity(math.degrees(rad), "°")
 
 
+def force_words(parts: tuple[float, float], unit: str) -> str:
+    """Return a horizontal and a vertical force in words.
+
+    Examples
+    --------
+    >>> force_words((1.25, 9.81), "kN")
+    '1.25 kN across and 9.81 kN down'
+    """
+    across, down = (quantity(part, unit).rstrip() for part in parts)
+    return f"{across} across and {down} down"
+
+
 def length(metres: float) -> str:
     """Return a length [m] in millimetres below a metre, in metres from there on.
 

@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 
-from rocksteady import Block, Nonlinear, Pulse, Record, floor_motion, simulate
+from rocksteady import Block, Nonlinear, Pulse, Record, find_attractor, floor_motion, simulate
+from rocksteady.motions import Floor, FourierSeries
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 
@@ -52,6 +53,54 @@ def test_a_pulse_and_shaking_are_those_of_the_floor() -> None:
     resonant = rocksteady(f"{alone} --floor-hz 2").json["amplitude"]
     closed = math.sqrt(1.0 + 4.0 * zeta**2) / (2.0 * zeta)
     assert resonant == pytest.approx(closed * rocksteady(alone).json["amplitude"], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "attractor --cycles 200",
+        "orbits --max-period 1 --seeds 8",
+        "steady",
+        "edge",
+        "basins --cycles 60 --angles=-0.5:0.5:4 --velocities=-0.5:0.5:4",
+        "explore --no-browser",
+    ],
+)
+def test_lasting_shaking_is_that_of_the_floor(command: str) -> None:
+    factor = Floor(frequencies_hz=3.0).amplification(2.0).item()
+    floor, direct = (
+        rocksteady(f"{command} {SIZE} --json --freq-hz 2 --accel-g {flags}")
+        for flags in ("0.1 --floor-hz 3", repr(0.1 * factor))
+    )
+    assert f"{factor:.4g} times the amplitude of the ground" in floor.err
+    wanted, found = (
+        float(each.json["view"]["A"] if "explore" in command else each.json["amplitude"])
+        for each in (direct, floor)
+    )
+    assert found == pytest.approx(wanted, rel=1e-9)
+
+
+def test_a_series_is_turned_harmonic_by_harmonic() -> None:
+    command = f"attractor {SIZE} --json --freq-hz 2 --accel-g 0.25 --cycles 200 --floor-hz 3"
+    found = rocksteady(f"{command} --harmonic 1,1,0 --harmonic 3,0.2,1").json
+    series = FourierSeries.from_si(
+        BLOCK,
+        acceleration_m_s2=0.25 * 9.80665,
+        frequency_hz=2.0,
+        harmonics=((1, 1.0, 0.0), (3, 0.2, 1.0)),
+    )
+    moved = floor_motion(series, block=BLOCK, frequencies_hz=3.0)
+    truth = find_attractor(BLOCK, moved, max_cycles=200)
+    assert found["kind"] == truth.kind.label
+    assert found["peaks"] == pytest.approx(truth.peaks, rel=1e-9)
+
+
+def test_the_next_command_of_orbits_starts_on_the_orbit() -> None:
+    command = f"orbits {SIZE} --accel-g 0.1 --freq-hz 2 --floor-hz 2 --max-period 1 --seeds 8"
+    further = rocksteady(command).out.partition("next: rocksteady ")[2].replace("\\\n", "")
+    found = rocksteady(f"{further} --json").json
+    (state, *_) = found["states"]
+    assert state["phase"] == pytest.approx(found["phase"], abs=1e-5)
 
 
 def test_measures_of_a_file_are_those_of_the_floor(file: Path) -> None:
@@ -105,7 +154,11 @@ def test_a_mistake_is_one_line(flags: str, words: list[str], file: Path) -> None
         f"simulate {SIZE} --start 0.6,0",
         f"screens {SIZE} --pga-g 0.3",
         f"assess {SIZE} --pga-g 0.3 --pgv-m-s 0.3",
-        f"basins {SIZE} --accel-g 0.4 --freq-hz 1",
+        f"basins {SIZE} --accel-g 0.1:0.4:3 --freq-hz 1",
+        f"steady {SIZE} --accel-g 0.4 --freq-hz 1:2:3",
+        f"map {SIZE} --accel-g 0.4 --freq-hz 1:2:3",
+        f"bifurcate {SIZE} --accel-g 0.4 --freq-hz 1:2:3",
+        f"curves {SIZE} --accel-g 0.1:0.4:3 --freq-hz 1:2:3",
         "certify orbit -A 2 -W 2 -r 0.8",
         "assess --example",
         "facade --example",

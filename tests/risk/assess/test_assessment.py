@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.tops import top_displacement
@@ -124,8 +125,30 @@ def test_the_motion_of_the_top_is_that_of_the_runs_nearest_to_the_demand(
     top = found.qualification["top_displacement_m"]
     assert top == pytest.approx(np.quantile(np.max(tops, axis=0), 0.84))
     assert found.to_dict()["qualification"] == found.qualification
-    words = f"at most {length(top or 0.0)}, its edge at "
+    gap = found.qualification["clearance_m"]
+    words = f"at most {length(top or 0.0)}, clearance {length(gap or 0.0)}, its edge at "
     assert any(words in row["words"] for row in answer_rows(found))
+
+
+def test_the_force_on_the_base_is_that_of_the_runs_that_rock_and_stand(
+    found: Assessment,
+) -> None:
+    assert found.fragility is not None
+    runs, block = found.fragility.ensemble, found.facts.block
+    level = found.level.of(found.fragility.measure, block)
+    nearest = runs.isel(level=int(np.abs(np.log(runs["level"].values / level)).argmin()))
+    forces = []
+    for motion, scale in zip(found.motions, nearest["scale"].values[0].tolist(), strict=True):
+        run = simulate(block, motion.scaled(scale))
+        if run.status != Status.OVERTURNED and run.forces_per_weight is not None:
+            forces.append(run.forces_per_weight)
+    mass = 120.0
+    heavy = dataclasses.replace(found, facts=dataclasses.replace(found.facts, mass_kg=mass))
+    expected = np.quantile(forces, 0.84, axis=0) * mass * block.gravity / 1000.0
+    assert heavy.base_force_kn == pytest.approx(expected.tolist())
+    assert any("kN across" in row["words"] for row in answer_rows(heavy))
+    light = dataclasses.replace(found.facts, mass_kg=None)
+    assert dataclasses.replace(found, facts=light).base_force_kn is None
 
 
 def test_the_plot_is_that_of_the_fragility_with_the_demand(found: Assessment) -> None:

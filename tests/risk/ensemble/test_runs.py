@@ -46,6 +46,7 @@ NAMES = (
     "impacts",
     "uplift_time_s",
     "top_displacement_m",
+    "clearance_m",
     "edge_speed_m_s",
 )
 
@@ -95,9 +96,14 @@ def test_each_cell_is_a_time_history() -> None:
                 assert speed is not None
                 if top is None or block.symmetric:
                     moved = np.nan if top is None else top
-                    assert float(cell.top_displacement_m) == pytest.approx(
-                        moved, rel=1e-8, abs=1e-15, nan_ok=True
-                    )
+                    gap = np.nan if run.clearances_m is None else max(run.clearances_m)
+                    for found_m, truth in (
+                        (cell.top_displacement_m, moved),
+                        (cell.clearance_m, gap),
+                    ):
+                        assert float(found_m) == pytest.approx(
+                            truth, rel=1e-8, abs=1e-15, nan_ok=True
+                        )
                 else:  # the side of the peak is not known, and the worse one is taken
                     assert float(cell.top_displacement_m) >= top * (1.0 - 1e-8)
                 fastest = run.peak_velocity * block.alpha * block.p * block.width

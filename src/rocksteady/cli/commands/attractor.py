@@ -7,6 +7,7 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import SeriesFlags
+from rocksteady.cli.flags.record_files import FloorFlags
 from rocksteady.cli.flags.start import StartFlags
 
 if TYPE_CHECKING:
@@ -38,6 +39,7 @@ SHOWN_PERIODS = 30
 def attractor(
     shaking: ShakingFlags,
     series: SeriesFlags,
+    floor: FloorFlags,
     block: BlockFlags,
     output: OutputFlags,
     start: StartFlags,
@@ -52,7 +54,7 @@ def attractor(
     output.check()
     body = block.described()
     equations = equations_for(model, body)
-    motion = series.of(shaking.at(body, phase=start.first_phase))
+    motion = floor.on_floor(series.of(shaking.at(body, phase=start.first_phase)), body)
     start.check(shaken=True)
 
     announce_compilation("settle.settle")
@@ -69,11 +71,13 @@ def attractor(
         )
     output.write_csv(attractor.to_dataframe)
     output.write_plot(lambda page: figure_of(attractor, page))
-    further = "" if model == "nonlinear" else options.follow_up("basins", shaking, series, block)
+    further = (
+        "" if model == "nonlinear" else options.follow_up("basins", shaking, series, floor, block)
+    )
     if attractor.reason.endswith("follow more cycles"):
         longer = "--model nonlinear" if model == "nonlinear" else ""
         longer = f"{longer} --cycles {10 * cycles}".strip()
-        further = options.follow_up("attractor", shaking, series, block, start, longer)
+        further = options.follow_up("attractor", shaking, series, floor, block, start, longer)
     output.leave(
         "attractor",
         attractor.describe(),

@@ -8,6 +8,7 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import SeriesFlags
+from rocksteady.cli.flags.record_files import FloorFlags
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.orbits.orbit import Orbit
@@ -41,6 +42,7 @@ EXAMPLES = (
 def orbits(
     shaking: ShakingFlags,
     series: SeriesFlags,
+    floor: FloorFlags,
     block: BlockFlags,
     output: OutputFlags,
     max_period: int = search_flag(
@@ -60,7 +62,7 @@ def orbits(
     output.check()
     body = block.described()
     equations = equations_for(model, body)
-    motion = series.of(shaking.at(body))
+    motion = floor.on_floor(series.of(shaking.at(body)), body)
 
     announce_compilation("periodic.search")
     from rocksteady.dynamics.orbits.search import describe_orbits, find_orbits
@@ -74,11 +76,21 @@ def orbits(
     output.write_csv(lambda: framed(table.rows, body, "number"))
     output.write_plot(lambda page: orbits_figure(listed, description.headline, page))
     chosen = "--model nonlinear" if model == "nonlinear" else ""
-    further = options.follow_up("attractor", shaking, series, block, chosen, *_start_of(listed))
+    further = options.follow_up(
+        "attractor", shaking, series, floor, block, chosen, *_start_of(listed, motion.phase)
+    )
     output.leave("orbits", description, follow_up=further)
 
 
-def _start_of(listed: "Sequence[Orbit]") -> list[str]:
-    """Return the flags that start on the first stable motion, if there is one without rests."""
+def _start_of(listed: "Sequence[Orbit]", turned: float) -> list[str]:
+    """Return the flags that start on the first stable motion, if there is one without rests.
+
+    Parameters
+    ----------
+    listed
+        The motions.
+    turned
+        Phase of their shaking where that of the ground, which --phase sets, is 0 [rad].
+    """
     states = [orbit.start for orbit in listed if orbit.stable and not orbit.rest_phases]
-    return [f"--start=0,{s.side * s.speed:.6g} --phase {s.phase:.6g}" for s in states[:1]]
+    return [f"--start=0,{s.side * s.speed:.6g} --phase {s.phase - turned:.6g}" for s in states[:1]]

@@ -169,9 +169,9 @@ def next_command(
     if recorded.record:
         whole = replace(recorded, scale=None, pga_g=None)
         return options.follow_up("overturn", whole, reading, block, full)
-    if reading.floor is not None:  # overturn and attractor shake the ground
+    if pulse.given and reading.floor is not None:  # windows of a pulse are those on the ground
         return options.follow_up(
-            "simulate", pulse, shaking, series, recorded, reading, block, full, "--csv run.csv"
+            "simulate", pulse, shaking, recorded, reading, block, full, "--csv run.csv"
         )
     if pulse.given:
         phase = "" if start.phase is None else f"--phase {start.phase!r}"
@@ -180,7 +180,7 @@ def next_command(
     if isinstance(motion, Still):
         begin = start.start if "," in start.start else "0,0"
         return options.follow_up("overturn --kick", f"--start {begin}", block, full)
-    return options.follow_up("attractor", shaking, series, block)
+    return options.follow_up("attractor", shaking, series, reading, block)
 
 
 def with_neighbours(

@@ -9,6 +9,7 @@ from rocksteady.cli.console.refusals import refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.record_files import FloorFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Linear
@@ -42,6 +43,7 @@ EXAMPLES = (
 @grouped
 def steady(
     shaking: ShakingFlags,
+    floor: FloorFlags,
     block: BlockFlags,
     output: OutputFlags,
     order: list[int] | None = options.orders(),
@@ -55,6 +57,11 @@ def steady(
             hint="ask for its periodic motions with `rocksteady orbits`",
         )
     amplitudes, ratios = shaking.of(body)
+    for parameter, values in (("amplitude", amplitudes), ("frequency_ratio", ratios)):
+        if len(values) > 1:
+            floor.refuse_axis(parameter)
+    if len(amplitudes) == len(ratios) == 1:
+        amplitudes = [floor.on_floor(shaking.at(body), body).amplitude]
     if len(set(order or (1,))) > 1 and len(ratios) == 1:
         refuse(
             {"--plot": output.plot},
@@ -85,7 +92,7 @@ def steady(
         if answer is not None and full.value is not None:
             answer = replace(answer, facts=[(full.label, full.text), *answer.facts])
         description = replace(description, facts=[*description.facts, full], answer=answer)
-        further = options.follow_up("attractor", shaking, block, *_start_of(states))
+        further = options.follow_up("attractor", shaking, floor, block, *_start_of(states))
     else:
         output.write_plot(lambda page: curves_figure(body, amplitudes, ratios, orders, page))
         moving = len(ratios) + len(amplitudes) > 2

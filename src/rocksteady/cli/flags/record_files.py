@@ -1,5 +1,6 @@
 """Flags for recorded ground motions: files, how to read them, how they shake a block."""
 
+import math
 import re
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -15,6 +16,7 @@ from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
+from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -118,8 +120,25 @@ class FloorFlags:
                 }
             )
 
+    def refuse_axis(self, parameter: str) -> None:
+        """Refuse a floor beside an axis of the shaking, which is that at the block.
+
+        Raises
+        ------
+        FlagError
+            If there is one.
+        """
+        refuse(
+            {"--floor-hz": self.floor_hz},
+            f"{FLAG_OF_ARGUMENT[parameter]} is an axis, and axes are those of the shaking at the "
+            "block",
+            "give one amplitude and one frequency, or the axis of the floor without it",
+        )
+
     def on_floor(self, motion: Any, body: Any = None) -> Any:
         """Return the motion of the floor; on the ground the motion itself.
+
+        Of harmonic shaking a note says by how much the floor amplifies it.
 
         Raises
         ------
@@ -132,7 +151,11 @@ class FloorFlags:
             raise FlagError(
                 "--floor-hz", self.floor_hz, "hertz need a block with a p", "describe a block"
             )
-        return self.floor.motion(motion, body)
+        moved = self.floor.motion(motion, body)
+        if isinstance(moved, Harmonic):
+            factor = self.floor.amplification(moved.frequency_ratio * body.p / (2.0 * math.pi))
+            terminal.note(f"{self.floor.label}: {factor:.4g} times the amplitude of the ground")
+        return moved
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,7 +14,7 @@ from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import angle, length, number, quantity
+from rocksteady.results.numbers import angle, force_words, length, number, quantity
 from rocksteady.results.result import Result
 
 DECIDED_BY_ROUNDING = 1e12
@@ -191,5 +191,4 @@ def _qualification(run: Described, mass_kg: float | None) -> Iterator[Fact]:
         forces.append(("base_force_kn", "force on base", run.base_force_kn(mass_kg), "kN"))
     for key, label, parts, unit in forces:
         if parts is not None:
-            across, down = (quantity(part, unit).rstrip() for part in parts)
-            yield Fact(key, list(parts), label, f"{across} across and {down} down")
+            yield Fact(key, list(parts), label, force_words(parts, unit))

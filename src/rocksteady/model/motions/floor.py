@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar, overload
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, exp, hypot, log, sincos
@@ -19,12 +19,9 @@ from rocksteady.model.motions.oscillator import (
     grown,
     imaginary,
     inverse,
-    less,
-    minus,
     rate_of,
     states,
     steady_line,
-    times,
 )
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion, Piecewise, Segment, segments_of
@@ -48,7 +45,9 @@ MOST_SAMPLES = 5_000_000
 
 DEFAULT_TOLERANCE = 1e-3
 
-Shaken = TypeVar("Shaken", Record, BaseMotion)
+AnyMotion = TypeVar(
+    "AnyMotion", Record, BaseMotion, Record | BaseMotion, Harmonic, FourierSeries, Motion
+)
 
 
 @checked
@@ -93,51 +92,41 @@ class Floor:
 
     def __post_init__(self) -> None:
         """Validate, and turn single numbers into tuples of one for each mode."""
-        hertz = _numbers("frequencies_hz", self.frequencies_hz, MODE_HZ)
-        if not 1 <= len(hertz) <= MOST_MODES:
+        rules = {"frequencies_hz": MODE_HZ, "damping": DAMPING, "shapes": SHAPE}
+        given = {name: _numbers(name, getattr(self, name), rule) for name, rule in rules.items()}
+        count = len(given["frequencies_hz"])
+        if not 1 <= count <= MOST_MODES:
             raise InputError(
                 "frequencies_hz",
                 self.frequencies_hz,
                 f"a floor has 1 to {MOST_MODES} modes",
                 "give the frequencies of the lowest modes",
             )
-        damping = _numbers("damping", self.damping, DAMPING)
-        if len(damping) == 1:
-            damping *= len(hertz)
-        shapes = _numbers("shapes", self.shapes, SHAPE)
-        for name, values in (("damping", damping), ("shapes", shapes)):
-            if len(values) != len(hertz):
-                raise InputError(
-                    name,
-                    getattr(self, name),
-                    f"there must be one for each of {len(hertz)} modes",
-                    "give as many as frequencies",
-                )
-        total = math.fsum(shapes)
+        if len(given["damping"]) == 1:
+            given["damping"] *= count
+        for name, values in given.items():
+            if len(values) != count:
+                valid = f"there must be one for each of {count} modes"
+                raise InputError(name, getattr(self, name), valid, "give as many as frequencies")
+            object.__setattr__(self, name, values)
+        total = math.fsum(given["shapes"])
         if not LEAST_SUM <= total <= LARGEST_SUM:
             raise InputError(
                 "shapes",
-                self.shapes,
+                given["shapes"],
                 f"they add up to {total:.4g}, and those of all modes of a building to 1; a few "
                 f"modes give {LEAST_SUM:g} to {LARGEST_SUM:g}",
                 "give participation factor times mode shape, with their signs",
             )
-        for name, values in (("frequencies_hz", hertz), ("damping", damping), ("shapes", shapes)):
-            object.__setattr__(self, name, values)
 
     @property
     def label(self) -> str:
         """The modes in words, as "floor of 1.5 Hz, damping 5 %, shape 1.3"."""
-        columns = zip(*self.modes, strict=True)
-        hertz, damping, shapes = (
-            [f"{factor * value:.4g}" for value in values]
-            for values, factor in zip(columns, (1.0, 100.0, 1.0), strict=True)
-        )
+        hertz, damping, shapes = zip(*self.modes, strict=True)
         kept = damping[:1] if len(set(damping)) == 1 else damping
-        return (
-            f"floor of {', '.join(hertz)} Hz, damping {', '.join(kept)} %, "
-            f"shape {', '.join(shapes)}"
-        )
+        words = [", ".join(f"{each:.4g}" for each in values) for values in (hertz, shapes)]
+        zetas = ", ".join(f"{100.0 * zeta:.4g}" for zeta in kept)
+        return f"floor of {words[0]} Hz, damping {zetas} %, shape {words[1]}"
 
     @property
     def modes(self) -> tuple[tuple[float, float, float], ...]:
@@ -167,22 +156,9 @@ class Floor:
             )
         return np.asarray(hypot(*self._modes_at(1.0).shares(2.0 * math.pi * given)))
 
-    @overload
     def motion(
-        self, ground: Shaken, block: Block | None = None, *, tolerance: float = ...
-    ) -> Shaken: ...
-    @overload
-    def motion(
-        self, ground: Motion, block: Block | None = None, *, tolerance: float = ...
-    ) -> Motion: ...
-    @checked
-    def motion(
-        self,
-        ground: "Motion | Record | BaseMotion",
-        block: Block | None = None,
-        *,
-        tolerance: Annotated[float, TOLERANCE] = DEFAULT_TOLERANCE,
-    ) -> "Motion | Record | BaseMotion":
+        self, motion: AnyMotion, block: Block | None = None, *, tolerance: float = DEFAULT_TOLERANCE
+    ) -> AnyMotion:
         """Return the motion of the floor; as `floor_motion`, which documents it.
 
         Raises
@@ -190,12 +166,20 @@ class Floor:
         InputError, ModelError
             As `floor_motion`.
         """
-        if isinstance(ground, BaseMotion):
-            return replace(
-                ground, horizontal=self.motion(ground.horizontal, block, tolerance=tolerance)
-            )
-        if isinstance(ground, Record):
-            return self._recorded(ground, tolerance)
+        return self._moved(motion, block, tolerance)  # type: ignore[no-any-return]
+
+    @checked
+    def _moved(
+        self,
+        motion: Motion | Record | BaseMotion,
+        block: Block | None,
+        tolerance: Annotated[float, TOLERANCE],
+    ) -> Any:
+        """Return the motion of the floor."""
+        if isinstance(motion, BaseMotion):
+            return replace(motion, horizontal=self._moved(motion.horizontal, block, tolerance))
+        if isinstance(motion, Record):
+            return self._recorded(motion, tolerance)
         if not isinstance(block, Block):
             raise ModelError(
                 "block",
@@ -204,11 +188,16 @@ class Floor:
                 "give the Block that stands on the floor",
             )
         modes = self._modes_at(block.p)
-        if isinstance(ground, Harmonic):
-            return _turned(ground, modes)
-        if isinstance(ground, FourierSeries):
-            return _turned_series(ground, modes)
-        return Piecewise(pieces=modes.response(segments_of(ground), tolerance))
+        if isinstance(motion, Harmonic):
+            size, _, phase = modes.turned(motion.amplitude, motion.frequency_ratio, motion.phase)
+            return replace(motion, amplitude=size, phase=_rounded(phase))
+        if isinstance(motion, FourierSeries):
+            harmonics = []
+            for order, *wave in motion.harmonics:
+                size, _, phase = modes.turned(wave[0], order * motion.frequency_ratio, wave[1])
+                harmonics.append((order, size, _rounded(phase)))
+            return replace(motion, harmonics=tuple(harmonics))
+        return Piecewise(pieces=modes.response(segments_of(motion), tolerance))
 
     def _modes_at(self, p: float) -> "_Modes":
         """Return the modes in units of a block's p."""
@@ -226,9 +215,9 @@ class Floor:
         swings, left, curved = [], [], np.zeros(len(slope))
         for rate, power in zip(modes.rates, modes.powers, strict=True):
             z = states(a, dt, rate)
-            inside = minus(Parts(z.real[:-1], z.imag[:-1]), steady_line(a[:-1], slope, rate))
-            swings.append(times(power, inside))
-            left.append(times(power, Parts(float(z.real[-1]), float(z.imag[-1]))))
+            inside = Parts(z.real[:-1], z.imag[:-1]) - steady_line(a[:-1], slope, rate)
+            swings.append(power * inside)
+            left.append(power * Parts(float(z.real[-1]), float(z.imag[-1])))
             curved = curved + _square(rate) * hypot(*swings[-1])
         after = modes.quiet_after(left, error)
         curvature = max(float(curved.max()), modes.curvature(left))
@@ -263,36 +252,16 @@ class Floor:
         )
 
 
-@overload
-def floor_motion(
-    motion: Shaken,
-    *,
-    frequencies_hz: Sequence[float] | float,
-    damping: Sequence[float] | float = ...,
-    shapes: Sequence[float] | float = ...,
-    block: Block | None = ...,
-    tolerance: float = ...,
-) -> Shaken: ...
-@overload
-def floor_motion(
-    motion: Motion,
-    *,
-    frequencies_hz: Sequence[float] | float,
-    damping: Sequence[float] | float = ...,
-    shapes: Sequence[float] | float = ...,
-    block: Block | None = ...,
-    tolerance: float = ...,
-) -> Motion: ...
 @checked
 def floor_motion(
-    motion: "Motion | Record | BaseMotion",
+    motion: AnyMotion,
     *,
     frequencies_hz: Sequence[float] | float,
     damping: Sequence[float] | float = DEFAULT_DAMPING,
     shapes: Sequence[float] | float = 1.0,
     block: Block | None = None,
-    tolerance: Annotated[float, TOLERANCE] = DEFAULT_TOLERANCE,
-) -> "Motion | Record | BaseMotion":
+    tolerance: float = DEFAULT_TOLERANCE,
+) -> AnyMotion:
     """Return the motion of a floor of a building on a base that moves.
 
     The response of each mode is exact for the ground that is given: lines of a record, constants,
@@ -354,10 +323,8 @@ class _Modes:
     def __init__(self, rates: Sequence[Parts], shapes: Sequence[float]) -> None:
         self.rates = rates
         self.powers = [
-            Parts(square.real * shape / rate.imag, square.imag * shape / rate.imag)
-            for rate, shape, square in (
-                (rate, shape, times(rate, rate)) for rate, shape in zip(rates, shapes, strict=True)
-            )
+            rate * rate * Parts(shape, 0.0) / rate.imag
+            for rate, shape in zip(rates, shapes, strict=True)
         ]
         self.total = math.fsum(shapes)
 
@@ -368,6 +335,11 @@ class _Modes:
             of_sine, of_cosine = _lasting(rate, frequency)
             sine, cosine = sine + imaginary(power, of_sine), cosine + imaginary(power, of_cosine)
         return sine, cosine
+
+    def turned(self, size: float, frequency: float, phase: float) -> tuple[float, float, float]:
+        """Return size, frequency and phase of the floor under a lasting sine."""
+        sine, cosine = self.shares(frequency)
+        return size * hypot(sine, cosine), frequency, phase + atan2(cosine, sine)
 
     def quiet_after(self, swings: Sequence[Parts], error: float) -> float:
         """Return the time after which free swings are together below an error."""
@@ -401,19 +373,16 @@ class _Modes:
         z = [Parts(0.0, 0.0) for _ in self.rates]
         made: list[Segment] = []
         for piece in pieces:
-            z = [less(each, piece.jump) for each in z]
-            waves = _waves(piece)
+            waves, jump = _waves(piece), Parts(piece.jump, 0.0)
             swings = [
-                minus(each, _lasting_at(rate, piece, waves, 0.0))
+                each - jump - _lasting_at(rate, piece, waves, 0.0)
                 for each, rate in zip(z, self.rates, strict=True)
             ]
             made += self._lines(piece, waves, swings, error)
             if piece.duration < math.inf:
                 z = [
-                    _plus(
-                        times(swing, grown(rate, piece.duration)),
-                        _lasting_at(rate, piece, waves, piece.duration),
-                    )
+                    swing * grown(rate, piece.duration)
+                    + _lasting_at(rate, piece, waves, piece.duration)
                     for swing, rate in zip(swings, self.rates, strict=True)
                 ]
         return tuple(made)
@@ -428,11 +397,8 @@ class _Modes:
         """Return the floor during one segment of the ground: lines, then what lasts for ever."""
         import numpy as np
 
-        turned = []
-        for size, frequency, phase in waves:
-            sine, cosine = self.shares(frequency)
-            turned.append((size * hypot(sine, cosine), frequency, phase + atan2(cosine, sine)))
-        scaled = [times(power, swing) for power, swing in zip(self.powers, swings, strict=True)]
+        turned = [self.turned(*wave) for wave in waves]
+        scaled = [power * swing for power, swing in zip(self.powers, swings, strict=True)]
         endless = piece.duration == math.inf
         span = self.quiet_after(scaled, error) if endless else piece.duration
 
@@ -465,10 +431,10 @@ def _endless(piece: Segment, turned: Sequence[tuple[float, float, float]], since
     """Return what an endless segment of the ground leaves of the floor, from a time of it on."""
     if len(piece.harmonics) == 0:
         size, frequency, phase = turned[0] if turned else (0.0, 0.0, 0.0)
-        phase = math.remainder(phase + frequency * since, 2.0 * math.pi)
+        phase = _rounded(phase + frequency * since)
         return replace(piece, amplitude=size, frequency=frequency, phase=phase, jump=0.0)
     harmonics = tuple(
-        (order, size, math.remainder(phase + frequency * since, 2.0 * math.pi))
+        (order, size, _rounded(phase + frequency * since))
         for (order, _, _), (size, frequency, phase) in zip(piece.harmonics, turned, strict=True)
     )
     return replace(piece, amplitude=1.0, phase=0.0, harmonics=harmonics, jump=0.0)
@@ -488,9 +454,8 @@ def _lasting(rate: Parts, frequency: Any) -> tuple[Parts, Parts]:
 
     ``z' = L z - sin(W s)`` has ``z = (L sin(W s) + W cos(W s))/(L^2 + W^2)``.
     """
-    square = times(rate, rate)
-    below = inverse(Parts(square.real + frequency * frequency, square.imag + 0.0 * frequency))
-    return times(rate, below), Parts(frequency * below.real, frequency * below.imag)
+    below = inverse(rate * rate + Parts(frequency * frequency, 0.0 * frequency))
+    return rate * below, Parts(frequency * below.real, frequency * below.imag)
 
 
 def _lasting_at(
@@ -500,29 +465,17 @@ def _lasting_at(
     line = steady_line(piece.constant + piece.slope * s, piece.slope, rate)
     for size, frequency, phase in waves:
         of_sine, of_cosine = _lasting(rate, frequency)
-        sine, cosine = sincos(math.remainder(frequency * s + phase, 2.0 * math.pi))
-        line = Parts(
-            line.real + size * (sine * of_sine.real + cosine * of_cosine.real),
-            line.imag + size * (sine * of_sine.imag + cosine * of_cosine.imag),
+        sine, cosine = sincos(_rounded(frequency * s + phase))
+        line += Parts(
+            size * (sine * of_sine.real + cosine * of_cosine.real),
+            size * (sine * of_sine.imag + cosine * of_cosine.imag),
         )
     return line
 
 
-def _turned(ground: Harmonic, modes: _Modes) -> Harmonic:
-    """Return lasting harmonic shaking of the floor."""
-    sine, cosine = modes.shares(ground.frequency_ratio)
-    phase = math.remainder(ground.phase + atan2(cosine, sine), 2.0 * math.pi)
-    return replace(ground, amplitude=ground.amplitude * hypot(sine, cosine), phase=phase)
-
-
-def _turned_series(ground: FourierSeries, modes: _Modes) -> FourierSeries:
-    """Return lasting periodic shaking of the floor."""
-    harmonics = []
-    for order, size, phase in ground.harmonics:
-        sine, cosine = modes.shares(order * ground.frequency_ratio)
-        turned = math.remainder(phase + atan2(cosine, sine), 2.0 * math.pi)
-        harmonics.append((order, size * hypot(sine, cosine), turned))
-    return replace(ground, harmonics=tuple(harmonics))
+def _rounded(phase: float) -> float:
+    """Return a phase less whole periods."""
+    return math.remainder(phase, 2.0 * math.pi)
 
 
 def _numbers(name: str, value: object, rule: Bounds) -> tuple[float, ...]:
@@ -534,10 +487,6 @@ def _numbers(name: str, value: object, rule: Bounds) -> tuple[float, ...]:
 
 def _square(z: Parts) -> float:
     return float(z.real * z.real + z.imag * z.imag)
-
-
-def _plus(x: Parts, y: Parts) -> Parts:
-    return Parts(x.real + y.real, x.imag + y.imag)
 
 
 def _largest(piece: Segment) -> float:

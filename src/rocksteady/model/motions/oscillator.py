@@ -37,6 +37,25 @@ class Parts(NamedTuple):
     real: Any
     imag: Any
 
+    def __add__(self, other: "Parts") -> "Parts":  # type: ignore[override]
+        """Return the sum."""
+        return Parts(self.real + other.real, self.imag + other.imag)
+
+    def __sub__(self, other: "Parts") -> "Parts":
+        """Return the difference."""
+        return Parts(self.real - other.real, self.imag - other.imag)
+
+    def __mul__(self, other: "Parts") -> "Parts":  # type: ignore[override]
+        """Return the product."""
+        return Parts(self.real * other.real - self.imag * other.imag, imaginary(self, other))
+
+    def __truediv__(self, real: float) -> "Parts":
+        """Return the quotient by a real number."""
+        return Parts(self.real / real, self.imag / real)
+
+
+ONE = Parts(1.0, 0.0)
+
 
 def rate_of(frequency: float, damping: float) -> Parts:
     """Return L of a circular frequency and a damping below 1."""
@@ -59,18 +78,17 @@ def states(a: "Floats", h: float, rate: Parts) -> Parts:
 
     from rocksteady.kernels.linear.oscillator import fill_oscillator
 
-    x = Parts(rate.real * h, rate.imag * h)
+    x, step = rate * Parts(h, 0.0), Parts(-h, 0.0)
     growth = grown(rate, h)
     if x.real * x.real + x.imag * x.imag < SERIES_BELOW * SERIES_BELOW:
         second = Parts(0.0, 0.0)
         for k in reversed(range(SERIES_TERMS)):
-            second = less(times(x, second), -1.0 / math.factorial(k + 2))
-        first = less(times(x, second), -1.0)
+            second = x * second + Parts(1.0 / math.factorial(k + 2), 0.0)
+        first = x * second + ONE
     else:
-        first = times(less(growth, 1.0), inverse(x))
-        second = times(less(first, 1.0), inverse(x))
-    early = Parts(-h * (first.real - second.real), -h * (first.imag - second.imag))
-    late = Parts(-h * second.real, -h * second.imag)
+        first = (growth - ONE) * inverse(x)
+        second = (first - ONE) * inverse(x)
+    early, late = step * (first - second), step * second
     z = np.empty((2, len(a)))
     fill_oscillator(np.array(a), np.array([growth, early, late]), z)
     return Parts(*z)
@@ -79,7 +97,7 @@ def states(a: "Floats", h: float, rate: Parts) -> Parts:
 def steady_line(constant: Any, slope: Any, rate: Parts) -> Parts:
     """Return z of the response to ``constant + slope t`` at t = 0 without what decays."""
     turned = inverse(rate)
-    return times(Parts(constant + slope * turned.real, slope * turned.imag), turned)
+    return Parts(constant + slope * turned.real, slope * turned.imag) * turned
 
 
 def grown(rate: Parts, t: Any) -> Parts:
@@ -92,21 +110,6 @@ def inverse(z: Parts) -> Parts:
     """Return 1/z."""
     square = z.real * z.real + z.imag * z.imag
     return Parts(z.real / square, -z.imag / square)
-
-
-def less(z: Parts, real: float) -> Parts:
-    """Return z less a real number."""
-    return Parts(z.real - real, z.imag)
-
-
-def minus(x: Parts, y: Parts) -> Parts:
-    """Return a difference."""
-    return Parts(x.real - y.real, x.imag - y.imag)
-
-
-def times(x: Parts, y: Parts) -> Parts:
-    """Return a product."""
-    return Parts(x.real * y.real - x.imag * y.imag, imaginary(x, y))
 
 
 def imaginary(x: Parts, y: Parts) -> Any:

@@ -16,7 +16,15 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import MOST_MISFIT, counted_otherwise, misfit_words
-from rocksteady.results.numbers import chance, counted, interval, number, number_or_none, quantity
+from rocksteady.results.numbers import (
+    chance,
+    counted,
+    force_words,
+    interval,
+    number,
+    number_or_none,
+    quantity,
+)
 from rocksteady.results.result import Result
 from rocksteady.risk.assess._answers import answer_of_object
 from rocksteady.risk.assess._assessment_tables import tables_of
@@ -44,7 +52,13 @@ from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of,
 from rocksteady.risk.assess.described.schema import Options, own_states
 from rocksteady.risk.ensemble.gates import uplift_of
 from rocksteady.risk.ensemble.levels import Levels
-from rocksteady.risk.ensemble.qualification import most_of_standing, standing_words
+from rocksteady.risk.ensemble.qualification import (
+    OF_STANDING,
+    forces_of_standing,
+    most_of_standing,
+    runs_near,
+    standing_words,
+)
 from rocksteady.risk.fits.bands import BandOptions
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve, fit_two_stages
@@ -195,16 +209,34 @@ class Assessment(Result):
 
     @cached_property
     def qualification(self) -> dict[str, float | None]:
-        """Top displacement [m] and edge speed [m/s] that 84 % of the runs that stand do not exceed.
+        """What 84 % of the runs that stand do not exceed: top and clearance [m], edge speed [m/s].
 
         Of the level of its runs nearest to the demand; empty where there are none.
         """
+        runs = self._at_demand
+        return {} if runs is None else most_of_standing(runs)
+
+    @cached_property
+    def base_force_kn(self) -> tuple[float, float] | None:
+        """Horizontal and vertical force on the base [kN] of most runs that rock and stand.
+
+        84 % of one run under each motion, at the level of `qualification` and with the object's
+        own restitution, do not exceed them.  None without the object's mass, or such runs.
+        """
+        runs, mass = self._at_demand, self.facts.mass_kg
+        if runs is None or mass is None:
+            return None
+        scales = runs["scale"].isel(block=0).values
+        return forces_of_standing(self.facts.block, self.motions, scales, mass)
+
+    @property
+    def _at_demand(self) -> "xarray.Dataset | None":
+        """The runs of the level nearest to the demand; None where there are none."""
         if self.fragility is None or self.verdict == "stands":
-            return {}
-        levels = self.fragility.ensemble["level"].values
-        level = self.level.of(self.fragility.measure, self.facts.block)
-        nearest = int(np.maximum(levels / level, level / levels).argmin())
-        return most_of_standing(self.fragility.ensemble.isel(level=nearest).load())
+            return None
+        return runs_near(
+            self.fragility.ensemble, self.level.of(self.fragility.measure, self.facts.block)
+        )
 
     @property
     def meets_target(self) -> bool:
@@ -314,6 +346,11 @@ class Assessment(Result):
         words = standing_words(self.qualification) if self.qualification else ""
         shown = ("top moves", words) if words else ("", "")
         facts.append(Fact("qualification", self.qualification or None, *shown))
+        force = self.base_force_kn
+        shown = (
+            ("force on base", f"{force_words(force, 'kN')}, {OF_STANDING}") if force else ("", "")
+        )
+        facts.append(Fact("base_force_kn", force and list(force), *shown))
         return [*facts, Fact("seconds", self.seconds)]
 
     def _warnings(self) -> list[str]:

@@ -2,7 +2,7 @@
 
 import time
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
@@ -40,6 +40,7 @@ from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.building import Building, on_floors
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.two_numbers import assess_by_formula, share_words
+from rocksteady.risk.ensemble.qualification import OUTPUTS, most_of_standing, runs_near
 from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.screens.friction import uplift_acceleration_g
@@ -74,8 +75,9 @@ class ObjectsTable(Result):
         ``probability`` (with a PGV of the runs that lift) with its ``basis`` and ``method`` as in
         `Assessment`, where it was counted its interval from ``band_low`` to ``band_high``, the
         share ``counted`` at the demand, of those ``tried``, the probability ``by_curve`` and that
-        by the ``closed_form``, ``colour``, ``class``, ``verdict`` and ``sentence``; further columns
-        of its table after them.
+        by the ``closed_form``, ``colour``, ``class``, ``verdict`` and ``sentence``, and as in
+        `Assessment.qualification` ``top_displacement_m``, ``clearance_m`` and ``edge_speed_m_s``;
+        further columns of its table after them.
     pga_g, pgv_m_s
         The demand of objects that state none of their own; the motions are scaled to its PGV,
         without one to its PGA.
@@ -285,7 +287,12 @@ def assess_objects(
         if place in fragilities:
             share, band = counts[place].share, counts[place].band
             answer = probability_of(each, onset, fragilities[place], level, share, band)
-        rows.append(_row(each, onset, answer, level, counts[place]))
+        row = _row(each, onset, answer, level, counts[place])
+        moved: dict[str, float | None] = dict.fromkeys(OUTPUTS)
+        if place in fragilities and answer.basis != "statics":
+            runs, measure = fragilities[place].ensemble, fragilities[place].measure
+            moved = most_of_standing(runs_near(runs, level.of(measure, each.block)))
+        rows.append(row | moved | _kept(each, row))
     return ObjectsTable(
         rows=tuple(rows),
         pga_g=pga_g,
@@ -352,7 +359,7 @@ def _row(
         ).probability
     colour = colour_of(answer.value, target)
     side, need = first_side(block), onset.friction_needed
-    row = {
+    return {
         "name": described.name,
         "kind": described.given.kind,
         "building": described.given.building,
@@ -382,8 +389,13 @@ def _row(
         "verdict": verdict_of(answer, target),
         "sentence": _sentence(described, answer, level, counts),
     }
-    return row | {
-        (f"{key} (given)" if key in row else key): text for key, text in described.extra.items()
+
+
+def _kept(described: DescribedObject, row: Mapping[str, object]) -> dict[str, str]:
+    """Return the further columns of an object's table; a name of the row is marked as given."""
+    return {
+        (f"{key} (given)" if key in row or key in OUTPUTS else key): text
+        for key, text in described.extra.items()
     }
 
 

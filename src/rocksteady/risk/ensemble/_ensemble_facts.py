@@ -39,6 +39,7 @@ def describe(dataset: "xarray.Dataset") -> Description:
             for name, words in (("uplift", "lift"), ("overturned", "fall"))
         ),
         Column("top_displacement_m", f"top, {SHARE:.0%}", _moved),
+        Column("clearance_m", f"gap, {SHARE:.0%}", _moved),
         Column("edge_speed_m_s", f"edge, {SHARE:.0%} [m/s]"),
     ]
     signs = " and ".join(map(str, dataset["direction"].values))

@@ -76,11 +76,11 @@ def run_ensemble(
     -------
     xarray.Dataset
         ``status`` (with flags), ``peak_angle`` (|theta|/alpha), ``impacts``, ``top_displacement_m``
-        (as of a `Trajectory`, nan of a fall), ``edge_speed_m_s`` (of the lifted lower edge, up to a
-        fall) and ``uplift_time_s`` (nan without uplift), over ``block``, ``record``, ``direction``,
-        ``vertical``, ``draw`` and ``level``.  Coordinates are ``scale``, the factor of the
-        accelerations, ``restitution``, ``alpha`` and ``p``, and ``im_NAME`` for each measure of the
-        records as they are.
+        and ``clearance_m`` (as of a `Trajectory`, of the worse side, nan of a fall),
+        ``edge_speed_m_s`` (of the lifted lower edge, up to a fall) and ``uplift_time_s`` (nan
+        without uplift), over ``block``, ``record``, ``direction``, ``vertical``, ``draw`` and
+        ``level``.  Coordinates are ``scale``, the factor of the accelerations, ``restitution``,
+        ``alpha`` and ``p``, and ``im_NAME`` for each measure of the records as they are.
 
     Raises
     ------

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 PERIOD: Final = Bounds(0.01, 60.0, "[]", "give the building's period in seconds, as 0.5")
 HEIGHT_RATIO: Final = Bounds(0.0, 1.0, "[]", "give z/H: 0 at the ground, 1 at the roof")
-NTC: Final = ((0.5, 0.8, 1.4, 5.0), (1.0, 0.3, 1.2, 4.0), (np.inf, 0.3, 1.0, 2.5))
-"""Periods of the building below which a, b and a_p hold (Circolare 7/2019, table C7.2.II)."""
+NTC: Final = ((0.8, 1.4, 5.0), (0.3, 1.2, 4.0), (0.3, 1.0, 2.5))
+"""a, b and a_p for T_1 < 0.5 s, to 1 s and beyond (Circolare 7/2019, table C7.2.II)."""
 
 
 @checked
@@ -47,7 +47,8 @@ def floor_accelerations(
         (z/H)^10)`` with ``a_1 = 1/T_1 <= 2.5`` and ``a_2 = 1 - (0.4/T_1)^2 >= 0`` (eq. 13.3-4
         with R_mu = 1); "EN 1998-1", ``a (3 (1 + z/H)/(1 + (1 - T_a/T_1)^2) - 0.5) >= a``
         (4.3.5.2); "NTC 2018", ``a (1 + z/H) a_p/(1 + (a_p - 1)(1 - T_a/(c T_1))^2)``, c = a below
-        a T_1, a_p alone to b T_1, and c = b and at least a beyond (Circolare C7.2.3).
+        a T_1, a_p alone to b T_1, and c = b and at least a beyond (Circolare C7.2.3,
+        of buildings with frames).
 
     Raises
     ------
@@ -67,7 +68,7 @@ def floor_accelerations(
     flexible, roof = min(1.0 / t1, 2.5), max(1.0 - (0.4 / t1) ** 2, 0.0)
     asce = np.full(periods.shape, 1.0 + flexible * z + roof * z**10)
     en = np.maximum(3.0 * (1.0 + z) / (1.0 + (1.0 - periods / t1) ** 2) - 0.5, 1.0)
-    a, b, most = next(row[1:] for row in NTC if t1 < row[0])
+    a, b, most = NTC[(t1 >= 0.5) + (t1 > 1.0)]
     low, high = (most / (1.0 + (most - 1.0) * (1.0 - periods / (c * t1)) ** 2) for c in (a, b))
     between = np.where(periods < a * t1, low, most)
     ntc = np.where(periods < b * t1, (1.0 + z) * between, np.maximum((1.0 + z) * high, 1.0))

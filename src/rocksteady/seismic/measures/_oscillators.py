@@ -13,15 +13,14 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import atan2
 from rocksteady.model.motions.oscillator import (
+    ONE,
     Parts,
     grown,
     imaginary,
     inverse,
-    minus,
     rate_of,
     states,
     steady_line,
-    times,
 )
 
 HALVES: Floats = np.ldexp(1.0, -np.arange(1, 31))[:, np.newaxis]
@@ -60,31 +59,31 @@ def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> 
         a = np.append(a[:-1, np.newaxis] + within, a[-1])
     z = states(a, h, rate)
     # 1/(wd L), 1/wd, L/wd and L^2/wd: what each kind is made with, after what its slope is.
-    kinds = (inverse(rate), Parts(1.0, 0.0), rate, times(rate, rate))
-    powers = [Parts(kind.real / rate.imag, kind.imag / rate.imag) for kind in kinds]
+    kinds = (inverse(rate), ONE, rate, rate * rate)
+    powers = [kind / rate.imag for kind in kinds]
     slope = np.diff(a) / h
     # Inside a sample z = swing e^(L t) + steady + slope t/L.
     steady = steady_line(a[:-1], slope, rate)
-    swing = minus(Parts(z.real[:-1], z.imag[:-1]), steady)
+    swing = Parts(z.real[:-1], z.imag[:-1]) - steady
     reach = h * h * frequency * frequency * np.sqrt(np.square(swing.real) + np.square(swing.imag))
     largest = np.empty(3)
     for kind, (before, power) in enumerate(pairwise(powers)):
         course = imaginary(power, z)
-        last = times(power, Parts(float(z.real[-1]), float(z.imag[-1])))
+        last = power * Parts(float(z.real[-1]), float(z.imag[-1]))
         best = max(float(np.abs(course).max()), _after(last, rate))
         # No faster than at the sample's start by more than `reach`: most samples are passed over.
-        speed = h * np.abs(imaginary(times(power, rate), swing) + before.imag * slope)
+        speed = h * np.abs(imaginary(power * rate, swing) + before.imag * slope)
         size = math.sqrt(power.real * power.real + power.imag * power.imag)
         of = np.flatnonzero(np.abs(course[:-1]) + speed + size * reach > best)
         constant = imaginary(power, _some(steady, of))
-        inside = times(power, _some(swing, of))
+        inside = power * _some(swing, of)
         largest[kind] = _between(inside, constant, before.imag * slope[of], rate, h, best)
     return largest
 
 
 def _after(z: Parts, rate: Parts) -> float:
     """Return the largest |Im(z e^(L t))| for t >= 0: at once, or at its first extremum."""
-    t = (-_phase(times(rate, z)) % math.pi) / rate.imag
+    t = (-_phase(rate * z) % math.pi) / rate.imag
     return float(max(abs(z.imag), abs(imaginary(z, grown(rate, t)))))
 
 
@@ -103,9 +102,9 @@ def _between(
         The largest value that is known; it is returned where none is larger.
     """
     # The derivative turns once at most inside a sample, at a phase that is known.
-    moving = times(rate, swing)
-    turn = np.minimum((-_phase(times(rate, moving)) % math.pi) / rate.imag, h)
-    turned = times(moving, grown(rate, turn))
+    moving = rate * swing
+    turn = np.minimum((-_phase(rate * moving) % math.pi) / rate.imag, h)
+    turned = moving * grown(rate, turn)
     ends = (moving.imag, turned.imag, imaginary(moving, grown(rate, h)))
     start, middle, end = (each + slope for each in ends)
     for low, width, at, here, last in (
@@ -118,7 +117,7 @@ def _between(
         t, left, rising = low[of], _some(at, of), here[of] > 0.0
         steps = width[of] * HALVES
         for step, real, imag in zip(steps, *grown(rate, steps), strict=True):
-            later = times(left, Parts(real, imag))
+            later = left * Parts(real, imag)
             before = (later.imag + slope[of] > 0.0) == rising
             t = np.where(before, t + step, t)
             left = Parts(*(np.where(before, *pair) for pair in zip(later, left, strict=True)))

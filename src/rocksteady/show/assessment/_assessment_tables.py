@@ -5,10 +5,18 @@ from collections.abc import Mapping
 from typing import Any
 
 from rocksteady.model.checks.confidence import CONFIDENCE
-from rocksteady.results.numbers import angle, chance, interval, length, number, quantity
+from rocksteady.results.numbers import (
+    angle,
+    chance,
+    force_words,
+    interval,
+    length,
+    number,
+    quantity,
+)
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.assess.demand_in_units import PEAKS, unit_of
-from rocksteady.risk.ensemble.qualification import standing_words
+from rocksteady.risk.ensemble.qualification import OF_STANDING, standing_words
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
@@ -65,6 +73,10 @@ def answer_rows(assessment: Assessment) -> list[dict[str, str]]:
     rows.append(_row("Friction", *_friction_words(assessment)))
     if assessment.qualification and (words := standing_words(assessment.qualification)):
         rows.append(_row("Top moves", words))
+    if assessment.base_force_kn is not None:
+        rows.append(
+            _row("Force on base", f"{force_words(assessment.base_force_kn, 'kN')}, {OF_STANDING}")
+        )
     rows += [_row("Least remedy", *_remedy_words(assessment))] if assessment.fragility else []
     return rows
 

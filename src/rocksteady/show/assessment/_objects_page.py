@@ -7,6 +7,7 @@ from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.results.numbers import chance, interval, number
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.risk.ensemble.qualification import OF_STANDING
 from rocksteady.show.export.provenance import provenance
 from rocksteady.show.plots.risk.plan import floors_of, plot_plan
 from rocksteady.show.report import picture, render
@@ -47,6 +48,9 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
             "probability": chance(row["probability"], row["tried"] * (row["basis"] == "count")),
             "band": interval((row["band_low"], row["band_high"]), CONFIDENCE).strip(" ()"),
             "uplift": number(row["uplift_pga_g"]),
+            "clearance": NOTHING
+            if row["clearance_m"] is None
+            else f"{1000.0 * row['clearance_m']:.0f}",
             "friction": NOTHING
             if row["friction_needed"] is None
             else number(row["friction_needed"]),
@@ -73,6 +77,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         "provenance": provenance(manifest),
         "records": f"{table.records:,}",
         "rows": shown,
+        "share": f"is enough {OF_STANDING}",
         "target": chance(table.target_probability),
     }
     return render(__package__, "objects.html.j2", **cleaned(values))

@@ -27,6 +27,7 @@ HEAD = (
     "peak_angle",
     "impacts",
     "top_displacement_m",
+    "clearance_m",
     "edge_speed_m_s",
     "uplift_time_s",
 )
@@ -48,9 +49,9 @@ def write_runs_csv(path: Path | str, ensemble: "xarray.Dataset") -> Path:
     Path
         The file. Its columns are the block (from 1), record, direction, vertical component, level,
         scale of the record, restitution, status, largest theta/alpha, impacts, largest motion of
-        the top [m], empty of a fall, largest speed of the lifted edge [m/s], and time of uplift
-        [s], empty without one. Floats are written so that reading gives the same number. A
-        name that a spreadsheet would run as a formula has an apostrophe before it.
+        the top and clearance [m], empty of a fall, largest speed of the lifted edge [m/s], and
+        time of uplift [s], empty without one. Floats are written so that reading gives the same
+        number. A name that a spreadsheet would run as a formula has an apostrophe before it.
 
     Raises
     ------
@@ -71,7 +72,7 @@ def write_runs_csv(path: Path | str, ensemble: "xarray.Dataset") -> Path:
     >>> with TemporaryDirectory() as folder:
     ...     head = write_runs_csv(f"{folder}/results.csv", runs).read_text().splitlines()[0]
     >>> head.split(",")[-4:]
-    ['impacts', 'top_displacement_m', 'edge_speed_m_s', 'uplift_time_s']
+    ['top_displacement_m', 'clearance_m', 'edge_speed_m_s', 'uplift_time_s']
     """
     file = Path(path)
     if ensemble.attrs.get("kind") != "rocking ensemble" or "status" not in ensemble:

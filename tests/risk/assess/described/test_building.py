@@ -151,7 +151,7 @@ def test_a_place_that_is_none_is_refused_in_one_line(
         ('[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 1\nrooms = { hall = 3 }', "hall"),
         ('[[buildings]]\nname = "a"\nstoreys = 2\nfrequencies_hz = [1]\nshapes = [[1]]', "2 numb"),
         ('[[buildings]]\nname = "a"\nstoreys = 2\nperiods = 1', "did you mean period_s"),
-        (2 * '[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 1\n', "another building"),
+        (2 * '[[buildings]]\nname = "a"\nstoreys = 2\nperiod_s = 1\n', "has it too"),
     ],
 )
 def test_a_file_that_is_none_is_refused_in_one_line(text: str, words: str, tmp_path: Path) -> None:

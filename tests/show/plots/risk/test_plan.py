@@ -54,6 +54,8 @@ def test_each_object_stands_on_its_floor_in_the_colour_of_its_risk(table: Object
         colour = LIGHT.undecided if share is None else LIGHT.risk_step(share)
         assert to_hex(box.get_facecolor()) == colour
         assert bool(box.get_hatch()) == (share is None)
+        above = share is not None and share > table.target_probability
+        assert to_hex(box.get_edgecolor()) == (LIGHT.ink if above else LIGHT.edge)
     assert any(row["probability"] is None for row in ordered)
 
 
@@ -67,6 +69,13 @@ def test_objects_are_in_proportion(table: ObjectsTable) -> None:
     }
     assert len(units) == 1
     assert math.isclose(max(box.get_height() for box in boxes), 0.5)
+
+
+def test_names_are_turned_where_they_do_not_fit(table: ObjectsTable) -> None:
+    axes, _ = drawn(table)
+    assert {text.get_rotation() for text in axes.texts} == {0.0}
+    axes, _ = drawn(replace(table, rows=table.rows * 4))
+    assert {text.get_rotation() for text in axes.texts} == {45.0}
 
 
 def test_names_are_left_out_where_they_would_cover_each_other(table: ObjectsTable) -> None:

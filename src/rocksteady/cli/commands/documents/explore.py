@@ -99,12 +99,14 @@ def explore(
     files = record or []
     check_file(out, files, force=force)
     recorded = RecordFlags(record=record, scale=scale)
-    recorded.given(reading)
+    recorded.given(reading, on_floor=shaking.given)
     from rocksteady.explorer.module import page_module
 
     page_module()  # refused before anything is read
     body = block.described() if block.given else None
     motion = first_motion(shaking, body)
+    if motion is not None:
+        motion = replace(reading.on_floor(motion, body), phase=0.0)
     from rocksteady.explorer.view import ExplorerView
 
     begin = StartFlags(start=start).of(motion.frequency_ratio if motion else None)
@@ -201,6 +203,8 @@ def in_flags(error: ModelError, block: BlockFlags, start: str) -> ModelError:
         for flag, value in (
             ("--gyration-m", block.gyration_m),
             ("--mass-centre-height-m", block.mass_centre_height_m),
+            ("--columns", block.columns),
+            ("--cap-mass-ratio", block.cap_mass_ratio),
         )
         if value is not None
     ]

@@ -98,7 +98,7 @@ def basins(
 ) -> None:
     """Run `rocksteady basins`; `HELP` is what its users read."""
     sweep.check(output, recorded.files)
-    on_floor = pulse.given
+    on_floor = pulse.given or shaking.given
     if recorded.given(reading, pulse=pulse.given, on_floor=on_floor) or pulse.given:
         refuse(
             {
@@ -122,7 +122,9 @@ def basins(
         "give --phase for harmonic shaking, or add --record or --pulse",
     )
     body, scale, moving = _case(shaking, block, window.phase)
-    motion = series.of(scale)
+    if moving is not None and moving[0] != "restitution":
+        reading.refuse_axis(moving[0])
+    motion = reading.on_floor(series.of(scale), body)
     equations = equations_for(model, body)
     eroding = moving is not None and moving[0] == "amplitude" and not shares
     _refuse(moving, window.seed, entropy, eroding=eroding, shares=shares, exponent=exponent)
@@ -155,7 +157,9 @@ def basins(
         else:
             sampling = over.SamplingOptions(**chosen, seed=window.seed)
             result = over.compute_basin_shares(body, motion, *moving, sampling=sampling, **how)
-    drawn = _drawn(output, shaking, series, block, window, *_given(model, cycles, shares=shares))
+    drawn = _drawn(
+        output, shaking, series, reading, block, window, *_given(model, cycles, shares=shares)
+    )
     if isinstance(result, Basins):
         _leave_basins(result, output, sweep, entropy, drawn, exponent=exponent)
     elif isinstance(result, Erosion):

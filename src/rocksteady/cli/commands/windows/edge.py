@@ -7,6 +7,7 @@ from rocksteady.cli.console.refusals import both, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.record_files import FloorFlags
 from rocksteady.cli.flags.start import StartFlags, state_from
 from rocksteady.errors import InputError
 
@@ -39,6 +40,7 @@ edge_flag = options.Panel("Edge")
 @grouped
 def edge(
     shaking: ShakingFlags,
+    floor: FloorFlags,
     block: BlockFlags,
     output: OutputFlags,
     start: StartFlags,
@@ -78,7 +80,7 @@ def edge(
         refuse({"--length": length}, "it is the length of the branches of manifolds", hint)
     body = block.described()
     equations = equations_for(model, body)
-    motion = shaking.at(body, phase=start.first_phase)
+    motion = floor.on_floor(shaking.at(body, phase=start.first_phase), body)
     start.check(shaken=True)
 
     announce_compilation("march.march")
@@ -111,7 +113,7 @@ def edge(
         f"--direction {direction}" if direction else "",
         "--model nonlinear" if model == "nonlinear" else "",
     ]
-    further = options.follow_up("edge", shaking, block, start, *chosen)
+    further = options.follow_up("edge", shaking, floor, block, start, *chosen)
     further = "" if output.plot else f"{further} --manifolds --plot edge.png"
     output.leave(
         "edge",

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import msgspec
 
-from rocksteady.errors import InputError, ModelError, RocksteadyError, Words
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.model.checks.validation import whole_number
@@ -16,8 +16,9 @@ from rocksteady.model.motions.floor import DAMPING, LARGEST_SUM, SHAPE, Floor
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.assess.described.objects import DescribedObject, floor_number
+from rocksteady.risk.observations.files.csv_table import refuse_doubled
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
-from rocksteady.risk.observations.files.toml_tables import TomlTables, named
+from rocksteady.risk.observations.files.toml_tables import TomlTables, in_file
 from rocksteady.risk.screens.floors import PERIOD
 from rocksteady.seismic.measures.scalar import compute_measure
 
@@ -46,6 +47,9 @@ class BuildingsInput(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_f
 
     buildings: list[BuildingTable]
 
+
+KINDS_OF_MODES = {"period_s": 1, "participation": 1, "frequencies_hz": 2, "shapes": 2}
+"""Keys that describe the modes, in two ways."""
 
 FILE = TomlTables(
     kinds={"": BuildingsInput, "buildings": BuildingTable},
@@ -211,65 +215,48 @@ def read_buildings(path: Path | str) -> tuple[Building, ...]:
     )
     if not given.buildings:
         raise InputError(source, Words("has no building"), FILE.needs, "add [[buildings]]")
-    made: dict[str, Building] = {}
-    for place, table in enumerate(given.buildings, 1):
-        at = f"{source}: [[buildings]] {place}"
-        try:
-            building = _building(table)
-        except RocksteadyError as error:
-            name = named(at, "", error.name)
-            raise type(error)(name, error.value, error.valid, error.hint) from None
-        if building.name in made:
-            raise InputError(
-                f"{at}: name", building.name, "another building has it", "give each its own"
-            )
-        made[building.name] = building
-    return tuple(made.values())
+    places: dict[str, str] = {}
+    made = []
+    for number, table in enumerate(given.buildings, 1):
+        place = f"{source}: [[buildings]] {number}"
+        with in_file(place):
+            made.append(_building(table))
+        refuse_doubled(place, "name", table.name, places, "give each building its own")
+    return tuple(made)
 
 
 def _building(table: BuildingTable) -> Building:
     """Return a building of a table."""
-    first, modes = table.period_s is not None, table.frequencies_hz is not None
-    if first == modes:
+    given = [key for key in KINDS_OF_MODES if getattr(table, key) is not None]
+    kinds = {KINDS_OF_MODES[key] for key in given}
+    if len(kinds) != 1 or not {"period_s", "shapes"} & {*given}:
+        key = given[-1] if given else "period_s"
         raise ModelError(
-            "period_s",
-            table.period_s,
-            "a building has either period_s or frequencies_hz with shapes",
+            key,
+            getattr(table, key) if given else Words("is missing"),
+            "a building has one mode by period_s or frequencies_hz with shapes",
             "give one of the two",
         )
     if table.period_s is not None:
-        if isinstance(table.damping, list) or table.shapes is not None:
-            key = "shapes" if table.shapes is not None else "damping"
-            raise ModelError(
-                key,
-                getattr(table, key),
-                "a building with period_s has one mode, straight over its height",
-                "give frequencies_hz in place of period_s",
-            )
         return Building.of_first_mode(
             table.name,
             storeys=table.storeys,
             period_s=table.period_s,
-            damping=table.damping,
+            damping=table.damping,  # type: ignore[arg-type]  # checked there
             participation=table.participation,
             rooms=table.rooms,
         )
-    shapes = table.shapes or []
-    count = len(table.frequencies_hz or [])
-    if len(shapes) != count or any(len(shape) != table.storeys for shape in shapes):
+    shapes, hertz = table.shapes or [], table.frequencies_hz or []
+    if len(shapes) != len(hertz) or any(len(shape) != table.storeys for shape in shapes):
         raise InputError(
             "shapes",
             shapes,
-            f"there must be {count} lists of {table.storeys} numbers",
+            f"there must be {len(hertz)} lists of {table.storeys} numbers",
             "give a list for each frequency, with a number for each floor above the ground",
         )
     floors = [
-        Floor(
-            frequencies_hz=table.frequencies_hz or [],
-            damping=table.damping,
-            shapes=[shape[storey] for shape in shapes],
-        )
-        for storey in range(table.storeys)
+        Floor(frequencies_hz=hertz, damping=table.damping, shapes=storey)
+        for storey in zip(*shapes, strict=True)
     ]
     return Building(name=table.name, floors=floors, rooms=table.rooms)
 
@@ -290,13 +277,10 @@ def on_floors(
     for each in objects:
         storey, floor = _floor_of(each, buildings)
         if floor not in made:
-            moved: Motions = (
-                [*motions] if floor is None else [floor.motion(motion) for motion in motions]
-            )
+            moved = [motion if floor is None else floor.motion(motion) for motion in motions]
             made[floor] = moved, _amplified(moved)
-        moved, amplified = made[floor]
-        standing.append(replace(each, amplified=amplified, storey=storey))
-        shaken.append(moved)
+        shaken.append(made[floor][0])
+        standing.append(replace(each, amplified=made[floor][1], storey=storey))
     return standing, shaken
 
 
@@ -304,49 +288,48 @@ def _floor_of(
     described: DescribedObject, buildings: Sequence[Building]
 ) -> tuple[int, Floor | None]:
     """Return the floor on which an object stands, and its number; 0 and None of the ground."""
-    given, source = described.given, described.source
+    given = described.given
     if given.floor is None and given.building is None:
         return 0, None
-    if given.demand.place == "floor":
-        raise ModelError(
-            named(source, "demand", "place"),
-            "floor",
-            "of an object in a building the demand is that of the ground",
-            "leave it out, or leave out building and floor",
-        )
     names = [building.name for building in buildings]
-    if not names:
-        key = "building" if given.floor is None else "floor"
-        raise ModelError(
-            named(source, "", key),
-            getattr(given, key),
-            "a floor moves as its building does, and none is given",
-            "give a file of buildings, as --buildings museum.toml",
-        )
     wanted = names[0] if given.building is None and len(names) == 1 else given.building
-    if wanted not in names:
-        raise InputError(
-            named(source, "", "building"),
-            Words("is missing") if given.building is None else given.building,
-            f"the buildings given are {', '.join(names)}",
-            "name one of them",
-        )
-    try:
+    with in_file(described.source):
+        if given.demand.place == "floor":
+            raise ModelError(
+                "[demand] place",
+                "floor",
+                "of an object in a building the demand is that of the ground",
+                "leave it out, or leave out building and floor",
+            )
+        if not names:
+            key = "building" if given.floor is None else "floor"
+            raise ModelError(
+                key,
+                getattr(given, key),
+                "a floor moves as its building does, and none is given",
+                "give a file of buildings, as --buildings museum.toml",
+            )
+        if wanted not in names:
+            raise InputError(
+                "building",
+                Words("is missing") if wanted is None else wanted,
+                f"the buildings given are {', '.join(names)}",
+                "name one of them",
+            )
         building = buildings[names.index(wanted)]
-        place = "" if given.floor is None else given.floor
-        return building.storey(place), building.floor(place)
-    except InputError as error:
-        raise InputError(named(source, "", "floor"), error.value, error.valid, error.hint) from None
+        storey = building.storey("" if given.floor is None else given.floor)
+    return storey, building.floor(storey)
 
 
 def _amplified(motions: Motions) -> tuple[float, float]:
     """Return by how much the floor multiplies PGA and PGV, the largest of the motions."""
     across = [each.horizontal if isinstance(each, BaseMotion) else each for each in motions]
-    floors = [each for each in across if isinstance(each, Record) and each.ground is not None]
-    if not floors:
-        return 1.0, 1.0
-    of_pga, of_pgv = (
-        max(compute_measure(each, name) / compute_measure(each.reference, name) for each in floors)
-        for name in ("pga_g", "pgv_m_s")
-    )
-    return of_pga, of_pgv
+    records = [each for each in across if isinstance(each, Record) and each.ground is not None]
+
+    def most(name: str) -> float:
+        ratios = (
+            compute_measure(each, name) / compute_measure(each.reference, name) for each in records
+        )
+        return max(ratios, default=1.0)
+
+    return most("pga_g"), most("pgv_m_s")

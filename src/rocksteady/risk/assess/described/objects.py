@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rocksteady.errors import InputError, RocksteadyError
+from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Restitution, form_of_text
 from rocksteady.model.checks.arguments import checked
@@ -19,7 +19,7 @@ from rocksteady.risk.assess.described._validation import validated
 from rocksteady.risk.assess.described.body import Body, Choose, body_of, nominal
 from rocksteady.risk.assess.described.schema import Content, Geometry, ObjectInput, Range, Value
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
-from rocksteady.risk.observations.files.toml_tables import named
+from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import least_gravity_g
 
@@ -138,11 +138,8 @@ did you mean width_m?
         object.__setattr__(self, "given", validated(self.values, self.source))
         for choose, _, _ in [(nominal, "", ""), *self._ends()]:
             self._made(body_of(self.given, self.source, choose), self.restitution)
-        try:
+        with in_file(self.source, "demand"):
             least_gravity_g(self.block, self.demand.vertical_at_peak_g)
-        except InputError as error:
-            name = named(self.source, "demand", error.name)
-            raise InputError(name, error.value, error.valid, error.hint) from None
 
     @property
     def name(self) -> str:
@@ -280,14 +277,10 @@ did you mean width_m?
     def _made(self, body: Body, restitution: Restitution) -> Block:
         """Return the block of a body; a refusal names the file."""
         gravity = self.given.gravity_m_s2
-        try:
+        with in_file(self.source, "geometry"):
             if self.given.against_wall:  # impacts on the base alone do not occur
                 return body.block(1.0, gravity).against_wall(restitution)
             return body.block(restitution, gravity)
-        except RocksteadyError as error:
-            raise type(error)(
-                named(self.source, "geometry", error.name), error.value, error.valid, error.hint
-            ) from None
 
 
 def _ranges(given: ObjectInput) -> "Iterator[tuple[str, Range]]":

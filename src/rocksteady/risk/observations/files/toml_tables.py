@@ -2,13 +2,14 @@
 
 import difflib
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Final, TypeVar, get_args
 
 import msgspec
 
-from rocksteady.errors import InputError, Words
+from rocksteady.errors import InputError, RocksteadyError, Words
 
 Given = TypeVar("Given", bound=msgspec.Struct)
 
@@ -172,6 +173,16 @@ class TomlTables:
 def named(source: str, table: str, key: str) -> str:
     """Return a key with its file and its table, as "desk.toml: [geometry] width_m"."""
     return f"{source}: [{table}] {key}" if table else f"{source}: {key}"
+
+
+@contextmanager
+def in_file(source: str, table: str = "") -> Iterator[None]:
+    """Name file and table in the errors of what is inside."""
+    try:
+        yield
+    except RocksteadyError as error:
+        name = named(source, table, error.name)
+        raise type(error)(name, error.value, error.valid, error.hint) from None
 
 
 def value_at(values: Mapping[str, object], path: str) -> object:

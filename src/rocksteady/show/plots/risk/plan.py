@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
+from rocksteady.results.numbers import chance
 from rocksteady.risk.assess.described.objects import floor_number
 from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.show.plots.risk.objects import NARROW
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new
-from rocksteady.show.style.legends import draw_legend, size_of, text_size
+from rocksteady.show.style.legends import LETTER, draw_legend, figure_of, size_of, text_size
 from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
@@ -20,8 +22,13 @@ if TYPE_CHECKING:
 
 TALLEST = 0.5
 """Height of the tallest object over the distance of two floors."""
-TURNED = ((3, 0.0), (8, 20.0), (14, 45.0))
-"""Largest number of objects on a floor, and the angle of their names [°]; beyond there are none."""
+TURNED = ((8, 20.0), (14, 45.0))
+"""Largest number of objects on a floor, and the angle of their names [°] where they do not fit
+beside each other; beyond there are none."""
+LETTERS = 12
+"""Of a name."""
+MARKED = 1.6
+"""Width of the outline of what is above its target [points]."""
 BELOW, ABOVE = 0.55, 0.6
 """Room below the lowest floor and above the highest, over the same."""
 
@@ -48,8 +55,8 @@ def floors_of(table: ObjectsTable) -> list[tuple[str, list[dict[str, Any]]]]:
 def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
     """Draw each floor with its objects in proportion, coloured by the probability of falling.
 
-    The worst stands on the left.  Names stand below where no floor has more than 14 objects.  An
-    object without an answer is crosshatched.
+    The worst stands on the left, and what is above its target has a heavy outline.  Names stand
+    below where no floor has more than 14 objects.  An object without an answer is crosshatched.
 
     Parameters
     ----------
@@ -105,12 +112,16 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
         0.9 * step / shape / max(width for width, _ in sizes.values()),
     )
     across = up * shape
-    turn = next((angle for count, angle in TURNED if most <= count), None)
+    names = {id(row): literal(palette.shortened(row["name"], LETTERS)) for row in table.rows}
+    letters = max(map(len, names.values()))
+    fits = letters * LETTER * small <= step * wide
+    turn = 0.0 if fits else next((angle for count, angle in TURNED if most <= count), None)
     for place, (_, rows) in enumerate(floors):
         axes.plot([0.0, 1.0], [place, place], color=inks.edge, lw=1.0, zorder=1)
         for at, row in enumerate(rows):
             width, height = sizes[id(row)]
             middle, share = (at + 0.5) * step, row["probability"]
+            above = row["colour"] == "red"
             axes.add_patch(
                 Rectangle(
                     (middle - 0.5 * across * width, place),
@@ -118,18 +129,17 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
                     up * height,
                     facecolor=inks.undecided if share is None else inks.risk_step(share),
                     hatch="xxxx" if share is None else None,
-                    edgecolor=inks.edge,
-                    lw=0.6,
+                    edgecolor=inks.ink if above else inks.edge,
+                    lw=MARKED if above else 0.6,
                     zorder=2,
                 )
             )
             if turn is None:
                 continue
-            name = literal(palette.shortened(row["name"], 12))
             axes.text(
                 middle,
                 place - 0.04,
-                name,
+                names[id(row)],
                 rotation=turn,
                 ha="right" if turn else "center",
                 va="top",
@@ -149,7 +159,12 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
     ]
     if any(row["probability"] is None for row in table.rows):
         handles.append(Patch(fc=inks.undecided, hatch="xxxx", ec=inks.edge, label="no answer"))
-    axes.set_yticks(range(len(floors)), [literal(name) for name, _ in floors])
+    if any(row["colour"] == "red" for row in table.rows):
+        words = f"above the target of {chance(table.target_probability)}"
+        handles.append(Patch(fc="none", ec=inks.ink, lw=MARKED, label=words))
+    narrow = figure_of(axes).get_figwidth() <= NARROW
+    labels = [literal(name).replace(", ", ",\n" if narrow else ", ") for name, _ in floors]
+    axes.set_yticks(range(len(floors)), labels)
     axes.set(xlim=(0.0, 1.0), ylim=(-BELOW, len(floors) - 1 + ABOVE), xticks=[])
     axes.tick_params(length=0)
     axes.spines[:].set_visible(False)
