@@ -139,6 +139,15 @@ def things() -> dict[str, Any]:
         "levels": levels,
         "fitting": fitting,
         "fragility": fragility,
+        "fragility of two": dataclasses.replace(
+            fragility,
+            surface=rs.risk.fit_vector(
+                [[0.2, 0.3], [0.4, 0.2], [0.4, 0.8], [0.8, 0.5], [1.6, 1.1]],
+                [2, 5, 22, 21, 38],
+                [40] * 5,
+                names=("PGA", "PGV"),
+            ),
+        ),
         "state_fragility": fragility.states[0],
         "efficiency": fragility.ranking[0],
         "demand": demand,

@@ -197,12 +197,12 @@ def test_every_picture_is_a_drawing_with_words(page: Page) -> None:
         content = each["src"].removeprefix("data:image/svg+xml;base64,")
         assert ET.fromstring(base64.b64decode(content)).tag.endswith("svg")
     assert len({each["alt"] for each in pictures}) == 6
-    # All are drawn again for dark screens, four for a phone, and none for paper.
+    # All are drawn again for dark screens, five for a phone, and none for paper.
     media = [each["media"] for each in page.of("source")]
     dark, phone = "screen and (prefers-color-scheme: dark)", "screen and (max-width: 40rem)"
     assert media.count(dark) == 6
-    assert media.count(phone) == media.count(f"{dark} and (max-width: 40rem)") == 4
-    assert len(media) == 13
+    assert media.count(phone) == media.count(f"{dark} and (max-width: 40rem)") == 5
+    assert len(media) == 16
     assert not {each["srcset"] for each in page.of("source")} & {each["src"] for each in pictures}
 
 

@@ -342,7 +342,7 @@ CASES: dict[str, Case] = {
         [[p] for p in t["predictions"].p.tolist()],
     ),
     "plot_fragility_surface": lambda t: (
-        {"fragility": t["fragility"], "pga_g": 0.4, "pgv_m_s": 0.5},
+        {"fragility": t["fragility of two"], "pga_g": 0.4, "pgv_m_s": 0.5},
         [[0.4], [0.5], *peaks_and_shares(t["fragility"])[0].T.tolist()],
     ),
     "plot_measure_efficiency": lambda t: (

@@ -119,7 +119,7 @@ class Fragility(Result):
     @property
     def surface_words(self) -> str:
         """What PGA and PGV explain together, beside one of them alone; empty without."""
-        if self.surface is None or math.isnan(self.surface.explained):
+        if self.surface is None or math.isnan(self.surface.coefficients[0]):
             return ""
         words = f"explain {number(100.0 * self.surface.explained, 2)} % of the deviance"
         curve, surface = _shape(self.states[-1]), self.surface
