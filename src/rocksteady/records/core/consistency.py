@@ -22,6 +22,7 @@ _REGULAR: Final = 0.9
 """Part of the lines that share a layout where others are odd."""
 _FEWEST: Final = 8
 """Lines or numbers that are needed to recognise a layout."""
+_DIGITS: Final = str.maketrans("123456789", "000000000")
 _TOKEN: Final = re.compile(NUMBER)
 _EXPONENT: Final = re.compile(r"[EeDd][+-]?(\d+)$")
 
@@ -173,7 +174,7 @@ def layout(
     have.
     """
     kept = [at for at in lines if at < len(text.lines) and text.lines[at].strip()]
-    if not kept:
+    if not kept or (separator is None and _alike([text.lines[at] for at in kept])):
         return ()
     rows = [_tokens(text.lines[at], separator, comma=comma) for at in kept]
     odd = _misplaced(rows)
@@ -201,6 +202,22 @@ def layout(
     if ends_here and not text.ended and len(digits) > _FEWEST and digits[-1] < min(digits[:-1]):
         return (f"the file may end inside its last number, {written!r}, which has few digits",)
     return ()
+
+
+def _alike(lines: Sequence[str]) -> bool:
+    """Return whether all lines but for signs have their digits in the same columns.
+
+    The last may have fewer numbers, if it ends in one like the last of the others.
+    """
+    text = " " + "\n ".join(lines).rstrip().translate(_DIGITS)
+    *whole, last = text.replace(" -", "  ").replace("E-", "E+").split("\n")
+    usual = whole[0] if whole else ""
+    return (
+        len(whole) > _FEWEST
+        and whole.count(usual) == len(whole)
+        and f"{usual} ".startswith(f"{last} ")
+        and last.split()[-1] == usual.split()[-1]
+    )
 
 
 def _tokens(line: str, separator: str | None, *, comma: bool) -> list[tuple[str, int]]:

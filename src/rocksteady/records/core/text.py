@@ -156,4 +156,6 @@ def as_text(path: Path, data: bytes) -> RecordText:
             valid="it is not text",
             hint="give a record as its network publishes it, unpacked",
         )
-    return RecordText(path=path, lines=tuple(_LINE_ENDS.split(content)), ended=ended)
+    plain = content.replace("\r\n", "\n")
+    lines = _LINE_ENDS.split(plain) if "\r" in plain else plain.split("\n")
+    return RecordText(path=path, lines=tuple(lines), ended=ended)
