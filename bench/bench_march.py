@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from bench.sampling_march import SAMPLES, sampled_fates
 from rocksteady.dynamics.history.lowering import record_table
+from rocksteady.dynamics.history.nonlinear_tables import lifted_table
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.tables import ALIKE, ROW_COLUMNS, March
 from rocksteady.kernels.core.tuples import (
@@ -215,6 +216,28 @@ def test_samples_400_blocks(benchmark: Any, way: str) -> None:
     impacts = np.zeros(count, np.int64)
     side = np.column_stack([np.full(count, 0.9), uplift, rate])
     sides = np.repeat(side[:, np.newaxis], 2, axis=1)
+    fates = PeakFates(np.zeros(count, np.int64), impacts, np.zeros((count, 2)))
+    arguments = (segments, Blocks(sides, np.full(count, 1e15)), 10**7, fates)
+    benchmark.pedantic(record_fates, args=arguments, rounds=7, warmup_rounds=1)
+    benchmark.extra_info["samples"] = count * len(segments)
+    benchmark.extra_info["impacts"] = int(impacts.sum())
+
+
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+@pytest.mark.benchmark(group="samples", timer=time.process_time)
+def test_samples_1000_blocks(benchmark: Any, model: str) -> None:
+    """Free rectangles of 1,000 sizes on one earthquake, with peaks."""
+    values = synthetic(np.random.default_rng(1940), 5400, 0.01, 3.4)
+    segments = record_table(Record(acceleration_m_s2=values, dt_s=0.01))
+    rng, count = np.random.default_rng(5), 1000
+    alpha, p = rng.uniform(0.08, 0.3, count), rng.uniform(1.0, 6.0, count)
+    restitution = (1.0 - 1.5 * np.sin(alpha) ** 2) * rng.uniform(0.85, 1.0, count)
+    columns = [restitution, 9.81 * alpha, p]
+    if model == "nonlinear":
+        segments = lifted_table(segments)
+        columns += [alpha, np.full(count, 1e-15)]
+    sides = np.repeat(np.column_stack(columns)[:, np.newaxis], 2, axis=1)
+    impacts = np.zeros(count, np.int64)
     fates = PeakFates(np.zeros(count, np.int64), impacts, np.zeros((count, 2)))
     arguments = (segments, Blocks(sides, np.full(count, 1e15)), 10**7, fates)
     benchmark.pedantic(record_fates, args=arguments, rounds=7, warmup_rounds=1)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.history.nonlinear_tables import lifted_table
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.tables import (
     ALIKE,
@@ -123,6 +124,57 @@ def test_each_block_fares_as_in_a_march_in_its_own_units(nonlinear: bool, alike:
         assert {AT_REST, OVERTURNED} <= set(status.tolist())
         # No other side of the fall goes beyond the slenderness here.
         assert (peaks[status == OVERTURNED, 0] >= 1.0).all()
+
+
+def drawn(rng: np.random.Generator, count: int, nonlinear: bool) -> tuple[Floats, Floats]:
+    """Return a record and blocks on it with every parameter drawn."""
+    step, samples = float(rng.choice([0.002, 0.01, 0.02, 0.05])), int(rng.integers(20, 400))
+    lifted = nonlinear and rng.random() < 0.5
+    flat = sampled(synthetic(rng, samples, step, 10.0 ** rng.uniform(0.0, 1.2)), step)
+    heave = synthetic(rng, samples, step, float(rng.choice([0.3, 0.9, 1.4])))
+    segments = flat
+    if nonlinear:
+        share = float(rng.choice([1.0, 0.77, 1.31]))  # not always at the same instants
+        segments = lifted_table(flat, sampled(heave, step * share) if lifted else None)
+    sides = np.zeros((count, 2, NONLINEAR_SIDE_COLUMNS if nonlinear else SIDE_COLUMNS))
+    alpha = np.exp(rng.uniform(math.log(0.01), math.log(0.9), (count, 2)))
+    sides[:, :, LEAN] = GRAVITY * alpha
+    sides[:, :, RATE] = np.exp(rng.uniform(math.log(0.3), math.log(30.0), (count, 2)))
+    sides[:, :, RESTITUTION] = rng.uniform(0.05, 1.0, (count, 2))
+    if nonlinear:
+        sides[:, :, ALPHA] = alpha
+        sides[:, :, LEFT_OUT] = 10.0 ** rng.uniform(-15.0, -11.0)
+    alike = rng.random(count) < 0.5
+    sides[alike, 1] = sides[alike, 0]
+    wall = rng.random(count) < 0.2
+    sides[wall, 0, RESTITUTION] *= -1.0
+    sides[wall, 1, RESTITUTION] = 1.0
+    if rng.random() < 0.3:
+        deviation = float(rng.choice([0.0, 0.1]))
+        sides = np.stack([scattered(sides[i], deviation, 7 * i) for i in range(count)])
+    return segments, sides
+
+
+@every("nonlinear", [False, True])
+def test_lanes_are_the_march_to_the_last_bit(nonlinear: bool) -> None:
+    rng = np.random.default_rng(49)
+    count, seen = sample_size(45, 3), set()
+    for _ in range(sample_size(60, 1)):
+        segments, sides = drawn(rng, count, nonlinear)
+        limit = int(rng.choice([150, 20_000]))
+        status, impacts, peaks = fates(segments, sides, limit)
+        for i in range(count):
+            top = np.zeros(2)
+            until = Until(0, AFTERWARDS / sides[i, 0, RATE], COUNTED, limit)
+            start, kept = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0), Kept(np.zeros((0, 8)), top)
+            code, end = march(Tables(segments, sides[i]), start, until, kept)
+            assert (status[i], impacts[i]) == (code, end.impacts)
+            top[1] /= sides[i, 0, LEAN] * sides[i, 0, RATE]
+            if code != OVERTURNED:
+                np.testing.assert_array_equal(peaks[i], top)
+            seen.add(code)
+    if count > 10:
+        assert {AT_REST, OVERTURNED} <= seen
 
 
 @pytest.mark.parametrize("nonlinear", [False, True])

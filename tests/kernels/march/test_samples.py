@@ -401,7 +401,9 @@ def test_peaks_within_samples_are_found_wherever_they_lie() -> None:
         peaks, none = before.copy(), np.zeros((0, 8))
         begin = March(1, angle, velocity, 0, 0, 0.0, 0, 0)
         tables, kept = Tables(segments, sides), Kept(none, peaks)
-        passed, *_ = fly_through(tables, begin, PLENTY, kept)
+        until = Until(0, math.inf, 0.0, PLENTY)
+        state, _, _ = fly_through(tables, begin, until, kept)
+        passed = state.segment
         assert passed >= 3
         y, v, tops = angle / lean, velocity / (lean * rate), before / [1.0, lean * rate]
         for piece in sampled_pieces(values, step)[:passed]:

@@ -111,9 +111,11 @@ def marches_alike(
     jolted = one_by_one(segments)
     jolted[:, [CONSTANT, SLOPE, CEILING]] *= 1.0 + 1e-15
     side = int(np.sign(angle)) or int(np.sign(velocity))
+    exact = sides.copy()  # steps of more terms: what is left out of the others adds up as well
+    exact[:, LEFT_OUT] = 1e-20
     fast, slow, other = (
-        run(table, sides, side=side, angle=angle, velocity=velocity)
-        for table in (segments, one_by_one(segments), jolted)
+        run(table, own, side=side, angle=angle, velocity=velocity)
+        for table, own in ((segments, sides), (one_by_one(segments), exact), (jolted, exact))
     )
     at, truth, moved = (impact_times(ran) for ran in (fast, slow, other))
     if (slow.status, len(truth)) != (other.status, len(moved)):

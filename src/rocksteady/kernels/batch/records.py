@@ -1,4 +1,4 @@
-"""Peaks and fates of many blocks under one record: a loop of the march.
+"""Peaks and fates of many blocks under one record: the march, in lanes where that is faster.
 
 Rows are not kept: what a spectrum asks for is the status, the impacts and the two peaks.  Chatter
 comes to rest as soon as that is proved and none of its impacts and tops counts, or on the still
@@ -12,9 +12,20 @@ since, above its slenderness or just below it.
 
 import numpy as np
 
+from rocksteady.kernels.batch._record_lanes import (
+    CELL,
+    WHOLES,
+    empty_lanes,
+    put_flight,
+    step,
+    taken,
+)
+from rocksteady.kernels.batch._record_lanes import FEW as FEW_LANES
 from rocksteady.kernels.batch.waiting import fill_hardest, waits_until
+from rocksteady.kernels.core import rides
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.queue import LEFT_OVER, queue_of, take
+from rocksteady.kernels.core.rides import is_held
 from rocksteady.kernels.core.tables import March, is_nonlinear, kept_passage
 from rocksteady.kernels.core.tuples import Blocks, Kept, PeakFates, Tables, Until
 from rocksteady.kernels.core.typed import FALSE, ONE, TRUE, ZERO
@@ -24,8 +35,15 @@ from rocksteady.kernels.machine_code.compilation import (
     inlined_allocating,
 )
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
-from rocksteady.kernels.march.march import linear_march, nonlinear_march
+from rocksteady.kernels.march.march import (
+    linear_march,
+    nonlinear_march,
+    nonlinear_ride,
+)
 from rocksteady.kernels.march.replay import peaks_without_series
+from rocksteady.kernels.nonlinear import sample_lanes as lane
+from rocksteady.kernels.nonlinear.sample_lanes import FIELDS, LANES
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
 
 FEW = 2
 """Blocks that wait at rest step by step: for so few it takes no longer than to make a table."""
@@ -56,7 +74,7 @@ def record_fates(segments: Floats2, blocks: Blocks, limit: int, fates: PeakFates
     if len(sides) > FEW:
         fill_hardest(segments, nonlinear, hardest)
     if nonlinear:
-        _record_fates(queue, hardest, segments, blocks, limit, fates, TRUE, TRUE)
+        _lane_fates(queue, hardest, segments, blocks, limit, fates)
     else:
         _record_fates(queue, hardest, segments, blocks, limit, fates, FALSE, TRUE)
 
@@ -107,7 +125,7 @@ def _record_fates(
 
     `whole` is whether to go through a whole motion again where its last passage is not enough.
     """
-    none, nothing = np.zeros((0, columns.ROW_COLUMNS)), np.zeros(0)
+    none = np.zeros((0, columns.ROW_COLUMNS))
     status, impacts, peaks = fates
     watch = peaks.shape[1] > 0
     kept = np.zeros(columns.PASSAGE_COLUMNS)
@@ -119,31 +137,107 @@ def _record_fates(
         own = blocks.sides[i]
         tables = Tables(segments, own)
         waits = waits_until(hardest, own) if len(blocks.sides) > FEW else ZERO
-        unit = own[0, columns.LEAN] * own[0, columns.RATE]
         stop = blocks.afterwards[i] / own[0, columns.RATE]
         peak[:] = 0.0
         start = March(0, 0.0, 0.0, waits, 0, 0.0, 0, waits)
         status[i], end = _march_through(tables, start, stop, limit, Kept(none, peak), nonlinear)
         impacts[i] = end.impacts
-        if not watch:
-            continue
-        if status[i] == columns.OVERTURNED:
-            if peak[columns.PASSING_AGAIN] == 0.0:
-                row, again = np.zeros((1, columns.ROW_COLUMNS)), kept_passage(peak)
-                _march_through(tables, again, stop, ONE, Kept(row, nothing), nonlinear)
-                positive, negative, speed = peaks_without_series(segments, own, row)
-            elif whole:
-                again, most = March(0, 0.0, 0.0, waits, 0, 0.0, 0, 0), end.flights - waits
-                rows = np.zeros((most, columns.ROW_COLUMNS))
-                _march_through(tables, again, stop, most, Kept(rows, nothing), nonlinear)
-                positive, negative, speed = peaks_without_series(segments, own, rows)
-            else:
-                status[i] = LEFT_OVER
-                continue
-            peak[columns.PEAK_ANGLE] = max(peak[columns.BEFORE_ANGLE], positive, negative)
-            peak[columns.PEAK_SPEED] = max(peak[columns.BEFORE_SPEED], speed)
-        peaks[i, columns.PEAK_ANGLE] = peak[columns.PEAK_ANGLE]
-        peaks[i, columns.PEAK_SPEED] = peak[columns.PEAK_SPEED] / unit
+        _note(tables, i, waits, end, stop, peak, fates, nonlinear, whole)
+
+
+@allocating
+def _lane_fates(
+    queue: Integers1,
+    hardest: Floats1,
+    segments: Floats2,
+    blocks: Blocks,
+    limit: int,
+    fates: PeakFates,
+) -> None:
+    """Do what `_record_fates` does in the nonlinear model, in lanes (`_record_lanes`)."""
+    none = np.zeros((0, columns.ROW_COLUMNS))
+    watch = fates.peaks.shape[1] > 0
+    passages = np.zeros((LANES, columns.PASSAGE_COLUMNS if watch else 0))
+    lanes, wholes = np.empty(FIELDS * LANES), np.zeros((WHOLES, LANES), np.int64)
+    waits = np.zeros(LANES, np.int64)
+    ride, work = np.zeros(rides.RIDE_COLUMNS), np.empty((WORK_ROWS, TERMS))
+    empty_lanes(lanes, wholes)
+    fresh, busy, many = True, 0, len(blocks.sides) > FEW
+    while True:
+        # What is left of a batch in few lanes is marched to its end.
+        few = not fresh and busy < FEW_LANES
+        ride[rides.ON] = 1.0 if few else 0.0
+        for j in range(LANES):
+            while few or lanes[lane.PASSES + j] == 0.0:
+                i, peak = wholes[CELL, j], passages[j]
+                if i < 0:
+                    if not fresh:
+                        break
+                    i = take(queue)
+                    if i < 0:
+                        fresh = False
+                        break
+                    waits[j] = waits_until(hardest, blocks.sides[i]) if many else ZERO
+                    state = March(0, 0.0, 0.0, waits[j], 0, 0.0, 0, waits[j])
+                    peak[:] = 0.0
+                    busy += 1
+                else:
+                    state = taken(lanes, wholes, j, ride)
+                tables = Tables(segments, blocks.sides[i])
+                stop = blocks.afterwards[i] / blocks.sides[i, 0, columns.RATE]
+                until, kept = Until(ZERO, stop, columns.COUNTED, limit), Kept(none, peak)
+                code, end = nonlinear_ride(tables, state, until, kept, work, ride)
+                wholes[CELL, j] = i
+                if is_held(ride):
+                    put_flight(lanes, wholes, j, tables, end, ride)
+                    ride[rides.HELD] = 0.0
+                    break
+                fates.status[i], fates.impacts[i] = code, end.impacts
+                _note(tables, i, waits[j], end, stop, peak, fates, TRUE, TRUE)
+                wholes[CELL, j] = -1
+                busy -= 1
+        if busy == 0:
+            return
+        while step(lanes, wholes, segments, limit) <= LANES - busy:
+            pass
+
+
+@inlined_allocating
+def _note(
+    tables: Tables,
+    i: int,
+    waits: int,
+    end: March,
+    stop: float,
+    peak: Floats1,
+    fates: PeakFates,
+    nonlinear: bool,
+    whole: bool,
+) -> None:
+    """Note the peaks of a block whose march is over, if they are wanted."""
+    segments, own = tables
+    status, _, peaks = fates
+    if peaks.shape[1] == 0:
+        return
+    nothing = np.zeros(0)
+    if status[i] == columns.OVERTURNED:
+        if peak[columns.PASSING_AGAIN] == 0.0:
+            row, again = np.zeros((1, columns.ROW_COLUMNS)), kept_passage(peak)
+            _march_through(tables, again, stop, ONE, Kept(row, nothing), nonlinear)
+            positive, negative, speed = peaks_without_series(segments, own, row)
+        elif whole:
+            again, most = March(0, 0.0, 0.0, waits, 0, 0.0, 0, 0), end.flights - waits
+            rows = np.zeros((most, columns.ROW_COLUMNS))
+            _march_through(tables, again, stop, most, Kept(rows, nothing), nonlinear)
+            positive, negative, speed = peaks_without_series(segments, own, rows)
+        else:
+            status[i] = LEFT_OVER
+            return
+        peak[columns.PEAK_ANGLE] = max(peak[columns.BEFORE_ANGLE], positive, negative)
+        peak[columns.PEAK_SPEED] = max(peak[columns.BEFORE_SPEED], speed)
+    peaks[i, columns.PEAK_ANGLE] = peak[columns.PEAK_ANGLE]
+    unit = own[0, columns.LEAN] * own[0, columns.RATE]
+    peaks[i, columns.PEAK_SPEED] = peak[columns.PEAK_SPEED] / unit
 
 
 @inlined

@@ -337,29 +337,10 @@ def series_step(
     d3 = v + forcing.slope + swing_rate
     d4 = d2 - w2 * swing
     d5 = d3 - w2 * swing_rate
-    inverse = 1.0 / v
-    z = -y * inverse
-    z2 = z * z
-    a2 = d2 * inverse * (z * (1.0 / 2.0))
-    a3 = d3 * inverse * (z2 * (1.0 / 6.0))
-    a4 = d4 * inverse * (z * z2 * (1.0 / 24.0))
-    a5 = d5 * inverse * (z2 * z2 * (1.0 / 120.0))
-    if abs(a2) > 0.1 or abs(a3) > 0.01:
-        return Step(False, time + z, phase, sine, cosine, v, y)
-    step = z * reversion(a2, a3, a4, a5)
-    final = (
-        abs(forcing.frequency * z) < LARGEST_TURN
-        and abs(a2) < 1e-3
-        and abs(a3) < 1e-6
-        and abs(a4) < 1e-9
-        and abs(a5) < 1e-12
-    )
-    if not final:
+    newton, step, speed, exact = reverted(y, v, d2, d3, d4, d5)
+    if not (exact and abs(forcing.frequency * newton) < LARGEST_TURN):
         return Step(False, time + step, phase, sine, cosine, v, y)
-    v += step * (
-        (d2 + step * (d3 * (1.0 / 2.0)))
-        + step * step * (d4 * (1.0 / 6.0) + step * (d5 * (1.0 / 24.0)))
-    )
+    v = speed
     turn = forcing.frequency * step
     phase += turn
     if abs(turn) > ROTATION:
@@ -373,6 +354,69 @@ def series_step(
             cosine - (sine * turn + cosine * loss),
         )
     return Step(True, time + step, phase, sine, cosine, v, y)
+
+
+@inlined
+def reverted(
+    y: float, v: float, d2: float, d3: float, d4: float, d5: float
+) -> tuple[float, float, float, bool]:
+    """Return Newton's step towards a zero, that of the reverted series, and the speed there.
+
+    The last value tells whether the step lands on the zero, to rounding; the speed holds only then.
+    """
+    inverse = 1.0 / v
+    z = -y * inverse
+    z2 = z * z
+    a2 = d2 * inverse * (z * (1.0 / 2.0))
+    a3 = d3 * inverse * (z2 * (1.0 / 6.0))
+    if abs(a2) > 0.1 or abs(a3) > 0.01:
+        return z, z, v, False
+    a4 = d4 * inverse * (z * z2 * (1.0 / 24.0))
+    a5 = d5 * inverse * (z2 * z2 * (1.0 / 120.0))
+    step = z * reversion(a2, a3, a4, a5)
+    exact = abs(a2) < 1e-3 and abs(a3) < 1e-6 and abs(a4) < 1e-9 and abs(a5) < 1e-12
+    v += step * (
+        (d2 + step * (d3 * (1.0 / 2.0)))
+        + step * step * (d4 * (1.0 / 6.0) + step * (d5 * (1.0 / 24.0)))
+    )
+    return z, step, v, exact
+
+
+class Search(NamedTuple):
+    """A search for the one zero of F between two times, where it falls from above 0."""
+
+    low: float
+    high: float
+    time: float  # to look at next
+    found: bool  # at that time, with this speed
+    speed: float
+
+
+@inlined
+def looked_at(
+    search: Search, time: float, y: float, v: float, d2: float, d3: float, d4: float, d5: float
+) -> Search:
+    """Return a search after a look at F and its derivatives at a time within its bracket."""
+    low, high, _, _, _ = search
+    near = -1.0
+    if v < 0.0:
+        _, step, speed, exact = reverted(y, v, d2, d3, d4, d5)
+        near = time + step
+        if exact and low <= near <= high:
+            return Search(low, high, near, True, min(speed, 0.0))
+    if y > 0.0:
+        low = time
+    else:
+        high = time
+    return Search(low, high, near, False, v)
+
+
+@inlined
+def place_in(search: Search, iteration: int) -> float:
+    """Return the time to look at: that of the search, or now and then the middle of it."""
+    if iteration & 3 == 3 or not (search.low < search.time < search.high):
+        return 0.5 * (search.low + search.high)
+    return search.time
 
 
 @inlined

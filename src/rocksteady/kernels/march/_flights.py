@@ -13,8 +13,10 @@ from rocksteady.kernels.core.clock import (
     side_phase,
     uplift_clock,
 )
-from rocksteady.kernels.core.forcing import side_forcing
+from rocksteady.kernels.core.forcing import make_forcing, side_forcing
 from rocksteady.kernels.core.harmonics import fill_lifts, level_of
+from rocksteady.kernels.core.impacts import rebound
+from rocksteady.kernels.core.rides import is_held
 from rocksteady.kernels.core.scatter import is_scattered, largest_restitution, restitution_of
 from rocksteady.kernels.core.tables import (
     ALIKE,
@@ -89,12 +91,14 @@ def march_in_model(
     kept: Kept,
     work: Floats,
     lifts: Floats,
+    ride: Floats,
     nonlinear: bool,
     periodic: bool,
 ) -> tuple[int, March]:
     """March; inlined once for each model, so that each loop holds the branches of its own alone.
 
-    A third one is `periodic`: it holds those of both models, and of a Fourier series.
+    A third one is `periodic`: it holds those of both models, and of a Fourier series.  With a
+    `ride` of `kernels.core.rides` the march ends as soon as that holds a flight.
     """
     segments, sides = tables
     stop_half_cycles, stop_phase, rest_velocity, limit = until
@@ -111,7 +115,7 @@ def march_in_model(
     since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
 
     loaded = -1  # the segment that the following belong to
-    positive = negative = side_forcing(segments, segment, sides, ONE, 0.0)
+    positive = negative = make_forcing(0.0, 0.0, 0.0, 0.0)
     frequency, sloped, endless = 0.0, False, False
     first_half, first_phase, end_half, end_phase = ZERO, 0.0, ZERO, 0.0
     sine, cosine, turned_side = 0.0, 1.0, False  # of the phase, known after an impact
@@ -122,26 +126,26 @@ def march_in_model(
     while True:
         if flights >= limit:
             return UNDECIDED, March(side, angle, velocity, segment, half, phase, impacts, flights)
+        if segments[segment, ALIKE] > 0.0 and not bounced and (side != 0 or phase == 0.0):
+            # Into the first sample that needs what follows: an uplift, a doubt, an end of chatter.
+            behind = end_of_run(segments, segment)
+            state = March(side, angle, velocity, segment, half, phase, impacts, flights)
+            if side == 0:
+                segment, flights = rest_on(tables, segment, flights, limit, rows, nonlinear)
+            else:
+                resting = Until(stop_half_cycles, stop_phase, rest_velocity, limit)
+                state, fallen, bounced = fly_on(tables, state, resting, kept, work, ride, nonlinear)
+                side, angle, velocity, segment, half, phase, impacts, flights = state
+                if fallen:
+                    return OVERTURNED, state
+                if is_held(ride):
+                    return UNDECIDED, state
+            if segment == behind:
+                half, phase = segment_start(segments, segment)
+                continue
+            if flights >= limit:
+                continue
         if segment != loaded:
-            if segments[segment, ALIKE] > 0.0 and phase == 0.0:
-                # Into the first sample that needs what follows: an impact, an uplift, a doubt.
-                behind = end_of_run(segments, segment)
-                if side == 0:
-                    segment, flights = rest_on(tables, segment, flights, limit, rows, nonlinear)
-                else:
-                    state = March(side, angle, velocity, segment, half, phase, impacts, flights)
-                    segment, angle, velocity, flights, fallen = fly_on(
-                        tables, state, limit, kept, work, nonlinear
-                    )
-                    if fallen:
-                        return OVERTURNED, March(
-                            side, angle, velocity, segment, half, phase, impacts, flights
-                        )
-                if segment == behind:
-                    half, phase = segment_start(segments, segment)
-                    continue
-                if flights >= limit:
-                    continue
             loaded = segment
             frequency = segments[segment, FREQUENCY]
             sloped = segments[segment, SLOPE] != 0.0
@@ -320,17 +324,10 @@ def march_in_model(
                 sine, cosine, turned_side = zero.sine, zero.cosine, True
                 if free == 0:
                     sine, cosine = -sine, -cosine
-            restitution = sides[row, RESTITUTION]
-            if scattered:
-                restitution = restitution_of(sides, row, impacts + 1)
-            velocity = restitution * side * zero.velocity * lean * rate
-            there = sides[next_row, LEAN] * sides[next_row, RATE]
-            if abs(velocity) >= slowest * there:
-                impacts += 1
+            side, velocity, impacts, bounced = rebound(
+                sides, side, zero.velocity, impacts, rest_velocity
+            )
             angle = 0.0
-            side = next_side
-            # Slow for the impacts to come too, on either side.
-            bounced = abs(velocity) <= rest_velocity * min(there, lean * rate)
             if still and (summed or flights + 1 >= limit):
                 bounced = True
             continue

@@ -1,7 +1,7 @@
 """Runs of samples, in the way of either model."""
 
 from rocksteady.kernels.core.tables import Floats, March
-from rocksteady.kernels.core.tuples import Kept, Tables
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.machine_code.compilation import inlined
 from rocksteady.kernels.march._samples import fly_through, rest_through
 from rocksteady.kernels.nonlinear.samples import fly_through as fly_through_nonlinear
@@ -10,15 +10,21 @@ from rocksteady.kernels.nonlinear.samples import rest_through as rest_through_no
 
 @inlined
 def fly_on(
-    tables: Tables, state: March, limit: int, kept: Kept, work: Floats, nonlinear: bool
-) -> tuple[int, float, float, int, bool]:
+    tables: Tables,
+    state: March,
+    until: Until,
+    kept: Kept,
+    work: Floats,
+    ride: Floats,
+    nonlinear: bool,
+) -> tuple[March, bool, bool]:
     """Fly through the samples to come, in the model's own way.
 
     The model is an argument, so that each loop of the march holds its own case alone.
     """
     if nonlinear:
-        return fly_through_nonlinear(tables, state, limit, kept, work)
-    return fly_through(tables, state, limit, kept)
+        return fly_through_nonlinear(tables, state, until, kept, work, ride)
+    return fly_through(tables, state, until, kept)
 
 
 @inlined

@@ -29,6 +29,7 @@ from typing import NamedTuple
 
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.forcing import make_forcing
+from rocksteady.kernels.core.impacts import rebound
 from rocksteady.kernels.core.tables import (
     Floats,
     March,
@@ -38,9 +39,11 @@ from rocksteady.kernels.core.tables import (
     keep_passage,
     write_row,
 )
-from rocksteady.kernels.core.tuples import Kept, Tables
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.linear.extrema import flight_peaks
 from rocksteady.kernels.linear.flight import make_flight
+from rocksteady.kernels.linear.short import DOUBT, LANDS, NO_LANDING, first_landing, inner_peaks
+from rocksteady.kernels.linear.short import LONGEST as LONGEST_FLIGHT
 from rocksteady.kernels.machine_code.compilation import compiled
 
 LONGEST = 1.0  # in a side's time; beyond it the series would need more terms
@@ -73,85 +76,118 @@ def make_stride(h: float) -> Stride:
 
 
 @compiled
-def fly_through(
-    tables: Tables, state: March, limit: int, kept: Kept
-) -> tuple[int, float, float, int, bool]:
-    """Fly from the start of a sample through all that follow without a doubt.
+def fly_through(tables: Tables, state: March, until: Until, kept: Kept) -> tuple[March, bool, bool]:
+    """Fly from a state within a run of samples through all flights and impacts without a doubt.
 
     Parameters are those of `rocksteady.kernels.march.march.march`.
 
     Returns
     -------
     tuple
-        The segment at whose start it stops, angle and velocity there, the flights so far, and
-        whether the block is proved to overturn.
+        The state at which it stops, whether the block is proved to overturn, and whether it has
+        just left an impact so slowly that it may be coming to rest.
     """
     segments, sides = tables
     rows, peaks = kept
-    side, angle, velocity, segment, _, _, _, flights = state
+    side, angle, velocity, segment, half, phase, impacts, flights = state
+    duration = segments[segment, columns.DURATION]
+    behind = end_of_run(segments, segment)
+    record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= columns.PASSAGE_COLUMNS
     row = 0 if side > 0 else 1
     lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
-    duration = segments[segment, columns.DURATION]
-    h = duration * rate
+    h, pull, unit = duration * rate, side / lean, lean * rate
+    slowing, per_unit = 1.0 / rate, 1.0 / unit
     if h > LONGEST:
-        return segment, angle, velocity, flights, False
+        return state, False, False
     stride = make_stride(h)
-    pull = side / lean
-    y, v = side * angle / lean, side * velocity / (lean * rate)
-    record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= columns.PASSAGE_COLUMNS
-    top_angle = top_speed = 0.0
+    y, v = side * angle / lean, side * velocity / unit
+    top_angle = top_speed = math.inf
     if watch:
-        top_angle, top_speed = peaks[columns.PEAK_ANGLE], peaks[columns.PEAK_SPEED] / (lean * rate)
-    stop = min(end_of_run(segments, segment), segment + limit - flights)
-    first, fallen = segment, False
-    while segment < stop:
-        start = pull * segments[segment, columns.CONSTANT] - 1.0
-        change = pull * (segments[segment, columns.SLOPE] * duration)
+        top_angle, top_speed = peaks[columns.PEAK_ANGLE], peaks[columns.PEAK_SPEED] / unit
+    fallen = bounced = moved = False
+    while segment < behind and flights < until.limit:
+        constant, slope = segments[segment, columns.CONSTANT], segments[segment, columns.SLOPE]
+        start = pull * constant - 1.0
+        change = pull * (slope * duration)
         lowest = min(start, start + change, 0.0)
-        if not (y - MARGIN * y) + v * h > -lowest * stride.half_square:
-            break
-        later_y = (y + (stride.rise * start + stride.angle_share * change)) + (
-            stride.rise * y + stride.sinh * v
-        )
-        later_v = (v + (stride.sinh * start + stride.speed_share * change)) + (
-            stride.rise * v + stride.sinh * y
-        )
+        span, event = h, NO_LANDING
+        if phase == 0.0 and (y - MARGIN * y) + v * h > -lowest * stride.half_square:
+            later_y = (y + (stride.rise * start + stride.angle_share * change)) + (
+                stride.rise * y + stride.sinh * v
+            )
+            later_v = (v + (stride.sinh * start + stride.speed_share * change)) + (
+                stride.rise * v + stride.sinh * y
+            )
+        else:
+            span = (duration - phase) * rate
+            if span <= 0.0 or h > LONGEST_FLIGHT:
+                break
+            start, steepness = pull * (constant + slope * phase) - 1.0, pull * slope * slowing
+            event, span, later_y, later_v = first_landing(y, v, start, steepness, span)
+            if event == DOUBT:
+                break
+            change = steepness * span
+        moved = True
         rises = keeps and later_y > 1.0
         if record or rises:
-            now = March(side, side * y * lean, side * v * lean * rate, segment, 0, 0.0, 0, flights)
+            now = March(side, side * y * lean, side * v * unit, segment, 0, phase, impacts, flights)
             if record:
-                write_row(rows, now, duration, columns.ENDED_BY_SPAN)
+                lasting = span * slowing if event == LANDS or phase != 0.0 else duration
+                write_row(rows, now, lasting, event)
             if rises:
-                top = max(peaks[columns.PEAK_SPEED], top_speed * lean * rate)
-                rise = Rise(y, v, later_y, h, segments[segment, columns.CEILING] / lean)
+                top = max(peaks[columns.PEAK_SPEED], top_speed * unit)
+                rise = Rise(y, v, later_y, span, segments[segment, columns.CEILING] / lean)
                 keep_passage(peaks, now, top_angle, top, rise)
+        flights += 1
         if watch:
             here, there = y + start, later_y + (start + change)
             speed = max(abs(v), abs(later_v))
-            fastest = speed + h * max(abs(here), abs(there))
-            highest = max(y, later_y) + h * fastest
-            if fastest > top_speed or highest > top_angle:
-                if (here > 0.0) != (there > 0.0) or (v > 0.0 and later_v < 0.0):
-                    forcing = make_forcing(start, change / h, 0.0, 0.0)
-                    flight = make_flight(forcing, y, v, 0.0, 0.0, 1.0)
-                    top_angle, top_speed = flight_peaks(
-                        flight, forcing, h, later_y, later_v, top_angle, top_speed
-                    )
-                else:
-                    top_angle = max(top_angle, y, later_y)
-                    top_speed = max(top_speed, speed)
+            if (here > 0.0) != (there > 0.0) or (v > 0.0 and later_v < 0.0):
+                fastest = speed + span * max(abs(here), abs(there))
+                if fastest > top_speed or max(y, later_y) + span * fastest > top_angle:
+                    tops = (top_angle, top_speed)
+                    if span > LONGEST_FLIGHT:
+                        forcing = make_forcing(start, change / span, 0.0, 0.0)
+                        flight = make_flight(forcing, y, v, 0.0, 0.0, 1.0)
+                        tops = flight_peaks(flight, forcing, span, later_y, later_v, *tops)
+                    else:
+                        tops = inner_peaks(y, v, start, change / span, span, later_v, there, tops)
+                    top_angle, top_speed = tops
+            top_angle = max(top_angle, y, later_y)
+            top_speed = max(top_speed, speed)
         y, v = later_y, later_v
+        if event == LANDS:
+            phase += span * slowing
+            later_side, velocity, impacts, bounced = rebound(
+                sides, side, v, impacts, until.rest_velocity
+            )
+            if later_side != side:
+                side = later_side
+                row, before = 0 if side > 0 else 1, unit
+                lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
+                pull, unit = side / lean, lean * rate
+                slowing, per_unit = 1.0 / rate, 1.0 / unit
+                if duration * rate != h:
+                    h = duration * rate
+                    stride = make_stride(h)
+                if watch and unit != before:
+                    peaks[columns.PEAK_SPEED] = max(peaks[columns.PEAK_SPEED], top_speed * before)
+                    top_speed = peaks[columns.PEAK_SPEED] / unit
+            y, v = 0.0, side * velocity * per_unit
+            if bounced or h > LONGEST:
+                break
+            continue
         segment += 1
-        flights += 1
+        phase = 0.0
         if y * lean > lean + segments[segment, columns.CEILING] and v >= 0.0:
             fallen = True  # nothing that is still to come can bring it back
             break
     if watch:
         peaks[columns.PEAK_ANGLE] = top_angle
-        peaks[columns.PEAK_SPEED] = max(peaks[columns.PEAK_SPEED], top_speed * lean * rate)
-    if segment == first:  # untouched, to the last bit
-        return segment, angle, velocity, flights, fallen
-    return segment, side * y * lean, side * v * lean * rate, flights, fallen
+        peaks[columns.PEAK_SPEED] = max(peaks[columns.PEAK_SPEED], top_speed * unit)
+    if moved:  # otherwise untouched, to the last bit
+        angle, velocity = side * y * lean, side * v * unit
+    return March(side, angle, velocity, segment, half, phase, impacts, flights), fallen, bounced
 
 
 @compiled

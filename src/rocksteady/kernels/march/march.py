@@ -13,10 +13,10 @@ both models, so that rest and uplift are one.
 
 import numpy as np
 
-from rocksteady.kernels.core.tables import ORDERS, SHARES, March, is_nonlinear
+from rocksteady.kernels.core.tables import ORDERS, SHARES, Floats, March, is_nonlinear
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.core.typed import FALSE, TRUE
-from rocksteady.kernels.machine_code.compilation import allocating
+from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.march._flights import march_in_model
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
 
@@ -44,7 +44,9 @@ def march(tables: Tables, start: March, until: Until, kept: Kept) -> tuple[int, 
         orders = (columns - SHARES) // 2
         work, lifts = np.empty((WORK_ROWS + orders, TERMS)), np.empty((2, orders))
         nonlinear = is_nonlinear(tables.sides)
-        return march_in_model(tables, start, until, kept, work, lifts, nonlinear, TRUE)
+        return march_in_model(
+            tables, start, until, kept, work, lifts, kept.peaks[:0], nonlinear, TRUE
+        )
     if is_nonlinear(tables.sides):
         return nonlinear_march(tables, start, until, kept)
     return linear_march(tables, start, until, kept)
@@ -54,11 +56,22 @@ def march(tables: Tables, start: March, until: Until, kept: Kept) -> tuple[int, 
 def linear_march(tables: Tables, start: March, until: Until, kept: Kept) -> tuple[int, March]:
     """March as `march` does in the linear model, on segments without a Fourier series."""
     work, lifts = np.empty((0, TERMS)), np.empty((2, 0))
-    return march_in_model(tables, start, until, kept, work, lifts, FALSE, FALSE)
+    return march_in_model(tables, start, until, kept, work, lifts, kept.peaks[:0], FALSE, FALSE)
 
 
 @allocating
 def nonlinear_march(tables: Tables, start: March, until: Until, kept: Kept) -> tuple[int, March]:
     """March as `march` does in the nonlinear model, on segments without a Fourier series."""
-    work, lifts = np.empty((WORK_ROWS, TERMS)), np.empty((2, 0))
-    return march_in_model(tables, start, until, kept, work, lifts, TRUE, FALSE)
+    return nonlinear_ride(tables, start, until, kept, np.empty((WORK_ROWS, TERMS)), kept.peaks[:0])
+
+
+@compiled
+def nonlinear_ride(
+    tables: Tables, start: March, until: Until, kept: Kept, work: Floats, ride: Floats
+) -> tuple[int, March]:
+    """March as `nonlinear_march` does, until a sample is flown through: UNDECIDED, and it is held.
+
+    Parameters are those of `march`, with the working space of a step, and a `ride` of
+    `kernels.core.rides`; with an empty one the march goes on.
+    """
+    return march_in_model(tables, start, until, kept, work, work[:0], ride, TRUE, FALSE)

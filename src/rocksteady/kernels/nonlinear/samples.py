@@ -9,7 +9,10 @@ or one of low slenderness, the series takes its place.
 
 import math
 
+from rocksteady.kernels.core import rides
 from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.core.impacts import rebound
+from rocksteady.kernels.core.rides import hold, is_held, is_ride
 from rocksteady.kernels.core.tables import (
     Floats,
     March,
@@ -19,18 +22,21 @@ from rocksteady.kernels.core.tables import (
     keep_passage,
     write_row,
 )
-from rocksteady.kernels.core.tuples import Kept, Tables
-from rocksteady.kernels.core.typed import FALSE, ONE, ZERO
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
+from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.elementary.circular import sincos_near
+from rocksteady.kernels.linear.short import DOUBT, LANDS, NO_LANDING
 from rocksteady.kernels.machine_code.compilation import compiled
-from rocksteady.kernels.nonlinear._short import (
+from rocksteady.kernels.nonlinear._landing_step import first_landing
+from rocksteady.kernels.nonlinear._middle import (
     DEGREE,
-    StepDrive,
-    fill_short,
-    short_step,
+    bounds_over,
+    fill_course,
+    middle_step,
     state_after,
-    third_of,
+    step_to_landing,
 )
+from rocksteady.kernels.nonlinear._short import StepDrive
 from rocksteady.kernels.nonlinear._zeros import MARGIN, largest, stays_above
 from rocksteady.kernels.nonlinear.drive import WEIGHTLESS, Drive, Instant
 from rocksteady.kernels.nonlinear.flight import reach_of
@@ -40,91 +46,131 @@ from rocksteady.kernels.nonlinear.series import ANGLE, angle_at, expand_series, 
 
 @compiled
 def fly_through(
-    tables: Tables, state: March, limit: int, kept: Kept, work: Floats
-) -> tuple[int, float, float, int, bool]:
-    """Fly from the start of a sample through all that follow without a doubt.
+    tables: Tables, state: March, until: Until, kept: Kept, work: Floats, ride: Floats
+) -> tuple[March, bool, bool]:
+    """Fly from a state within a run of samples through all flights and impacts without a doubt.
 
-    Parameters and results are those of `rocksteady.kernels.march._samples.fly_through`, with the
-    working space of a step.
+    Parameters are those of `rocksteady.kernels.march.march.nonlinear_ride`, results those of
+    `rocksteady.kernels.march._samples.fly_through`.
     """
     segments, sides = tables
     rows, peaks = kept
-    side, angle, velocity, segment, _, _, _, flights = state
-    row = 0 if side > 0 else 1
-    lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
-    alpha, left_out = sides[row, columns.ALPHA], sides[0, columns.LEFT_OUT]
-    h = segments[segment, columns.DURATION] * rate
-    pull = side / lean
-    slowing = 1.0 / rate
-    flat = HALF_PI / alpha
-    y, v = side * angle / lean, side * velocity / (lean * rate)
+    side, angle, velocity, segment, half, phase, impacts, flights = state
+    duration, left_out = segments[segment, columns.DURATION], sides[0, columns.LEFT_OUT]
+    behind = end_of_run(segments, segment)
     record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= columns.PASSAGE_COLUMNS
-    top_angle = top_speed = 0.0
+    row = 0 if side > 0 else 1
+    lean, rate, alpha = (
+        sides[row, columns.LEAN],
+        sides[row, columns.RATE],
+        sides[row, columns.ALPHA],
+    )
+    pull, unit, slowing = side / lean, lean * rate, 1.0 / rate
+    y, v = side * angle / lean, side * velocity / unit
+    top_angle = top_speed = math.inf
     if watch:
-        top_angle, top_speed = peaks[columns.PEAK_ANGLE], peaks[columns.PEAK_SPEED] / (lean * rate)
-    stop = min(end_of_run(segments, segment), segment + limit - flights)
-    first, fallen = segment, False
-    while segment < stop:
-        shaking = pull * segments[segment, columns.CONSTANT]
-        shaking_slope = pull * slowing * segments[segment, columns.SLOPE]
-        lift = segments[segment, columns.LIFT]
-        lift_slope = slowing * segments[segment, columns.LIFT_SLOPE]
-        weight = 1.0 + lift
-        if min(weight, weight + lift_slope * h) <= WEIGHTLESS:
+        top_angle, top_speed = peaks[columns.PEAK_ANGLE], peaks[columns.PEAK_SPEED] / unit
+    fallen = bounced = moved = False
+    if is_held(ride):
+        y, v = ride[rides.ANGLE], ride[rides.VELOCITY]
+        if watch:
+            top_angle, top_speed = ride[rides.TOP_ANGLE], ride[rides.TOP_SPEED]
+        ride[rides.HELD], moved = 0.0, True
+    while segment < behind and flights < until.limit:
+        constant, slope = segments[segment, columns.CONSTANT], segments[segment, columns.SLOPE]
+        lift, lift_slope = segments[segment, columns.LIFT], segments[segment, columns.LIFT_SLOPE]
+        shaking, shaking_slope = pull * (constant + slope * phase), pull * slowing * slope
+        lift, lift_slope = lift + lift_slope * phase, slowing * lift_slope
+        span, weight = (duration - phase) * rate, 1.0 + lift
+        if span <= 0.0 or min(weight, weight + lift_slope * span) <= WEIGHTLESS:
             break
-        at = Instant(0.0, y, v, 0.0, 1.0, FALSE)
+        at = Instant(0.0, y, v, 0.0, 1.0, y == 0.0 and v == 0.0)
         driven = StepDrive(alpha, shaking, shaking_slope, weight, lift_slope)
-        short = short_step(driven, at, h, left_out)
-        degree = DEGREE
-        if short.exact:
-            bend, third = 2.0 * short.second, third_of(short, h)
-            later_y, later_v = state_after(short, y, v, h)
-        else:
-            if y + h * (v + h * (short.second + h * short.third)) <= 0.0:
-                break  # it lands
-            drive = Drive(alpha, shaking, shaking_slope, 0.0, 0.0, lift, lift_slope, 0.0)
-            degree, step = expand_series(drive, at, reach_of(v, h), left_out, work)
-            if step < h:
+        course, exact = middle_step(driven, at, span, left_out)
+        degree, event = DEGREE, NO_LANDING
+        if not exact and y + span * (v + span * (course.second + span * course.third)) <= 0.0:
+            course, span, exact = step_to_landing(driven, at, span, left_out, course.second)
+            if not exact:
                 break
-            bend, third = 2.0 * work[ANGLE, 2], third_bound(work, degree, h)
-            later_y, later_v = angle_at(work, degree, h)
-        if not stays_above(y, v, bend - third * h, h):
+        if exact:
+            bend = 2.0 * course.second
+            third, fourths = bounds_over(course, span)
+            later_y, later_v = state_after(course, y, v, span)
+            if not stays_above(y, v, bend - third * span, span):
+                event, span, later_y, later_v = first_landing(
+                    course, y, v, span, fourths, later_y, later_v
+                )
+                if event == DOUBT:
+                    break
+        else:
+            drive = Drive(alpha, shaking, shaking_slope, 0.0, 0.0, lift, lift_slope, 0.0)
+            degree, step = expand_series(drive, at, reach_of(v, span), left_out, work)
+            if step < span:
+                break
+            bend, third = 2.0 * work[ANGLE, 2], third_bound(work, degree, span)
+            later_y, later_v = angle_at(work, degree, span)
+            if not stays_above(y, v, bend - third * span, span):
+                break
+        fastest = max(abs(v), abs(later_v)) + span * (abs(bend) + third * span)
+        highest = max(y, later_y) + span * fastest
+        if highest >= HALF_PI / alpha:
             break
-        fastest = max(abs(v), abs(later_v)) + h * (abs(bend) + third * h)
-        highest = max(y, later_y) + h * fastest
-        if highest >= flat:
-            break
+        moved = True
         rises = keeps and later_y > 1.0
         if record or rises:
-            now = March(side, side * y * lean, side * v * lean * rate, segment, 0, 0.0, 0, flights)
+            now = March(side, side * y * lean, side * v * unit, segment, 0, phase, impacts, flights)
             if record:
-                write_row(rows, now, segments[segment, columns.DURATION], columns.ENDED_BY_SPAN)
+                lasting = span * slowing if event == LANDS or phase != 0.0 else duration
+                write_row(rows, now, lasting, event)
             if rises:
-                top = max(peaks[columns.PEAK_SPEED], top_speed * lean * rate)
-                rise = Rise(y, v, later_y, h, segments[segment, columns.CEILING] / lean)
+                top = max(peaks[columns.PEAK_SPEED], top_speed * unit)
+                rise = Rise(y, v, later_y, span, segments[segment, columns.CEILING] / lean)
                 keep_passage(peaks, now, top_angle, top, rise)
+        flights += 1
         if watch and (fastest > top_speed or highest > top_angle):
-            if abs(bend) <= third * h or (v > 0.0 and later_v < 0.0):
-                if short.exact:
-                    fill_short(short, y, v, work)
+            if abs(bend) <= third * span or (v > 0.0 and later_v < 0.0):
+                if exact:
+                    fill_course(course, y, v, work)
                 top_angle, top_speed = largest(
-                    work, degree, h, third, later_y, later_v, top_angle, top_speed
+                    work, degree, span, third, later_y, later_v, top_angle, top_speed
                 )
             else:
                 top_angle = max(top_angle, y, later_y)
                 top_speed = max(top_speed, abs(v), abs(later_v))
         y, v = later_y, later_v
+        if event == LANDS:
+            phase += span * slowing
+            later_side, velocity, impacts, bounced = rebound(
+                sides, side, v, impacts, until.rest_velocity
+            )
+            if later_side != side:
+                side = later_side
+                row, before = 0 if side > 0 else 1, unit
+                lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
+                alpha = sides[row, columns.ALPHA]
+                pull, unit, slowing = side / lean, lean * rate, 1.0 / rate
+                if watch and unit != before:
+                    peaks[columns.PEAK_SPEED] = max(peaks[columns.PEAK_SPEED], top_speed * before)
+                    top_speed = peaks[columns.PEAK_SPEED] / unit
+            y, v = 0.0, side * velocity / unit
+            if bounced:
+                break
+            continue
         segment += 1
-        flights += 1
+        phase = 0.0
         if y > 1.0 and v >= 0.0 and y > point_of_no_return(segments, segment, sides, side):
             fallen = True  # nothing that is still to come can bring it back
             break
+        held = is_ride(ride) and segment < behind and segments[segment, columns.ALIKE] > 0.0
+        if held and flights < until.limit:
+            hold(ride, y, v, top_angle, top_speed)
+            break
     if watch:
         peaks[columns.PEAK_ANGLE] = top_angle
-        peaks[columns.PEAK_SPEED] = max(peaks[columns.PEAK_SPEED], top_speed * lean * rate)
-    if segment == first:  # untouched, to the last bit
-        return segment, angle, velocity, flights, fallen
-    return segment, side * y * lean, side * v * lean * rate, flights, fallen
+        peaks[columns.PEAK_SPEED] = max(peaks[columns.PEAK_SPEED], top_speed * unit)
+    if moved:  # otherwise untouched, to the last bit
+        angle, velocity = side * y * lean, side * v * unit
+    return March(side, angle, velocity, segment, half, phase, impacts, flights), fallen, bounced
 
 
 @compiled

@@ -1,0 +1,110 @@
+"""Blocks on one record in lanes: what spectra, suites of records and ensembles run.
+
+Each lane holds a block in flight at the start of a sample of its own.  One pass takes all lanes
+through a sample, by the same products as the march, where that needs no search: there is no landing
+in it and no peak, and it ends below the point of balance (`kernels.nonlinear.sample_lanes`).  A
+lane that does not pass is given to the march, which takes it through landings, rests and doubts up
+to the start of the next sample, and gives it back.  So there is one code for all that is not plain,
+and lanes come to the numbers of the march to the last bit.
+
+They are for the nonlinear model.  In the linear one a plain sample is a few products, less than it
+takes to give a lane to the march and back.
+"""
+
+from rocksteady.kernels.core import rides
+from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.core.tables import Floats, March, left_out_of
+from rocksteady.kernels.core.tuples import Tables
+from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats2, Integers2
+from rocksteady.kernels.nonlinear import sample_lanes as lane
+from rocksteady.kernels.nonlinear.proofs import HALF_PI
+from rocksteady.kernels.nonlinear.sample_lanes import LANES, step_lanes
+
+FEW = 8
+"""Lanes in use below which the march alone is faster."""
+OFFSETS = (1 << 40) - 1
+"""A mask by which the compiler sees that a segment is not negative."""
+
+# Rows of whole numbers of a lane.
+CELL = 0  # -1: none
+SIDE = 1
+SEGMENT = 2
+IMPACTS = 3
+FLIGHTS = 4
+WHOLES = 5
+
+
+@compiled
+def empty_lanes(lanes: Floats, wholes: Integers2) -> None:
+    """Make lanes that hold no block: they step too, and come to no harm."""
+    lanes[:] = 0.0
+    for j in range(LANES):
+        wholes[CELL, j] = -1
+        lanes[lane.ALPHA + j] = lanes[lane.RATE + j] = lanes[lane.FLAT + j] = 1.0
+
+
+@compiled
+def put_flight(
+    lanes: Floats, wholes: Integers2, j: int, tables: Tables, state: March, ride: Floats
+) -> None:
+    """Put a held flight into a lane."""
+    segments, sides = tables
+    row = 0 if state.side > 0 else 1
+    lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
+    wholes[SIDE, j], wholes[SEGMENT, j] = state.side, state.segment
+    wholes[IMPACTS, j], wholes[FLIGHTS, j] = state.impacts, state.flights
+    lanes[lane.ANGLE + j], lanes[lane.VELOCITY + j] = ride[rides.ANGLE], ride[rides.VELOCITY]
+    lanes[lane.TOP_ANGLE + j] = ride[rides.TOP_ANGLE]
+    lanes[lane.TOP_SPEED + j] = ride[rides.TOP_SPEED]
+    duration = segments[state.segment, columns.DURATION]
+    pull, slowing = state.side / lean, 1.0 / rate
+    lanes[lane.PULL + j], lanes[lane.SLOWING + j] = pull, slowing
+    lanes[lane.STEEPNESS + j] = pull * slowing
+    lanes[lane.PASSES + j] = 1.0
+    alpha = sides[row, columns.ALPHA]
+    lanes[lane.RATE + j], lanes[lane.DURATION + j] = rate, duration
+    lanes[lane.ALPHA + j], lanes[lane.FLAT + j] = alpha, HALF_PI / alpha
+    lanes[lane.LEFT_OUT + j] = left_out_of(sides)
+
+
+@compiled
+def taken(lanes: Floats, wholes: Integers2, j: int, ride: Floats) -> March:
+    """Return the state of a lane, whose flight the ride then holds."""
+    ride[rides.HELD] = 1.0
+    ride[rides.ANGLE], ride[rides.VELOCITY] = lanes[lane.ANGLE + j], lanes[lane.VELOCITY + j]
+    ride[rides.TOP_ANGLE] = lanes[lane.TOP_ANGLE + j]
+    ride[rides.TOP_SPEED] = lanes[lane.TOP_SPEED + j]
+    return March(
+        wholes[SIDE, j],
+        0.0,
+        0.0,
+        wholes[SEGMENT, j],
+        0,
+        0.0,
+        wholes[IMPACTS, j],
+        wholes[FLIGHTS, j],
+    )
+
+
+@compiled
+def step(lanes: Floats, wholes: Integers2, segments: Floats2, limit: int) -> int:
+    """Take lanes through a sample where it is plain; return how many stay where they are."""
+    for j in range(LANES):
+        segment = wholes[SEGMENT, j] & OFFSETS
+        # The march takes over in a run of samples alone, and below the limit.
+        ready = segments[segment, columns.ALIKE] > 1.0 and wholes[FLIGHTS, j] + 1 < limit
+        ready = ready and wholes[CELL, j] >= 0
+        lanes[lane.READY + j] = 1.0 if ready else 0.0
+        lanes[lane.CONSTANT + j] = segments[segment, columns.CONSTANT]
+        lanes[lane.SLOPE + j] = segments[segment, columns.SLOPE]
+        lanes[lane.LIFT + j] = segments[segment, columns.LIFT]
+        lanes[lane.LIFT_SLOPE + j] = segments[segment, columns.LIFT_SLOPE]
+    step_lanes(lanes)
+    waiting = 0
+    for j in range(LANES):
+        passed = 1 if lanes[lane.PASSES + j] > 0.0 else 0
+        wholes[SEGMENT, j] += passed
+        wholes[FLIGHTS, j] += passed
+        waiting += 1 - passed
+    return waiting

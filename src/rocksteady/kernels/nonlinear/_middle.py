@@ -1,0 +1,191 @@
+"""Steps of degree 10 of a nonlinear flight without a sinusoid: longer than the short ones.
+
+With S and C of `rocksteady.kernels.nonlinear.series` each coefficient follows from those before it.
+Sums are written out, the products that are known last at their end, so that no processor waits for
+more than it must.  The step is exact where its last two terms are negligible, as in the series.
+"""
+
+from typing import NamedTuple
+
+from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.typed import TRUE
+from rocksteady.kernels.elementary.circular import sincos_near, small_sinc_cos
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.nonlinear._short import SMALL, StepDrive
+from rocksteady.kernels.nonlinear.drive import Instant
+from rocksteady.kernels.nonlinear.series import ANGLE, BEYOND, root_of_parabola
+
+DEGREE = 10
+NINTH, TENTH = 1.0, 1.0
+"""Parts of the last terms that may be left out, that of the ninth by the square of the step."""
+
+
+class Course(NamedTuple):
+    """Taylor coefficients of y over a step, from the second on."""
+
+    second: float
+    third: float
+    fourth: float
+    fifth: float
+    sixth: float
+    seventh: float
+    eighth: float
+    ninth: float
+    tenth: float
+
+
+@compiled
+def middle_step(drive: StepDrive, at: Instant, step: float, left_out: float) -> tuple[Course, bool]:
+    """Return the coefficients of a step, and whether they are enough.
+
+    The parameters are those of `rocksteady.kernels.nonlinear._short.short_step`.
+    """
+    tilt = drive.alpha * (1.0 - at.angle)
+    if abs(tilt) < SMALL:
+        sinc, cosine = small_sinc_cos(tilt)
+        sine = sinc * (1.0 - at.angle)
+    else:
+        sine, cosine = sincos_near(tilt)
+        sine /= drive.alpha
+    force = drive.shaking * cosine - drive.weight * sine
+    if at.lifting:
+        force = max(force, 0.0)
+    return course_from(drive, at.angle, at.velocity, sine, cosine, force, step, left_out)
+
+
+@inlined
+def course_from(
+    drive: StepDrive,
+    angle: float,
+    velocity: float,
+    sine: float,
+    cosine: float,
+    force: float,
+    step: float,
+    left_out: float,
+) -> tuple[Course, bool]:
+    """Return what `middle_step` does, from S, C and y'' at its start."""
+    alpha, shaking, shaking_slope, weight, weight_slope = drive
+    square = alpha * alpha
+    v0, s0, c0 = velocity, sine, cosine
+    v1 = force
+    s1 = -(v0 * c0)
+    c1 = square * (v0 * s0)
+    force = (shaking_slope * c0 - weight_slope * s0) + (shaking * c1 - weight * s1)
+    v2 = force * (1.0 / 2.0)
+    s2 = (v0 * c1 + v1 * c0) * (-1.0 / 2.0)
+    c2 = (v0 * s1 + v1 * s0) * (square * (1.0 / 2.0))
+    force = (shaking_slope * c1 - weight_slope * s1) + (shaking * c2 - weight * s2)
+    v3 = force * (1.0 / 3.0)
+    s3 = (v1 * c1 + v0 * c2 + v2 * c0) * (-1.0 / 3.0)
+    c3 = (v1 * s1 + v0 * s2 + v2 * s0) * (square * (1.0 / 3.0))
+    force = (shaking_slope * c2 - weight_slope * s2) + (shaking * c3 - weight * s3)
+    v4 = force * (1.0 / 4.0)
+    s4 = (v1 * c2 + v2 * c1 + v0 * c3 + v3 * c0) * (-1.0 / 4.0)
+    c4 = (v1 * s2 + v2 * s1 + v0 * s3 + v3 * s0) * (square * (1.0 / 4.0))
+    force = (shaking_slope * c3 - weight_slope * s3) + (shaking * c4 - weight * s4)
+    v5 = force * (1.0 / 5.0)
+    s5 = (v1 * c3 + v2 * c2 + v3 * c1 + v0 * c4 + v4 * c0) * (-1.0 / 5.0)
+    c5 = (v1 * s3 + v2 * s2 + v3 * s1 + v0 * s4 + v4 * s0) * (square * (1.0 / 5.0))
+    force = (shaking_slope * c4 - weight_slope * s4) + (shaking * c5 - weight * s5)
+    v6 = force * (1.0 / 6.0)
+    s6 = (v1 * c4 + v2 * c3 + v3 * c2 + v4 * c1 + v0 * c5 + v5 * c0) * (-1.0 / 6.0)
+    c6 = (v1 * s4 + v2 * s3 + v3 * s2 + v4 * s1 + v0 * s5 + v5 * s0) * (square * (1.0 / 6.0))
+    force = (shaking_slope * c5 - weight_slope * s5) + (shaking * c6 - weight * s6)
+    v7 = force * (1.0 / 7.0)
+    s7 = (v1 * c5 + v2 * c4 + v3 * c3 + v4 * c2 + v5 * c1 + v0 * c6 + v6 * c0) * (-1.0 / 7.0)
+    c7 = (v1 * s5 + v2 * s4 + v3 * s3 + v4 * s2 + v5 * s1 + v0 * s6 + v6 * s0) * (
+        square * (1.0 / 7.0)
+    )
+    force = (shaking_slope * c6 - weight_slope * s6) + (shaking * c7 - weight * s7)
+    v8 = force * (1.0 / 8.0)
+    s8 = (v1 * c6 + v2 * c5 + v3 * c4 + v4 * c3 + v5 * c2 + v6 * c1 + v0 * c7 + v7 * c0) * (
+        -1.0 / 8.0
+    )
+    c8 = (v1 * s6 + v2 * s5 + v3 * s4 + v4 * s3 + v5 * s2 + v6 * s1 + v0 * s7 + v7 * s0) * (
+        square * (1.0 / 8.0)
+    )
+    force = (shaking_slope * c7 - weight_slope * s7) + (shaking * c8 - weight * s8)
+    v9 = force * (1.0 / 9.0)
+    course = Course(
+        0.5 * v1,
+        v2 * (1.0 / 3.0),
+        0.25 * v3,
+        v4 * (1.0 / 5.0),
+        v5 * (1.0 / 6.0),
+        v6 * (1.0 / 7.0),
+        0.125 * v7,
+        v8 * (1.0 / 9.0),
+        v9 * (1.0 / 10.0),
+    )
+    squared = step * step
+    fourths = squared * squared
+    largest = max(
+        abs(angle),
+        abs(v0) * step,
+        squared * abs(course.second),
+        squared * step * abs(course.third),
+    )
+    last = NINTH * squared * abs(course.ninth) + TENTH * step * abs(course.tenth)
+    return course, fourths * fourths * step * last <= left_out * largest
+
+
+@compiled
+def step_to_landing(
+    drive: StepDrive, at: Instant, span: float, left_out: float, second: float
+) -> tuple[Course, float, bool]:
+    """Return a step up to the landing, of a flight whose step over the span is not exact."""
+    step = min(BEYOND * root_of_parabola(at.angle, at.velocity, 2.0 * second, TRUE), span)
+    course, exact = middle_step(drive, at, step, left_out)
+    landed, _ = state_after(course, at.angle, at.velocity, step)
+    return course, step, exact and landed <= 0.0
+
+
+@inlined
+def state_after(course: Course, angle: float, velocity: float, time: float) -> tuple[float, float]:
+    """Return y and y' at a time of the step."""
+    second, third, fourth, fifth, sixth, seventh, eighth, ninth, tenth = course
+    # In pairs, what is known last at the end: nothing waits for a long chain of products.
+    square = time * time
+    fourths = square * square
+    low = (velocity * time + square * second) + square * (time * third + square * fourth)
+    high = (time * ninth + square * tenth) * square + (time * seventh + square * eighth)
+    low += fourths * ((time * fifth + square * sixth) + square * high)
+    slope = (2.0 * (time * second) + 3.0 * (square * third)) + square * (
+        4.0 * (time * fourth) + 5.0 * (square * fifth)
+    )
+    high = (8.0 * (time * eighth) + 9.0 * (square * ninth)) + 10.0 * (square * (time * tenth))
+    slope += fourths * ((6.0 * (time * sixth) + 7.0 * (square * seventh)) + square * high)
+    return angle + low, velocity + slope
+
+
+@inlined
+def bends_after(course: Course, time: float) -> tuple[float, float, float, float]:
+    """Return y'' and the next three derivatives at a time of the step; the last two nearly."""
+    second, third, fourth, fifth, sixth, seventh, eighth, ninth, tenth = course
+    high = 56.0 * eighth + time * (72.0 * ninth + time * (90.0 * tenth))
+    high = 20.0 * fifth + time * (30.0 * sixth + time * (42.0 * seventh + time * high))
+    bend = 2.0 * second + time * (6.0 * third + time * (12.0 * fourth + time * high))
+    high = 60.0 * fifth + time * (120.0 * sixth + time * (210.0 * seventh))
+    jerk = 6.0 * third + time * (24.0 * fourth + time * high)
+    later = 120.0 * fifth + time * (720.0 * sixth)
+    return bend, jerk, 24.0 * fourth + time * (120.0 * fifth), later
+
+
+@inlined
+def bounds_over(course: Course, step: float) -> tuple[float, float]:
+    """Return upper bounds of the moduli of the third and the fourth derivative over the step."""
+    _, third, fourth, fifth, sixth, seventh, eighth, ninth, tenth = course
+    high = 1680.0 * abs(eighth) + step * (3024.0 * abs(ninth) + step * (5040.0 * abs(tenth)))
+    high = 360.0 * abs(sixth) + step * (840.0 * abs(seventh) + step * high)
+    fourths = 24.0 * abs(fourth) + step * (120.0 * abs(fifth) + step * high)
+    return 6.0 * abs(third) + step * fourths, fourths
+
+
+@inlined
+def fill_course(course: Course, angle: float, velocity: float, work: Floats) -> None:
+    """Fill the coefficients of y."""
+    work[ANGLE, 0], work[ANGLE, 1] = angle, velocity
+    work[ANGLE, 2], work[ANGLE, 3], work[ANGLE, 4] = course.second, course.third, course.fourth
+    work[ANGLE, 5], work[ANGLE, 6], work[ANGLE, 7] = course.fifth, course.sixth, course.seventh
+    work[ANGLE, 8], work[ANGLE, 9], work[ANGLE, 10] = course.eighth, course.ninth, course.tenth

@@ -1,0 +1,83 @@
+"""One sample of many blocks in lanes: products and conditions of `kernels.nonlinear.samples`.
+
+Fields of a lane are offsets into one flat array.
+"""
+
+from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.elementary.circular import small_sinc_cos
+from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.width import side_by_side
+from rocksteady.kernels.nonlinear._middle import bounds_over, course_from, state_after
+from rocksteady.kernels.nonlinear._short import SMALL, StepDrive
+from rocksteady.kernels.nonlinear._zeros import stays_above
+from rocksteady.kernels.nonlinear.drive import WEIGHTLESS
+
+# 16 or fewer lanes would be unrolled and stay scalar.
+LANES = side_by_side(32)
+
+(
+    ANGLE,
+    VELOCITY,
+    TOP_ANGLE,
+    TOP_SPEED,
+    PASSES,  # 1 where the last pass took the lane through a sample
+    READY,  # 1 where the lane is at a sample that it may pass
+    # Of the side.
+    PULL,
+    STEEPNESS,  # the pull over the rate
+    SLOWING,
+    RATE,
+    ALPHA,
+    LEFT_OUT,
+    FLAT,  # the angle at which the block lies on its side
+    # Of the sample.
+    CONSTANT,
+    SLOPE,
+    DURATION,
+    LIFT,
+    LIFT_SLOPE,
+) = range(0, 18 * LANES, LANES)
+FIELDS = 18
+
+
+@compiled
+def step_lanes(lanes: Floats) -> None:
+    """Take lanes through a sample, as `kernels.nonlinear.samples` does."""
+    for j in range(LANES):
+        y, v = lanes[ANGLE + j], lanes[VELOCITY + j]
+        alpha, span = lanes[ALPHA + j], lanes[DURATION + j] * lanes[RATE + j]
+        shaking = lanes[PULL + j] * lanes[CONSTANT + j]
+        shaking_slope = lanes[STEEPNESS + j] * lanes[SLOPE + j]
+        weight = 1.0 + lanes[LIFT + j]
+        lift_slope = lanes[SLOWING + j] * lanes[LIFT_SLOPE + j]
+        tilt = alpha * (1.0 - y)
+        sinc, cosine = small_sinc_cos(tilt)
+        sine = sinc * (1.0 - y)
+        force = shaking * cosine - weight * sine
+        driven = StepDrive(alpha, shaking, shaking_slope, weight, lift_slope)
+        course, exact = course_from(driven, y, v, sine, cosine, force, span, lanes[LEFT_OUT + j])
+        bend = 2.0 * course.second
+        third, _ = bounds_over(course, span)
+        later_y, later_v = state_after(course, y, v, span)
+        above = stays_above(y, v, bend - third * span, span)
+        fastest = max(abs(v), abs(later_v)) + span * (abs(bend) + third * span)
+        highest = max(y, later_y) + span * fastest
+        top_angle, top_speed = lanes[TOP_ANGLE + j], lanes[TOP_SPEED + j]
+        turns = (abs(bend) <= third * span) | ((v > 0.0) & (later_v < 0.0))
+        higher = (fastest > top_speed) | (highest > top_angle)
+        passes = (
+            exact
+            & above
+            & (abs(tilt) < SMALL)
+            & (min(weight, weight + lift_slope * span) > WEIGHTLESS)
+            & (highest < lanes[FLAT + j])
+            & (later_y <= 1.0)
+            & (lanes[READY + j] > 0.0)
+            & ~(turns & higher)
+        )
+        speed = max(top_speed, abs(v), abs(later_v))
+        lanes[PASSES + j] = 1.0 if passes else 0.0
+        lanes[ANGLE + j] = later_y if passes else y
+        lanes[VELOCITY + j] = later_v if passes else v
+        lanes[TOP_ANGLE + j] = max(top_angle, y, later_y) if passes else top_angle
+        lanes[TOP_SPEED + j] = speed if passes else top_speed
