@@ -205,7 +205,7 @@ def layout(
 
 
 def _alike(lines: Sequence[str]) -> bool:
-    """Return whether all lines but for signs have their digits in the same columns.
+    """Return whether all lines, signs excepted, have their digits in the same columns.
 
     The last may have fewer numbers, if it ends in one like the last of the others.
     """
