@@ -169,7 +169,7 @@ def test_a_scene_alone_is_small_and_holds_its_words_and_kernels(
     assert policy is not None
     assert policy.startswith("default-src 'none'; script-src 'sha256-")
     rest = file.stat().st_size - len(page.texts["program"])
-    assert rest + 40_000 <= (220_000 if scene in ("fates", "order") else 150_000)
+    assert rest + 37_000 <= (220_000 if scene in ("fates", "order") else 150_000)
 
 
 def test_what_is_embedded_is_one_scene_and_says_nothing_else(tmp_path: Path) -> None:

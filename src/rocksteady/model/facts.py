@@ -3,11 +3,10 @@
 import math
 from typing import Any
 
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import Block, in_g
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.sides import same_shape
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
-from rocksteady.model.units import in_g
 from rocksteady.results.numbers import angle, length, number, quantity
 
 AnyBlock = Block | DimensionlessBlock

@@ -2,14 +2,13 @@
 
 from collections.abc import Iterator
 
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import Block, in_g
 from rocksteady.model.facts import AnyBlock
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion, Still
-from rocksteady.model.units import in_g
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import number, quantity
 

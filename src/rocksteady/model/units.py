@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import numpy as np
 
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block, in_g
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 
 if TYPE_CHECKING:
@@ -20,17 +20,6 @@ if TYPE_CHECKING:
 
 Converter: TypeAlias = Callable[[Block, Any], Any]
 """Takes a number or an array, and returns it in its unit."""
-
-
-def in_g(acceleration_m_s2: Any) -> Any:
-    """Return an acceleration in units of standard gravity, 9.80665 m/s^2, on any planet.
-
-    Examples
-    --------
-    >>> in_g(4.903325)
-    0.5
-    """
-    return acceleration_m_s2 / STANDARD_GRAVITY
 
 
 def _degrees(block: Block, ratio: Any) -> Any:

@@ -9,7 +9,7 @@ from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
 from rocksteady.dynamics.basins.basin_answers import basins_answer, erosion_answer
 from rocksteady.dynamics.basins.window import axis_facts, window_text
 from rocksteady.dynamics.orbits.orbit_facts import plain_orbit
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import Block, in_g
 from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.model.facts import (
     amplitude_text,
@@ -19,7 +19,6 @@ from rocksteady.model.facts import (
     harmonic_values,
     lean_text,
 )
-from rocksteady.model.units import in_g
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural

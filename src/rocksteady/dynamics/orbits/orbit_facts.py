@@ -11,11 +11,10 @@ from rocksteady.dynamics.steady.verdicts import (
     multipliers_value,
     verdict,
 )
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import Block, in_g
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import AnyBlock, block_text, case_text, harmonic_values, lean_text
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
-from rocksteady.model.units import in_g
 from rocksteady.outcomes import INFINITELY_MANY
 from rocksteady.results.description import Column, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity

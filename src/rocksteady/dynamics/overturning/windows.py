@@ -15,14 +15,13 @@ from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
 from rocksteady.dynamics.overturning.window_cells import kept_windows, outputs, uplifts_of
 from rocksteady.dynamics.overturning.window_lists import WindowLists, listed
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import Block, in_g
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, is_pair, rising
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import amplitude_text, case_text, restitution_values
 from rocksteady.model.motions.pulses import Pulse
-from rocksteady.model.units import in_g
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity

@@ -12,6 +12,7 @@ from rocksteady.dynamics.steady.verdicts import (
     multipliers_value,
     verdict,
 )
+from rocksteady.model.blocks.block import in_g
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.facts import (
     amplitude_text,
@@ -21,7 +22,6 @@ from rocksteady.model.facts import (
     lean_text,
 )
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.model.units import in_g
 from rocksteady.results.description import Column, Description, Fact, Table, shown
 from rocksteady.results.numbers import number, plural
 

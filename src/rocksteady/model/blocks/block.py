@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Annotated
+from typing import Annotated, Any
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
@@ -48,6 +48,17 @@ from rocksteady.model.checks.validation import positive
 
 STANDARD_GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s^2]."""
+
+
+def in_g(acceleration_m_s2: Any) -> Any:
+    """Return an acceleration in units of standard gravity, 9.80665 m/s^2, on any planet.
+
+    Examples
+    --------
+    >>> in_g(4.903325)
+    0.5
+    """
+    return acceleration_m_s2 / STANDARD_GRAVITY
 
 
 @checked

@@ -8,10 +8,9 @@ import numpy as np
 
 from rocksteady.dynamics.continuation.branch_facts import SHORT, multiplier_columns, place_values
 from rocksteady.dynamics.parameters import SYMBOLS
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import Block, in_g
 from rocksteady.model.facts import AnyBlock, block_text, block_values, case_text
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.model.units import in_g
 from rocksteady.outcomes import INFINITELY_MANY
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
