@@ -16,8 +16,6 @@ from rocksteady.kernels.nonlinear._short import (
     StepDrive,
     fill_short,
     short_step,
-    state_after,
-    third_of,
 )
 from rocksteady.kernels.nonlinear.drive import Drive, Instant
 from rocksteady.kernels.nonlinear.series import HIGHEST, TERMS, WORK_ROWS, expand_series
@@ -26,6 +24,15 @@ from tests.strategies import inner_sample_size
 
 Floats = NDArray[np.float64]
 LEFT_OUT = 1e-15
+TURNING_POINTS = [
+    (0.6, -0.0016, 1.66e-10),
+    (0.8, -0.003, 6.6e-6),
+    (0.057, -8.4, 7.3e-5),
+    (0.0077, -4.0, 2.3e-5),
+    (0.0186, 1.006, 8.3e-10),
+    (0.35, 0.3, 0.4),
+]
+"""Alpha, shaking and angle at which terms of an estimate vanish."""
 
 mp = mpmath.mp.clone()
 mp.dps = 50
@@ -135,7 +142,8 @@ def test_a_slender_side_without_vertical_motion_moves_by_the_linear_closed_form(
     for found, exact in zip(coefficients(short, angle, velocity)[2:], expected, strict=False):
         assert abs(found - exact) <= 1e-15 * size
     time = float(rng.uniform(0.0, 0.02))
-    y, v = state_after(short, angle, velocity, time)
+    curve = np.polynomial.Polynomial(coefficients(short, angle, velocity)[: DEGREE + 1])
+    y, v = curve(time), curve.deriv()(time)
     assert abs(y - (even * mp.cosh(time) + odd * mp.sinh(time) - r - m * time)) <= 1e-15 * size
     assert abs(v - (even * mp.sinh(time) + odd * mp.cosh(time) - m)) <= 2e-15 * size
 
@@ -183,17 +191,7 @@ def test_an_accepted_step_leaves_out_hardly_more_than_it_may() -> None:
 # derivatives are zero or nearly so, and with them every term of the first estimate.
 @every("velocity", [0.0, 1e-10, -1e-7])
 @every("slope", [0.0, 1e-6])
-@every(
-    ("alpha", "shaking", "angle"),
-    [
-        (0.6, -0.0016, 1.66e-10),
-        (0.8, -0.003, 6.6e-6),
-        (0.057, -8.4, 7.3e-5),
-        (0.0077, -4.0, 2.3e-5),
-        (0.0186, 1.006, 8.3e-10),
-        (0.35, 0.3, 0.4),
-    ],
-)
+@every(("alpha", "shaking", "angle"), TURNING_POINTS)
 def test_a_turning_point_is_no_reason_to_accept_a_long_step(
     alpha: float, shaking: float, angle: float, slope: float, velocity: float
 ) -> None:
@@ -234,21 +232,3 @@ def test_a_block_that_lifts_off_does_not_sink() -> None:
         short = short_step(StepDrive(alpha, level, 2.0, 1.0, 0.0), at, 0.01, LEFT_OUT)
         assert least <= short.second <= 0.0
         assert short.third == pytest.approx(2.0 * math.cos(alpha) / 6.0, rel=1e-15)
-
-
-@every("seed", range(30))
-def test_the_bound_of_the_third_derivative_holds_and_state_and_rows_are_one_polynomial(
-    seed: int,
-) -> None:
-    rng = np.random.default_rng(300 + seed)
-    drive, angle, velocity = drawn(rng)
-    h = spread(rng, 1e-4, LONGEST)
-    short = stepped(drive, angle, velocity, h, LEFT_OUT)
-    curve = np.polynomial.Polynomial(coefficients(short, angle, velocity)[: DEGREE + 1])
-    times = np.linspace(0.0, h, 200)
-    assert np.abs(curve.deriv(3)(times)).max() <= third_of(short, h) * (1.0 + 1e-14)
-    part = float(rng.uniform(0.0, h))
-    y, v = state_after(short, angle, velocity, part)
-    for found, exact in ((y, curve), (v, curve.deriv())):
-        size = np.polynomial.Polynomial(np.abs(exact.coef))(part)
-        assert abs(found - exact(part)) <= 2e-15 * size

@@ -51,6 +51,8 @@ EXAMPLES = (
 )
 DOUBLINGS = 4
 """Of the cascade that is proved with the points: to 32 impacts."""
+PLACES = 9
+"""Decimals of A in which points of one number of impacts differ."""
 KINDS = ("orbit", "point", "fate", "region", "chaos")
 proof_flag = options.Panel("Proof")
 
@@ -236,9 +238,11 @@ def _proofs(
     search = BranchOptions(doublings=DOUBLINGS)
     diagram = find_bifurcations(body, motion, "amplitude", within=within, values=0, search=search)
     points = [each.point for each in diagram.points if each.point.type in SIGNS]
-    most = max((each.impacts for each in points), default=0)
+    known = {(each.impacts, round(each.amplitude, PLACES)) for each in points}
     further = () if diagram.cascade is None else diagram.cascade.points
-    points += [each for each in further if each.impacts > most]
+    points += [
+        each for each in further if (each.impacts, round(each.amplitude, PLACES)) not in known
+    ]
     return [certify_point(point) for point in points]
 
 

@@ -37,7 +37,7 @@ WHOLES = 5
 
 @compiled
 def empty_lanes(lanes: Floats, wholes: Integers2) -> None:
-    """Make lanes that hold no block: they step too, and come to no harm."""
+    """Make lanes that hold no block: they step too, and their numbers stay finite."""
     lanes[:] = 0.0
     for j in range(LANES):
         wholes[CELL, j] = -1

@@ -1,7 +1,7 @@
 """State of a flight between samples, in the units of its side: what lanes and the march exchange.
 
 The march holds a state in reference units between flights, and in those of the side while it flies
-through samples.  Lanes that take a flight over in the midst of samples, and give it back, do so in
+through samples.  Lanes that take a flight over between two samples, and give it back, do so in
 the latter, so that what comes out is the march's own to the last bit.
 """
 

@@ -2,7 +2,8 @@
 
 With S and C of `rocksteady.kernels.nonlinear.series` each coefficient follows from those before it.
 Sums are written out, the products that are known last at their end, so that no processor waits for
-more than it must.  The step is exact where its last two terms are negligible, as in the series.
+more than it must.  The step of length t is exact where a_10 t^10 and a_9 t^11, of its last
+coefficients, are negligible, as in the series.
 """
 
 from typing import NamedTuple
@@ -16,8 +17,6 @@ from rocksteady.kernels.nonlinear.drive import Instant
 from rocksteady.kernels.nonlinear.series import ANGLE, BEYOND, root_of_parabola
 
 DEGREE = 10
-NINTH, TENTH = 1.0, 1.0
-"""Parts of the last terms that may be left out, that of the ninth by the square of the step."""
 
 
 class Course(NamedTuple):
@@ -126,7 +125,7 @@ def course_from(
         squared * abs(course.second),
         squared * step * abs(course.third),
     )
-    last = NINTH * squared * abs(course.ninth) + TENTH * step * abs(course.tenth)
+    last = squared * abs(course.ninth) + step * abs(course.tenth)
     return course, fourths * fourths * step * last <= left_out * largest
 
 

@@ -179,30 +179,6 @@ def short_step(drive: StepDrive, at: Instant, step: float, left_out: float) -> S
 
 
 @inlined
-def state_after(
-    short: ShortStep, angle: float, velocity: float, time: float
-) -> tuple[float, float]:
-    """Return y and y' at a time of the step."""
-    course = short.sixth + time * (short.seventh + time * short.eighth)
-    course = short.third + time * (short.fourth + time * (short.fifth + time * course))
-    slope = 6.0 * short.sixth + time * (7.0 * short.seventh + time * (8.0 * short.eighth))
-    slope = 4.0 * short.fourth + time * (5.0 * short.fifth + time * slope)
-    slope = 2.0 * short.second + time * (3.0 * short.third + time * slope)
-    return (
-        angle + time * (velocity + time * (short.second + time * course)),
-        velocity + time * slope,
-    )
-
-
-@inlined
-def third_of(short: ShortStep, step: float) -> float:
-    """Return an upper bound of |y'''| over the step."""
-    bound = 210.0 * abs(short.seventh) + step * (336.0 * abs(short.eighth))
-    bound = 60.0 * abs(short.fifth) + step * (120.0 * abs(short.sixth) + step * bound)
-    return 6.0 * abs(short.third) + step * (24.0 * abs(short.fourth) + step * bound)
-
-
-@inlined
 def fill_short(short: ShortStep, angle: float, velocity: float, work: Floats) -> None:
     """Fill the coefficients of y."""
     work[ANGLE, 0], work[ANGLE, 1] = angle, velocity

@@ -51,7 +51,7 @@ STANDARD_GRAVITY = 9.80665
 
 
 def in_g(acceleration_m_s2: Any) -> Any:
-    """Return an acceleration in units of standard gravity, 9.80665 m/s^2, on any planet.
+    """Return an acceleration in g, which is 9.80665 m/s^2 whatever the gravity of a block.
 
     Examples
     --------

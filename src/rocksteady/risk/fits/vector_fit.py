@@ -102,7 +102,7 @@ class VectorCurve(Result):
         return np.asarray(family_of("lognormal").cdf(eta))
 
     def along(self, ratio: float) -> tuple[float, float]:
-        """Return the lognormal of the second of two intensities where it is a ratio of the first.
+        """Return the lognormal of the second intensity where it is a ratio of the first.
 
         P = Phi(ln(im_2/median)/beta) with beta = 1/(c_1 + c_2), as im_1 = im_2/ratio.
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.checks.validation import positive
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -110,10 +111,24 @@ class Fragility(Result):
         """Return the probability of the last damage state at a PGA and a PGV, of what lifts.
 
         None where either is None, or the surface is not fitted.
+
+        Parameters
+        ----------
+        pga_g, pgv_m_s
+            Peaks of the ground, above 0 [g], [m/s].
+
+        Raises
+        ------
+        InputError
+            If a peak is not above 0.
         """
-        if self.surface is None or pga_g is None or pgv_m_s is None:
+        if pga_g is None or pgv_m_s is None:
             return None
-        share = float(self.surface.probability([pga_g, pgv_m_s]))
+        pga = positive("pga_g", pga_g, hint="give the PGA in g")
+        pgv = positive("pgv_m_s", pgv_m_s, hint="give the PGV in m/s")
+        if self.surface is None:
+            return None
+        share = float(self.surface.probability([pga, pgv]))
         return None if math.isnan(share) else share
 
     @property

@@ -46,13 +46,11 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
             f"Shares of runs and fragility curves of the damage states {names}.",
         )
     if fragility.surface_words:
+        demand = assessment.described.given.demand
+        peaks = {"pga_g": demand.pga_g, "pgv_m_s": demand.pgv_m_s}
+        pair = peaks if assessment.by_both_peaks is not None else {}
         pictures["surface"] = picture(
-            lambda axes: plot_fragility_surface(
-                fragility,
-                axes,
-                pga_g=assessment.described.given.demand.pga_g,
-                pgv_m_s=assessment.described.given.demand.pgv_m_s,
-            ),
+            lambda axes: plot_fragility_surface(fragility, axes, **pair),
             4.4,
             "Shares of the runs that fall over PGA and PGV, with lines of 10, 50 and 90 %.",
         )

@@ -112,6 +112,18 @@ def swatch(inks: Inks, role: str, words: str, pattern: str | None = None) -> "Pa
     return Patch(label=words, **(style | outline))
 
 
+def risk_swatches(inks: Inks, first: str = "{}", width: float = 0.6) -> "list[Patch]":
+    """Return legend entries of the steps of probability, the first in words around its range."""
+    from matplotlib.patches import Patch
+
+    steps = len(inks.risk_ramp)
+    ranges = (f"{100 * k // steps} to {100 * (k + 1) // steps} %" for k in range(steps))
+    return [
+        Patch(fc=colour, ec=inks.edge, lw=width, label=words if place else first.format(words))
+        for place, (colour, words) in enumerate(zip(inks.risk_ramp, ranges, strict=True))
+    ]
+
+
 def draw_pattern(
     axes: "Axes",
     edges: tuple[Floats, Floats],

@@ -68,6 +68,13 @@ def test_loss_tools_get_the_cut_at_the_ratio_of_the_peaks(found: Fragility, tmp_
 
 
 def test_without_a_surface_there_is_no_picture_and_no_component(found: Fragility) -> None:
+    with pytest.raises(InputError, match=r"pga_g.*a demand has both peaks"):
+        plots.fragility_surface(found, pga_g=0.4)
+    with pytest.raises(InputError, match=r"pgv_m_s.*a demand has both peaks"):
+        plots.fragility_surface(found, pgv_m_s=0.4)
+    for peaks in ((0.0, 0.5), (0.4, -0.5), (math.nan, 0.5), (0.4, math.inf)):
+        with pytest.raises(InputError, match=r"pga_g|pgv_m_s"):
+            found.by_both_peaks(*peaks)
     none = replace(found, surface=None)
     with pytest.raises(InputError, match="no fitted surface"):
         plots.fragility_surface(none)

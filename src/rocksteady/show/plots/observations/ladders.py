@@ -15,6 +15,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.show.plots.observations._rows import CROWDED, name_rows
+from rocksteady.show.style.areas import risk_swatches
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
 from rocksteady.show.style.tokens import Inks, inks_of
@@ -128,7 +129,7 @@ def plot_test_ladders(
     axes.set(xlim=limits, xlabel=label)
     plain_ticks(axes)
     name_rows(axes, [each.name for each in shown])
-    draw_legend(axes, place, handles=[*handles, *_shades(inks)])
+    draw_legend(axes, place, handles=[*handles, *risk_swatches(inks, "predicted {}", 0.4)])
     return axes
 
 
@@ -217,18 +218,3 @@ def _draw_marks(axes: "Axes", rungs: Sequence[Rung], inks: Inks, size: float) ->
         path_effects=[withStroke(linewidth=1.4 * size + 2.0, foreground=inks.paper)],
     )  # fmt: skip
     return [*entries, *(rings if wrong.any() else [])]
-
-
-def _shades(inks: Inks) -> list[Any]:
-    """Return entries of the legend for the steps of the predicted probability."""
-    from matplotlib.patches import Patch
-
-    return [
-        Patch(
-            facecolor=colour,
-            edgecolor=inks.edge,
-            lw=0.4,
-            label=f"{'' if step else 'predicted '}{20 * step} to {20 * step + 20} %",
-        )
-        for step, colour in enumerate(inks.risk_ramp)
-    ]

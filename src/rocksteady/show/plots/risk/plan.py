@@ -12,6 +12,7 @@ from rocksteady.risk.assess.described.objects import floor_number
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.plots.risk.objects import NARROW
 from rocksteady.show.style import palette
+from rocksteady.show.style.areas import risk_swatches
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LETTER, draw_legend, figure_of, size_of, text_size
@@ -147,16 +148,7 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
                 size=small,
                 color=inks.ink,
             )
-    steps = len(inks.risk_ramp)
-    handles = [
-        Patch(
-            fc=colour,
-            ec=inks.edge,
-            lw=0.6,
-            label=f"{100 * k // steps} to {100 * (k + 1) // steps} %",
-        )
-        for k, colour in enumerate(inks.risk_ramp)
-    ]
+    handles = risk_swatches(inks)
     if any(row["probability"] is None for row in table.rows):
         handles.append(Patch(fc=inks.undecided, hatch="xxxx", ec=inks.edge, label="no answer"))
     if any(row["colour"] == "red" for row in table.rows):

@@ -1,14 +1,16 @@
 """Plot of fragility over PGA and PGV: the runs, and lines of equal probability."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.numbers import chance, number
+from rocksteady.results.numbers import chance, quantity
 from rocksteady.risk.fragility.fit_fragility import PEAKS, peaks_and_shares
 from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.show.plots.risk.fragility import EVENTS
+from rocksteady.show.style.areas import risk_swatches
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import draw_legend, text_size
 from rocksteady.show.style.tokens import DOTTED, inks_of
@@ -18,10 +20,10 @@ if TYPE_CHECKING:
 
 SHARES = (0.1, 0.5, 0.9)
 """Probabilities of the lines."""
+FARTHEST = 50.0
+"""Of ln PGV of a line, which leaves the picture long before."""
 BEYOND = 1.15
 """Factor by which the axes go beyond the runs."""
-QUANTILES = (-1.2815515655446004, 0.0, 1.2815515655446004)
-"""Of the standard normal distribution, at `SHARES`."""
 
 
 @checked
@@ -54,7 +56,7 @@ def plot_fragility_surface(
     Raises
     ------
     InputError
-        If the surface is not fitted.
+        If the surface is not fitted, one peak of a demand is given alone, or it is not above 0.
 
     Examples
     --------
@@ -71,7 +73,7 @@ def plot_fragility_surface(
     >>> axes.get_xlabel(), axes.get_ylabel()
     ('PGA [g]', 'PGV [m/s]')
     """
-    from matplotlib.patches import Patch
+    from scipy.special import ndtri
 
     surface = fragility.surface
     if surface is None or not fragility.surface_words:
@@ -81,6 +83,10 @@ def plot_fragility_surface(
             "runs that fall and runs that stand must overlap in PGA and PGV",
             "give more records, of several shapes, with PGA and PGV beside the levels",
         )
+    if (pga_g is None) != (pgv_m_s is None):
+        name, value = ("pga_g", pga_g) if pgv_m_s is None else ("pgv_m_s", pgv_m_s)
+        raise InputError(name, value, "a demand has both peaks", "give both, or neither")
+    demand = fragility.by_both_peaks(pga_g, pgv_m_s)
     axes = axes_or_new(ax)
     inks, small = inks_of(axes), text_size(axes, 7.0)
     peaks, shares = peaks_and_shares(fragility)
@@ -94,12 +100,16 @@ def plot_fragility_surface(
         linewidths=0.3,
         zorder=2,
     )
-    low, high = peaks.min(axis=0) / BEYOND, peaks.max(axis=0) * BEYOND
+    shown = peaks
+    if demand is not None:
+        shown = np.concatenate([peaks, np.array([[pga_g, pgv_m_s]], dtype=np.float64)])
+    low, high = shown.min(axis=0) / BEYOND, shown.max(axis=0) * BEYOND
     axes.set(xscale="log", yscale="log", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     constant, first, second = surface.coefficients.tolist()
     across = np.geomspace(low[0], high[0], 200)
-    for share, quantile in zip(SHARES, QUANTILES, strict=True):
-        up = np.exp((quantile - constant - first * np.log(across)) / second)
+    for share, quantile in zip(SHARES, ndtri(SHARES).tolist(), strict=True):
+        logs = quantile - constant - first * np.log(across)
+        up = np.exp(np.clip(logs / second, -FARTHEST, FARTHEST))
         axes.plot(across, up, color=inks.risk, lw=1.6 if share == 0.5 else 0.9, zorder=3)
         inside = np.flatnonzero((up > low[1]) & (up < high[1]))
         if inside.size:
@@ -115,28 +125,21 @@ def plot_fragility_surface(
                 bbox={"facecolor": inks.paper, "edgecolor": "none", "pad": 0.8},
                 zorder=4,
             )
+    verb = EVENTS.get(fragility.states[-1].state.name, ("", "reach the state"))[1]
     keys = [each.key for each in PEAKS]
     if fragility.measure.key in keys:
         median = float(fragility.states[-1].curve.median)
-        name = f"half fall, by {fragility.measure.label} alone"
+        name = f"half {verb}, by {fragility.measure.label} alone"
         if low[keys.index(fragility.measure.key)] < median:
             line = axes.axvline if fragility.measure.key == keys[0] else axes.axhline
             line(median, color=inks.ink, ls=DOTTED, lw=1.2, label=name, zorder=3)
-    demand = fragility.by_both_peaks(pga_g, pgv_m_s)
     if demand is not None and pga_g is not None and pgv_m_s is not None:
-        words = f"demand, {number(pga_g)} g and {number(pgv_m_s)} m/s: {chance(demand)}"
+        pair = f"{quantity(pga_g, 'g')} and {quantity(pgv_m_s, 'm/s')}"
+        words = f"demand, {pair}: {chance(demand)}"
         axes.plot([pga_g], [pgv_m_s], "D", c=inks.paper, mec=inks.ink, ms=6, label=words, zorder=5)
     axes.set(xlabel=str(PEAKS[0]), ylabel=str(PEAKS[1]))
     plain_ticks(axes)
-    handles = axes.get_legend_handles_labels()[0]
-    steps = len(inks.risk_ramp)
-    handles += [
-        Patch(
-            facecolor=colour,
-            edgecolor=inks.edge,
-            label=f"{100 * k // steps} to {100 * (k + 1) // steps} %" + " of runs fall" * (k == 0),
-        )
-        for k, colour in enumerate(inks.risk_ramp)
-    ]
+    handles: list[Any] = axes.get_legend_handles_labels()[0]
+    handles += risk_swatches(inks, f"{{}} of runs {verb}")
     draw_legend(axes, "below", handles=handles, columns=3)
     return axes
