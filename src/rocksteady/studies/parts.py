@@ -12,13 +12,13 @@ from typing import Any
 from rocksteady import Store, __version__
 from rocksteady.durable import PRIVATE
 from rocksteady.errors import OutputError
-from rocksteady.show.export.files import json_text, save_text, save_whole
+from rocksteady.show.export.files import FORMATS, json_text, save_text, save_whole
 
 FOLDER = ".unfinished"
 """Name of the hidden folder inside that of the study."""
 SCHEMA = "rocksteady/unfinished/1"
 DESCRIPTION = "study.json"
-OURS = re.compile(rf"part-[\w-]+\.zarr|figure-\w+\.(png|svg|pdf)|study\.json|{PRIVATE}")
+OURS = re.compile(rf"part-[\w-]+\.zarr|figure-\w+\.({'|'.join(FORMATS)})|study\.json|{PRIVATE}")
 """Names of what lies there."""
 
 

@@ -23,6 +23,7 @@ from rocksteady.errors import OutputError
 from rocksteady.show.export.files import (
     figure_bytes,
     json_text,
+    picture_files,
     save_csv,
     save_figure,
     save_text,
@@ -124,6 +125,19 @@ def test_a_figure_is_the_same_bytes_each_time(kind: str) -> None:
     first = figure_bytes(picture(), kind)
     assert first.startswith(MAGIC[kind])
     assert figure_bytes(picture(), kind) == first
+
+
+def test_a_figure_has_one_layout_in_all_formats() -> None:
+    figure = Figure(figsize=(2.0, 1.5), layout="constrained")
+    axes = figure.add_subplot(xlabel=r"$\theta/\alpha$")
+    laid_out: list[object] = []
+    figure.canvas.mpl_connect("draw_event", lambda _: laid_out.append(axes.get_position().bounds))
+    engine = figure.get_layout_engine()
+    files = picture_files(figure, command="rocksteady a")
+    assert figure.get_layout_engine() is engine
+    assert len(set(laid_out)) == 1
+    assert {kind: data[: len(MAGIC[kind])] for kind, data in files.items()} == MAGIC
+    assert origin_of(files["png"], "png")[1] == "rocksteady a"
 
 
 @every("kind", MAGIC)

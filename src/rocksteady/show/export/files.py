@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
+FORMATS = ("png", "svg", "pdf")
+"""Formats of pictures."""
 STRAY = "backslashreplace"
 """Writes a byte of a file's name that is no UTF-8 as \\udcff; JSON reads the same name back."""
 
@@ -158,6 +160,18 @@ def figure_bytes(
             stream, format=kind, metadata=_origin(kind, command), transparent=transparent
         )
     return stream.getvalue()
+
+
+def picture_files(figure: "Figure", *, command: str = "") -> dict[str, bytes]:
+    """Return a figure as a file of each of `FORMATS`, all with the layout of the svg."""
+    engine, files = figure.get_layout_engine(), {}
+    try:
+        for kind in sorted(FORMATS, reverse=True):
+            files[kind] = figure_bytes(figure, kind, command=command)
+            figure.set_layout_engine("none")  # to lay it out takes as long as to draw it
+    finally:
+        figure.set_layout_engine(engine)
+    return {kind: files[kind] for kind in FORMATS}
 
 
 def _origin(kind: str, command: str) -> dict[str, str | None]:

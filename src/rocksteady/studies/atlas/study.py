@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from rocksteady import Execution, __version__
 from rocksteady.results.answer import Answer
-from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
+from rocksteady.show.export.files import FORMATS, json_text, picture_files, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.atlas.analysis.coexistence import Coexistence, coexistence
 from rocksteady.studies.atlas.analysis.columns import columns
@@ -47,7 +47,9 @@ CELLS = 64
 COLUMNS = 8
 """Of a family that are kept at once."""
 TABLES = ("bands", "borders", "coexistence", "from-rest")
-OURS = rf"({'|'.join(PICTURES)})\.(png|svg|pdf)|({'|'.join(TABLES)})\.csv|atlas\.json|atlas\.html"
+OURS = (
+    rf"({'|'.join(PICTURES)})\.({'|'.join(FORMATS)})|({'|'.join(TABLES)})\.csv|atlas\.(json|html)"
+)
 """Names of the files, as a regular expression."""
 
 
@@ -115,7 +117,7 @@ class Atlas(Saved):
             "windows": [window_values(window) for window in self.strips],
             "coexistence": coexistence_values(self.found),
             "from_rest": rest_values(self.rest),
-            "figures": [f"{name}.{kind}" for name in PICTURES for kind in ("png", "svg", "pdf")],
+            "figures": [f"{name}.{kind}" for name in PICTURES for kind in FORMATS],
             "tables": [f"{name}.csv" for name in TABLES],
         }
 
@@ -137,12 +139,10 @@ class Atlas(Saved):
             lambda: draw_from_rest(self.rest, self.lines),
         )
         for name, draw in zip(PICTURES, drawings, strict=True):
-            figure = draw()
-            svg = figure_bytes(figure, "svg", command=made_by)
-            (stage / f"{name}.svg").write_bytes(svg)
-            for kind in ("png", "pdf"):
-                (stage / f"{name}.{kind}").write_bytes(figure_bytes(figure, kind, command=made_by))
-            pictures[name] = svg_data_uri(svg)
+            files = picture_files(draw(), command=made_by)
+            for kind, data in files.items():
+                (stage / f"{name}.{kind}").write_bytes(data)
+            pictures[name] = svg_data_uri(files["svg"])
             done(name)
         save_text("out", stage / "atlas.json", json_text(SCHEMA, self.values(), indent=1) + "\n")
         page = report_html(

@@ -12,7 +12,7 @@ from rocksteady import __version__
 from rocksteady.formulas import heteroclinic_amplitude
 from rocksteady.proofs import Certificate, certify_chaos, check_certificate
 from rocksteady.results.answer import Answer
-from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
+from rocksteady.show.export.files import FORMATS, json_text, picture_files, save_csv, save_text
 from rocksteady.show.report import render, twins
 from rocksteady.show.style.page import SCREEN, Page
 from rocksteady.show.style.tokens import HATCHES, inks_of
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 SCHEMA = "rocksteady/chaos/1"
-OURS = r"map\.(png|svg|pdf|csv)|(hilltop|homoclinic|chaos)\.json|chaos\.html"
+OURS = rf"map\.({'|'.join(FORMATS)}|csv)|(hilltop|homoclinic|chaos)\.json|chaos\.html"
 """Names of the files, as a regular expression."""
 CASES: dict[Any, tuple[str, str]] = {"hilltop": ("2", "2"), "homoclinic": ("2.698", "2")}
 """Amplitude and frequency ratio of each proof at a point."""
@@ -110,8 +110,8 @@ class Chaos(Saved):
         header = ("amplitude_low", "amplitude_high", "ratio_low", "ratio_high", "entropy")
         rows = zip(product(*map(pairwise, self.edges)), self.entropy.ravel(), strict=True)
         save_csv("out", stage / "map.csv", header, [(*a, *w, value) for (a, w), value in rows])
-        for kind in ("png", "svg", "pdf"):
-            (stage / f"map.{kind}").write_bytes(figure_bytes(self.figure(), kind))
+        for kind, data in picture_files(self.figure()).items():
+            (stage / f"map.{kind}").write_bytes(data)
         shown = {"study": self, "picture": twins(self.figure, WORDS), "checks": checks}
         done("map")
         save_text("out", stage / "chaos.json", json_text(SCHEMA, self.values(), indent=1) + "\n")

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady import Execution, Record, __version__
 from rocksteady.results.answer import Answer
-from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
+from rocksteady.show.export.files import FORMATS, json_text, picture_files, save_csv, save_text
 from rocksteady.show.report import render, twins
 from rocksteady.show.style.page import SCREEN, Page
 from rocksteady.studies.facade_checks import _tables
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 SCHEMA = "rocksteady/facade-checks/1"
 TABLES = ("walls", "variants")
 OURS = (
-    r"(verdicts|ratios|wall-[12])\.(png|svg|pdf)"
+    rf"(verdicts|ratios|wall-[12])\.({'|'.join(FORMATS)})"
     rf"|({'|'.join(TABLES)})\.csv|facade-checks\.(json|html)"
 )
 """Names of the files, as a regular expression."""
@@ -110,9 +110,7 @@ class FacadeChecks(Saved):
             "variants": variant_values(self.walls),
             "worked": [worked_values(wall) for wall in self.worked],
             "sentences": self.sentences,
-            "figures": [
-                f"{name}.{kind}" for name in self.pictures for kind in ("png", "svg", "pdf")
-            ],
+            "figures": [f"{name}.{kind}" for name in self.pictures for kind in FORMATS],
             "tables": [f"{name}.csv" for name in TABLES],
         }
 
@@ -138,9 +136,7 @@ class FacadeChecks(Saved):
         save_csv("out", stage / "variants.csv", *_tables.variants_table(self.walls))
         pictures, command = {}, _command(self.walls.plane)
         for name in self.pictures:
-            figure = self.figure(name)
-            for kind in ("png", "svg", "pdf"):
-                data = figure_bytes(figure, kind, command=command)
+            for kind, data in picture_files(self.figure(name), command=command).items():
                 (stage / f"{name}.{kind}").write_bytes(data)
             pictures[name] = twins(partial(self.figure, name), "")
             done(name)

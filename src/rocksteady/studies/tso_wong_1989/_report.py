@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
+from rocksteady.show.export.files import FORMATS
 from rocksteady.show.report import render
 from rocksteady.studies.tso_wong_1989.claims.findings import Claim, Verdict, corrected
 from rocksteady.studies.tso_wong_1989.figures.panel import Panel
@@ -53,7 +54,7 @@ class _Entry:
         """The files beside the report that hold the panel's data and its picture."""
         stem = f"figure-{self.panel.id}"
         more = [f"{stem}-{name}.csv" for name in self.panel.more_tables]
-        return [f"{stem}.csv", *more, *(f"{stem}.{kind}" for kind in ("png", "svg", "pdf"))]
+        return [f"{stem}.csv", *more, *(f"{stem}.{kind}" for kind in FORMATS)]
 
 
 def report_html(

@@ -12,7 +12,7 @@ from typing import Any
 from rocksteady import __version__
 from rocksteady.errors import InputError
 from rocksteady.show.export import folders
-from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
+from rocksteady.show.export.files import FORMATS, json_text, picture_files, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.folder import Done, environment, nothing
 from rocksteady.studies.parts import Parts
@@ -33,8 +33,6 @@ REFERENCE = (
     "Earthquake Engineering and Structural Dynamics 18, 89-106 (1989)"
 )
 
-PICTURES = ("png", "svg", "pdf")
-"""Formats of each figure."""
 FIGURES = (*planes(), *responses(), *histories())
 """Every computed figure of the paper, in its order; Figs 1 and 2 are drawings."""
 
@@ -144,7 +142,7 @@ class Study:
         sections = []
         names = [dict(file_names(timed.panel)) for timed in self.panels]
         pictures = [
-            None if parts is None else parts.kept(*(each[kind] for kind in PICTURES))
+            None if parts is None else parts.kept(*(each[kind] for kind in FORMATS))
             for each in names
         ]
         missing = [
@@ -156,14 +154,14 @@ class Study:
             for timed, its, files in zip(self.panels, names, pictures, strict=True):
                 panel = timed.panel
                 data, drawing = next(drawn) if files is None else (files, 0.0)
-                for kind, picture in zip(PICTURES, data, strict=True):
+                for kind, picture in zip(FORMATS, data, strict=True):
                     (stage / its[kind]).write_bytes(picture)
                     if files is None and parts is not None:
                         parts.keep(its[kind], picture)
                 save_csv("out", stage / its["csv"], panel.header, panel.rows)
                 for name, (header, rows) in panel.more_tables.items():
                     save_csv("out", stage / its[name], header, rows)
-                address = svg_data_uri(data[PICTURES.index("svg")])
+                address = svg_data_uri(data[FORMATS.index("svg")])
                 seconds = timed.seconds + drawing
                 sections.append(ReportedPanel(panel=panel, picture=address, seconds=seconds))
                 done(f"figure {panel.id}")
@@ -184,8 +182,7 @@ class Study:
 def _drawn(panel: Panel) -> tuple[list[bytes], float]:
     """Return the figure of a panel in each format of a picture, and how long that took [s]."""
     start = time.perf_counter()
-    figure = panel.draw()
-    pictures = [figure_bytes(figure, kind, command=panel.command) for kind in PICTURES]
+    pictures = [*picture_files(panel.draw(), command=panel.command).values()]
     return pictures, time.perf_counter() - start
 
 
@@ -263,7 +260,7 @@ def chosen_figures(only: Sequence[str]) -> tuple[str, ...]:
 
 def file_names(panel: Panel) -> Iterator[tuple[str, str]]:
     """Yield kind and name of each file of a panel."""
-    for kind in (*PICTURES, "csv"):
+    for kind in (*FORMATS, "csv"):
         yield kind, f"figure-{panel.id}.{kind}"
     for name in panel.more_tables:
         yield name, f"figure-{panel.id}-{name}.csv"
@@ -286,6 +283,6 @@ def check_folder(folder: Path | str, only: Sequence[str] = (), *, force: bool = 
         `force` is off.
     """
     names = "|".join(re.escape(name) for name in chosen_figures(only))
-    ours = rf"figure-({names})(\.png|\.svg|\.pdf|(-\w+)?\.csv)"
+    ours = rf"figure-({names})(\.({'|'.join(FORMATS)})|(-\w+)?\.csv)"
     ours += "" if only else r"|claims\.json|report\.html"
     folders.check_folder(folder, ours, force=force)

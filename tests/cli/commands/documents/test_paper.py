@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady.cli.app import app
-from rocksteady.show.export.files import figure_bytes
+from rocksteady.show.export.files import picture_files
 from rocksteady.studies.tso_wong_1989 import study as study_module
 from rocksteady.studies.tso_wong_1989.study import FIGURES, Study
 from tests.cli.program import refused, rocksteady
@@ -205,14 +205,14 @@ def test_an_interrupted_paper_says_how_it_goes_on_and_draws_nothing_twice(
     monkeypatch.setattr("rocksteady.sweep.cases.queue.usable_cores", lambda: 1)
     drawn: list[str] = []
 
-    def drawing(figure: object, kind: str, *, command: str) -> bytes:
-        if len(drawn) == 3:
+    def drawing(figure: object, *, command: str) -> dict[str, bytes]:
+        if drawn:
             raise KeyboardInterrupt
-        drawn.append(kind)
-        return figure_bytes(figure, kind, command=command)  # type: ignore[arg-type]
+        drawn.append(command)
+        return picture_files(figure, command=command)  # type: ignore[arg-type]
 
     with monkeypatch.context() as patched:
-        patched.setattr(study_module, "figure_bytes", drawing)
+        patched.setattr(study_module, "picture_files", drawing)
         ran = rocksteady(f"{command} --out", folder)
     assert (ran.code, ran.out) == (130, "")
     assert ran.err.splitlines()[-2] == f"  rocksteady {command} --out {folder} --resume"
@@ -221,9 +221,9 @@ def test_an_interrupted_paper_says_how_it_goes_on_and_draws_nothing_twice(
     assert "of another only" in refused("paper --only 10 --resume --out", folder)
     drawn.clear()
     with monkeypatch.context() as patched:
-        patched.setattr(study_module, "figure_bytes", drawing)
+        patched.setattr(study_module, "picture_files", drawing)
         assert rocksteady(f"{command} --resume --out", folder).code == 0
-    assert len(drawn) == 3, "of the figure that was not finished"
+    assert len(drawn) == 1, "of the figure that was not finished"
     assert {file.name: file.read_bytes() for file in folder.iterdir()} == {
         file.name: file.read_bytes() for file in whole.iterdir()
     }
