@@ -32,7 +32,7 @@ MEANS = {
     ("area", "unsymmetric"): "unsymmetric",
     ("area", "subharmonic"): "subharmonic",
     ("area", "aperiodic"): "aperiodic",
-    ("area", "risk_ramp"): "|predicted",
+    ("area", "risk_ramp"): "|predicted|to of runs fall",
     ("line", "base"): "hazard|horizontal|vertical|.* spectrum",
     ("line", "risk"): "probability of falling|falls|one curve median|",
     ("band", "risk"): "middle of the risk|rate of falling by intensity not to scale",
