@@ -63,6 +63,11 @@ def test_the_file_holds_the_tree_and_a_false_letter_is_refused() -> None:
     cut = base64.b64encode(zlib.compress(region.tree[:-1].encode())).decode()
     assert region_from(values | {"tree": cut}) is None
     assert region_from(values | {"format": "other"}) is None
+    for given in ({"path": 5}, {"path": "02"}, {"letter": np.int8(2)}, {"letter": "6"}):
+        with pytest.raises(InputError, match=f"{next(iter(given))} = .* it is written with"):
+            region.box_json(**({"path": "01", "letter": "2"} | given))
+    with pytest.raises(InputError, match="arithmetic = 1 .*'arb' or 'iv'"):
+        region.check(arithmetic=1)
 
 
 def test_ranges_orders_and_restitutions_are_checked() -> None:

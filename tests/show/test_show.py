@@ -31,6 +31,7 @@ from rocksteady import (
     plots,
     simulate,
 )
+from rocksteady.errors import InputError
 from rocksteady.formulas import steady_states
 from rocksteady.histories import Trajectory
 from rocksteady.orbits import (
@@ -536,3 +537,12 @@ def test_the_style_ends_with_its_block_even_after_an_error() -> None:
 
 
 # --------------------------------------------------------------------------------- colours
+
+
+@pytest.mark.parametrize(
+    ("label", "changed"),
+    [("plot_floor_spectra", {"floors": []}), ("plot_steady_orbit", {"label": b"abc"})],
+)
+def test_arguments_that_cannot_be_drawn_are_named(label: str, changed: dict[str, Any]) -> None:
+    with pytest.raises(InputError, match=f"^{next(iter(changed))} = "):
+        calls()[label](**changed)

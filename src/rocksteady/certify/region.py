@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 from flint import arb
@@ -42,6 +42,7 @@ MOST_BOXES = 50_000
 
 Cells = Annotated[int, Whole(1, 10_000, "give a number of cells")]
 Leaves = Annotated[int | None, Whole(1, None, "give a number of boxes, or None for all")]
+Arithmetic = Literal["arb", "iv"]
 
 
 class Box(NamedTuple):
@@ -209,12 +210,22 @@ class ProvedRegion(Result):
             frequency ratios by turns.
         letter
             What is claimed of it, as `WORDS` says.
+
+        Raises
+        ------
+        InputError
+            If the path has other signs, or there is no such claim.
         """
+        for name, text, signs in (("path", path, "01"), ("letter", letter, "".join(WORDS))):
+            if not isinstance(text, str) or not set(text) <= set(signs):
+                raise InputError(
+                    name, text, f"it is written with {' '.join(signs)}", "read it in the tree"
+                )
         claim = {"path": path, "claim": {"letter": letter}}
         return json.dumps(self.values() | claim, indent=1) + "\n"
 
     @checked
-    def check(self, leaves: Leaves = 1000, arithmetic: str = "arb") -> str:
+    def check(self, leaves: Leaves = 1000, arithmetic: Arithmetic = "arb") -> str:
         """Return "holds" if boxes drawn at random, or all, are proved again by the program alone.
 
         Parameters

@@ -23,6 +23,7 @@ def test_an_orbit_is_proved_written_and_checked(tmp_path: Path) -> None:
     for arithmetic in ("arb", "iv"):
         held = rocksteady(f"certify --json --arithmetic {arithmetic} --check", file)
         assert (held.code, held.json["holds"]) == (0, True)
+    assert "give arb or iv" in refused("certify --arithmetic 1 --check", file)
     values = json.loads(file.read_text(encoding="utf-8"))
     values["claim"]["stability"] = "unstable"
     file.write_text(json.dumps(values), encoding="utf-8")

@@ -235,7 +235,7 @@ def test_levels_of_an_ensemble_are_those_of_the_ground() -> None:
 @pytest.mark.parametrize(
     ("modes", "name", "words"),
     [
-        ({"frequencies_hz": 0.0}, "frequencies_hz", "(0, 10000]"),
+        ({"frequencies_hz": 0.0}, "frequencies_hz", "[0.001, 10000]"),
         ({"frequencies_hz": []}, "frequencies_hz", "1 to 50"),
         ({"frequencies_hz": 1.0, "damping": 1.0}, "damping", "(0, 1)"),
         ({"frequencies_hz": 1.0, "damping": 0.0}, "damping", "(0, 1)"),

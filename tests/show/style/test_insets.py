@@ -81,6 +81,11 @@ def test_an_inset_does_not_reach_below_the_axes() -> None:
     assert made.get_ylim() == pytest.approx((0.0, 1.12))
 
 
+def test_lines_without_marks_have_an_inset_too() -> None:
+    made = draw_inset(axes_of(), (7.0, 1.0, 8.0, 1.1), [np.array([[7.0, 1.0], [8.0, 1.1]])], [])
+    assert made is not None
+
+
 def test_where_all_is_full_there_is_none() -> None:
     axes, marks = axes_of(), row(9)
     full = [np.column_stack([10.0 * SIDE, np.full(50, height)]) for height in 5.0 * SIDE]

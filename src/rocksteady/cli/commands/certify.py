@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, get_args
 
 import typer
 
@@ -158,11 +158,16 @@ def _written(out: Path | None, *, samples: bool) -> dict[str, Path]:
 
 
 def _check(
-    output: OutputFlags, file: Path, samples: Path | None, leaves: str | None, arithmetic: str
+    output: OutputFlags, file: Path, samples: Path | None, leaves: str | None, arithmetic: Any
 ) -> int:
     """Check a certificate's file, and return the exit code."""
     from rocksteady.certify.files import check_certificate
+    from rocksteady.certify.region import Arithmetic
 
+    if arithmetic not in (known := get_args(Arithmetic)):
+        raise FlagError(
+            "--arithmetic", arithmetic, "there is no such one", f"give {' or '.join(known)}"
+        )
     numbers: list[float] = []
     if samples is not None:
         try:

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from rocksteady.arrays import Floats
 
-MODE_HZ = Bounds(0.0, 1.0e4, "(]", "give the natural frequency of a mode in Hz, 1/T")
+MODE_HZ = Bounds(1e-3, 1e4, "[]", "give the natural frequency of a mode in Hz, 1/T")
 DAMPING = Bounds(0.0, 1.0, "()", "give it over the critical one, as 0.05")
 SHAPE = Bounds(
     -5.0, 5.0, "[]", "give participation factor times mode shape at the floor, as 1.3 at a roof"

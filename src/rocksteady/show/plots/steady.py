@@ -16,6 +16,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import non_negative, positive, whole_number
+from rocksteady.show.export.components import text_value
 from rocksteady.show.plots.branches.curve_labels import Words, explain, limit_entries
 from rocksteady.show.plots.branches.curves import CURVES
 from rocksteady.show.plots.branches.views import AnyBlock, shared_size
@@ -103,6 +104,7 @@ def plot_steady_orbit(
     >>> print(len(axes.lines), axes.get_xlim()[1])
     2 1.0
     """
+    label = text_value("label", label)
     series = whole_number("series", series, at_least=0, hint="give 0, 1, 2, ...")
     axes = axes_or_new(ax)
     draw_orbit(axes, orbit, label=label, series=series)

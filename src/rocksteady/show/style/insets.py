@@ -93,7 +93,7 @@ def draw_inset(
     across = axes.transAxes.inverted()
     dense = [_dense(across.transform(axes.transData.transform(line))) for line in drawn]
     points = np.unique(np.round(np.concatenate(dense) / CELL), axis=0) * CELL  # ink, not samples
-    spots = across.transform(axes.transData.transform(np.array(marks)))
+    spots = across.transform(axes.transData.transform(np.reshape(marks, (-1, 2))))
     corners = across.transform(axes.transData.transform(np.array(crowd).reshape(2, 2)))
     here = (*corners[0].tolist(), *corners[1].tolist())
     left, low = (24.0, 14.0) / np.array(size_of(axes))  # of the tick labels
@@ -141,7 +141,8 @@ def _hidden(box: Box, points: Floats, marks: Floats, crowd: Box) -> float:
     hidden = 0.0
     for places in (points, marks):
         x, y = places.T
-        hidden += float(((x > x0) & (x < x1) & (y > y0) & (y < y1)).mean())
+        inside = (x > x0) & (x < x1) & (y > y0) & (y < y1)
+        hidden += inside.sum() / max(len(inside), 1)
     middle = (
         0.5 * (x0 + x1) - 0.5 * (crowd[0] + crowd[2]),
         0.5 * (y0 + y1) - 0.5 * (crowd[1] + crowd[3]),

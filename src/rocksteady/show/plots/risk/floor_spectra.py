@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 
+from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.screens.floors import HEIGHT_RATIO, PERIOD, floor_accelerations
@@ -48,7 +49,7 @@ def plot_floor_spectra(
     Raises
     ------
     InputError
-        If a number is outside its range.
+        If there is no record, or a number is outside its range.
 
     Examples
     --------
@@ -63,6 +64,8 @@ def plot_floor_spectra(
     >>> [line.get_label() for line in axes.lines]
     ['median floor spectrum', 'ASCE 7-22, peak of the floor', 'EN 1998-1', 'NTC 2018']
     """
+    if not floors:
+        raise InputError("floors", floors, "there must be one or more", "give floor_motion(...)")
     axes = axes_or_new(ax)
     inks = inks_of(axes)
     shares = [
