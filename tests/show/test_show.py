@@ -46,6 +46,7 @@ from rocksteady.show.style import palette
 from rocksteady.show.style.layout import region_centres
 from rocksteady.show.style.page import Page
 from rocksteady.show.style.tokens import DARK, DASHED, DOTTED, LIGHT, inks_of
+from tests.public.calls import calls
 
 BARE = DimensionlessBlock(restitution=0.8)
 BLOCK = Block.from_p(alpha=0.2, p=2.0 * math.pi, restitution=0.8)
@@ -543,6 +544,10 @@ def test_the_style_ends_with_its_block_even_after_an_error() -> None:
     ("label", "changed"),
     [("plot_floor_spectra", {"floors": []}), ("plot_steady_orbit", {"label": b"abc"})],
 )
-def test_arguments_that_cannot_be_drawn_are_named(label: str, changed: dict[str, Any]) -> None:
+def test_arguments_that_cannot_be_drawn_are_named(
+    label: str, changed: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    call = calls()[label]
     with pytest.raises(InputError, match=f"^{next(iter(changed))} = "):
-        calls()[label](**changed)
+        call(**changed)

@@ -216,7 +216,11 @@ class ProvedRegion(Result):
         InputError
             If the path has other signs, or there is no such claim.
         """
-        for name, text, signs in (("path", path, "01"), ("letter", letter, "".join(WORDS))):
+        given: tuple[tuple[str, Any, str], ...] = (
+            ("path", path, "01"),
+            ("letter", letter, "".join(WORDS)),
+        )
+        for name, text, signs in given:
             if not isinstance(text, str) or not set(text) <= set(signs):
                 raise InputError(
                     name, text, f"it is written with {' '.join(signs)}", "read it in the tree"
