@@ -13,7 +13,14 @@ from rocksteady import DimensionlessBlock, Harmonic, Steady
 from rocksteady.errors import InputError
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.cases.inputs import as_text, differences, inputs_of, named_function, plain
+from rocksteady.sweep.cases.inputs import (
+    as_text,
+    differences,
+    inputs_of,
+    named_function,
+    plain,
+    sources_of,
+)
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.cases.task import Task
 from tests.every import every
@@ -142,6 +149,11 @@ def test_only_what_can_be_found_again_is_named() -> None:
 def test_a_case_function_is_a_function(what: Any) -> None:
     with pytest.raises(InputError, match=r"a function or a functools.partial"):
         inputs(what)
+
+
+def test_a_function_of_python_itself_is_known_by_its_version() -> None:
+    assert sources_of(id) == sources_of(len)
+    assert sources_of(id).keys() == {"builtins", "rocksteady"}
 
 
 def test_a_function_that_was_typed_in_is_known_wherever_it_stands() -> None:

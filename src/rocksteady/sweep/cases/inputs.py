@@ -207,8 +207,10 @@ def sources_of(function: Any) -> dict[str, str]:
         sources = {top: _hash_of(package)}
     elif source is not None:
         sources = {module: _hash_of(source)}
-    else:  # typed in
-        sources = {module: hashlib.sha256(_instructions(function.__code__)).hexdigest()[:HEX]}
+    else:  # typed in, or one of Python's own
+        code = getattr(function, "__code__", None)
+        told = sys.version.encode() if code is None else _instructions(code)
+        sources = {str(module): hashlib.sha256(told).hexdigest()[:HEX]}
     return sources | {"rocksteady": _hash_of(PACKAGE)}
 
 
