@@ -138,11 +138,11 @@ def test_a_size_keeps_its_digits_whatever_made_the_block() -> None:
     assert "rh" not in state_of(ExplorerView(block=stocky), on_records=False)
 
 
-def test_ground_motions_open_their_tab_with_the_full_equations() -> None:
+def test_ground_motions_open_their_tab_with_the_equations_of_the_tab() -> None:
     bare = ExplorerView(block=DimensionlessBlock(restitution=0.8))
     for view, on_records, expected in (
-        (ExplorerView(), False, ("explore", "linear")),
-        (ExplorerView(), True, ("quake", "nonlinear")),
+        (ExplorerView(), False, ("explore", "auto")),
+        (ExplorerView(), True, ("quake", "auto")),
         (ExplorerView(tab="design", model=Linear()), True, ("design", "linear")),
         (ExplorerView(model=Nonlinear()), False, ("explore", "nonlinear")),
         (bare, True, ("quake", "linear")),

@@ -52,8 +52,8 @@ class ExplorerView:
     start
         `Rest` (default), `State`, `ImpactState`, or `Steady` without further choices.
     model
-        `Linear` or `Nonlinear`; None (default) for nonlinear where the page opens on ground motions
-        and the block is no dimensionless one, else linear.
+        `Linear` or `Nonlinear`; None (default) for linear in maps of harmonic shaking and of a
+        dimensionless block, else nonlinear.
     tab
         "explore", "basins", "pulse", "quake" or "design"; None (default) for "quake" where ground
         motions are put in, else "explore".
@@ -114,12 +114,12 @@ def state_of(view: ExplorerView, *, on_records: bool) -> dict[str, str]:
     on_records
         Whether ground motions are put in, which the page then opens on.
     """
-    sized = not isinstance(view.block, DimensionlessBlock)
-    nonlinear = on_records and sized if view.model is None else view.model.name == "nonlinear"
+    slender = isinstance(view.block, DimensionlessBlock)
+    equations = "linear" if slender else "auto" if view.model is None else view.model.name
     state = {
         "at": view.scene or ("push" if is_plain(view) and not on_records else "lab"),
         "tab": view.tab or ("quake" if on_records else "explore"),
-        "model": "nonlinear" if nonlinear else "linear",
+        "model": equations,
         "start": _start_text(view.start),
         "units": "none" if _is_dimensionless(view) and not on_records else "si",
     }

@@ -89,7 +89,7 @@ def test_files_that_are_dropped_are_those_that_python_reads(
         assert chosen(page) == f"{name}.csv"
         path = tmp_path / f"{name}.csv"
         path.write_bytes(text.encode())
-        run = simulate(block, read_record(path), model=Linear())
+        run = simulate(block, read_record(path), model=Nonlinear())
         assert float(values(page, "#panel-quake")["quake-peak"]) == run.peak
 
 

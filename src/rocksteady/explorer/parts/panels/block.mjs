@@ -7,7 +7,7 @@ import { feltBy } from '../physics/demand/design.mjs';
 import { scaledMotion } from '../physics/motions.mjs';
 import { reelAngle } from '../physics/push/falling.mjs';
 import { make } from '../shell/layout.mjs';
-import { blockNumbers } from '../shell/state.mjs';
+import { blockNumbers, equationsOf } from '../shell/state.mjs';
 import { tableOf } from '../shell/tables.mjs';
 import { pageUnits } from '../shell/units.mjs';
 import { drawGround, drawLine, write } from '../story/draw.mjs';
@@ -34,7 +34,7 @@ const TAB_KEYS = /** @type {const} */ ({
  */
 export function filmAsked(app, state) {
   const { alpha, p, radius, restitution } = blockNumbers(app.kernels, state);
-  const block = { alpha, p, radius, restitution, nonlinear: state.model === 'nonlinear' };
+  const block = { alpha, p, radius, restitution, nonlinear: equationsOf(state) === 'nonlinear' };
   const most = (/** @type {number} */ seconds) => Math.min(MOST_SECONDS, seconds);
   const quake = () => {
     const { motion: { samples, dt }, scale, refused } = shakenBy(app, state);

@@ -5,7 +5,7 @@
 import { GRAVITY } from '../physics/case.mjs';
 import { element } from './app.mjs';
 import { make, say, setOn } from './layout.mjs';
-import { FIELDS, blockNumbers } from './state.mjs';
+import { FIELDS, blockNumbers, equationsOf } from './state.mjs';
 import { pageUnits } from './units.mjs';
 
 /**
@@ -102,7 +102,8 @@ export function makeControls(app) {
     return { entry, input, label };
   });
   const housner = checkbox('Housner', 'rh', 'restitution 1 − 1.5 sin² α, of a slender rectangle');
-  const model = select('equations', 'model', [['linear', 'linear'], ['nonlinear', 'nonlinear']]);
+  const model = select('equations', 'model',
+    [['auto', 'default'], ['linear', 'linear'], ['nonlinear', 'nonlinear']]);
   const units = select('units', 'units', [['none', 'dimensionless'], ['si', 'g, Hz, °, s']]);
   const look = select('theme', 'look',
     [['auto', 'system theme'], ['light', 'light'], ['dark', 'dark']]);
@@ -133,6 +134,7 @@ export function makeControls(app) {
       setOn(input, 'aria-invalid', 'false');
     }
     units.label.hidden = !WITH_UNITS.includes(state.tab);
+    say(model.input.options[0], `default, ${equationsOf({ ...state, model: 'auto' })}`);
     housner.input.checked = state.rh === 1;
     for (const one of [model, units, look]) {
       const chosen = String(state[/** @type {keyof State} */ (one.name)]);
@@ -144,7 +146,7 @@ export function makeControls(app) {
     const summary = given.querySelector('summary');
     if (summary) say(summary, values.join(', '));
     // The linear equations put alpha for tan(alpha), which is width over height.
-    const [least, name] = state.model === 'linear' ? [alpha, 'αg'] : [state.b / state.h, 'g tan α'];
+    const [least, name] = equationsOf(state) === 'linear' ? [alpha, 'αg'] : [state.b / state.h, 'g tan α'];
     say(element('measures'),
       `α = ${((alpha * 180) / Math.PI).toFixed(2)}°, R = ${radius.toPrecision(4)} m, ` +
       `p = ${p.toPrecision(4)} rad/s, uplift at ${least.toPrecision(3)} g ` +

@@ -7,7 +7,7 @@ import { BASIN_SIDE } from '../physics/basins.mjs';
 import { STRIP_VALUES } from '../physics/sweep.mjs';
 import { GRAVITY } from '../physics/case.mjs';
 import { linkOf } from './link.mjs';
-import { startOf } from './state.mjs';
+import { equationsOf, startOf } from './state.mjs';
 
 /**
  * What is computed: a motion, a map, two sweeps, basins, a pulse, a record, a block and a demand.
@@ -195,7 +195,7 @@ function restitutionText(state) {
  * @param {boolean} [sized]  whether only a block of known size will do
  */
 function blockLine(state, sized = false) {
-  const slender = state.model === 'linear' && state.units === 'none' && state.rh !== 1;
+  const slender = equationsOf(state) === 'linear' && state.units === 'none' && state.rh !== 1;
   const restitution = `restitution=${restitutionText(state)}`;
   if (slender && !sized) return `block = rs.DimensionlessBlock(${restitution})`;
   const size = `width=${pythonNumber(state.b)}, height=${pythonNumber(state.h)}`;
@@ -207,16 +207,16 @@ function blockLine(state, sized = false) {
  * @param {boolean} [sized]
  */
 function blockFlags(state, sized = false) {
-  const slender = state.model === 'linear' && state.units === 'none' && state.rh !== 1;
+  const slender = equationsOf(state) === 'linear' && state.units === 'none' && state.rh !== 1;
   const restitution = state.rh === 1 ? 'housner' : shellNumber(state.r);
-  if (slender && !sized) return ['-r', restitution, '--model', state.model];
+  if (slender && !sized) return ['-r', restitution, '--model', equationsOf(state)];
   const size = ['--width-m', shellNumber(state.b), '--height-m', shellNumber(state.h)];
-  return [...size, '-r', restitution, '--model', state.model];
+  return [...size, '-r', restitution, '--model', equationsOf(state)];
 }
 
 /** @param {State} state */
 function modelText(state) {
-  return state.model === 'nonlinear' ? 'rs.Nonlinear()' : 'rs.Linear()';
+  return equationsOf(state) === 'nonlinear' ? 'rs.Nonlinear()' : 'rs.Linear()';
 }
 
 /** @param {State} state */

@@ -48,8 +48,8 @@ const EXAMPLES = [
   ['Nonlinear equations, a stocky block', { model: 'nonlinear', b: 0.8, h: 1.6, units: 'si' }],
   ['Basins of rest and rocking', { tab: 'basins', A: 0.8, W: 2, start: '0.4,0' }],
   ['One pulse: two ways to fall', { tab: 'pulse' }],
-  ['A tall rack in an earthquake', { tab: 'quake', b: 0.8, h: 5, model: 'nonlinear' }],
-  ['The size of a cabinet', { tab: 'design', b: 0.6, h: 1.8, model: 'nonlinear' }],
+  ['A tall rack in an earthquake', { tab: 'quake', b: 0.8, h: 5 }],
+  ['The size of a cabinet', { tab: 'design', b: 0.6, h: 1.8 }],
 ];
 const KEPT = ['look', 'record']; // by examples
 

@@ -72,7 +72,7 @@ export const FIELDS = {
   shake: numberField(2.699, 2, 2.75), // amplitude over alpha g
   pga: numberField(0.5, 0.2, 1.1), // [g]
   tab: choiceField(...TABS),
-  model: choiceField('linear', 'nonlinear'),
+  model: choiceField('auto', 'linear', 'nonlinear'), // auto: as `equationsOf` says
   units: choiceField('si', 'none'), // of a block with a size, or dimensionless
   look: choiceField('auto', 'light', 'dark'),
   A: numberField(2, 0, 1000),
@@ -133,7 +133,7 @@ export const FIELDS = {
  * @property {number} shake
  * @property {number} pga
  * @property {string} tab
- * @property {'linear' | 'nonlinear'} model
+ * @property {'auto' | 'linear' | 'nonlinear'} model
  * @property {'none' | 'si'} units
  * @property {'auto' | 'light' | 'dark'} look
  * @property {number} A  amplitude
@@ -277,6 +277,17 @@ export function blockNumbers(kernels, state) {
 }
 
 /**
+ * Return the equations of motion; by default the full ones of a block with a size, maps excepted.
+ * @param {State} state
+ * @returns {'linear' | 'nonlinear'}
+ */
+export function equationsOf(state) {
+  if (state.model !== 'auto') return state.model;
+  const sized = state.units === 'si' ? ['pulse', 'quake', 'design'] : ['quake', 'design'];
+  return sized.includes(state.tab) ? 'nonlinear' : 'linear';
+}
+
+/**
  * Return the block and its shaking as the kernels see them.
  * @param {Kernels} kernels
  * @param {State} state
@@ -288,7 +299,7 @@ export function caseOf(kernels, state) {
     amplitude: state.A,
     frequencyRatio: state.W,
     restitution,
-    nonlinear: state.model === 'nonlinear',
+    nonlinear: equationsOf(state) === 'nonlinear',
     alpha,
   };
 }

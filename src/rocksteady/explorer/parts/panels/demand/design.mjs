@@ -13,6 +13,7 @@ import { numeral } from '../../draw/scale.mjs';
 import { PULSES } from '../../kernels/pulses.mjs';
 import { evaluate, rectangleOf } from '../../physics/case.mjs';
 import { DESIGN_FATE } from '../../physics/demand/design.mjs';
+import { equationsOf } from '../../shell/state.mjs';
 import { buttonEntry, choiceEntry, numberEntry } from '../entries.mjs';
 import { axisOf, partOn, valueOn } from '../plane/axis.mjs';
 import { makePlane } from '../plane/plane.mjs';
@@ -54,7 +55,7 @@ export function demandOf(app, state) {
 export function designOf(app, state) {
   return {
     demand: demandOf(app, state), restitution: state.rh === 1 ? null : state.r,
-    nonlinear: state.model === 'nonlinear',
+    nonlinear: equationsOf(state) === 'nonlinear',
   };
 }
 
@@ -159,7 +160,7 @@ export function makeDesignPanel(app) {
     }
     return [
       { words: 'does not lift', look: looks[DESIGN_LOOK.rests] },
-      { words: `safe: peak ≤ ${numeral(limit, 3)} α`, look: looks[DESIGN_LOOK.safe] },
+      { words: `safe: peak ≤ ${numeral(100 * limit, 3)} % of α`, look: looks[DESIGN_LOOK.safe] },
       { words: 'stands, peak beyond', look: looks[DESIGN_LOOK.beyond] }, overturns,
       ...(app.state.rh === 1 ? [{ words: 'too stocky to rock', look: looks[DESIGN_LOOK.impossible] }] : []),
     ];
@@ -187,9 +188,9 @@ export function makeDesignPanel(app) {
         over: (onto) => drawShapes(pen, onto) });
     },
     sentence() {
-      const { state } = app, words = `Blocks under ${demandWords(app, state)}, ${state.model} model`;
+      const { state } = app, words = `Blocks under ${demandWords(app, state)}, ${equationsOf(state)} model`;
       const share = safeShare();
-      const part = share === null ? '' : `: ${Math.round(100 * share)} % of the plane is safe (peak at most ${numeral(state.limit, 3)} α)`;
+      const part = share === null ? '' : `: ${Math.round(100 * share)} % of the plane is safe (peak at most ${numeral(100 * state.limit, 3)} % of α, where it tips)`;
       return `${words}${part}. ${leastWords()}`;
     },
     table() {
@@ -298,12 +299,16 @@ function makeDesignEntries(app, plane) {
   const kind = choiceEntry(app, 'demand', 'demand', [['pulse', 'one pulse'], ['harmonic', 'harmonic shaking'], ['record', 'motion put in']]);
   const shape = choiceEntry(app, 'pulse', 'shape', Object.keys(PULSES).map((name) => [name, name.replace(/-/g, ' ')]));
   shape.input.id = 'in-design-pulse';
-  /** @param {'dg' | 'df' | 'dn' | 'limit'} name @param {string} label @param {number} step */
+  /** @param {'dg' | 'df' | 'dn'} name @param {string} label @param {number} step */
   const number = (name, label, step) => numberEntry(app, {
     name, label, step, read: () => app.state[name], write: (value) => ({ [name]: value }),
   });
   const level = number('dg', 'a [g]', 0.05), rate = number('df', 'f [Hz]', 0.1);
-  const cycles = number('dn', 'cycles', 1), limit = number('limit', 'safe: peak ≤ [α]', 0.05);
+  const cycles = number('dn', 'cycles', 1);
+  const limit = numberEntry(app, {
+    name: 'limit', label: 'safe: peak ≤ [% of α]', step: 5, read: () => 100 * app.state.limit,
+    write: (value) => ({ limit: value / 100 }),
+  });
   const axes = choiceEntry(app, 'plane', 'axes', [['size', 'width, height'], ['alpha', 'slenderness, R']]);
   const peaks = buttonEntry('peaks', 'colour by the largest tilt', () => app.set({ dpeak: 1 - app.state.dpeak }));
   const numbers = [level, rate, cycles, limit];

@@ -33,7 +33,7 @@ function designVerdict(fate, peak, alpha, limit) {
   if (fate === DESIGN_FATE.undecided) return 'undecided';
   if (fate === DESIGN_FATE.overturns) return 'falls';
   if (peak === 0) return 'does not lift';
-  const degrees = `${numeral((peak * alpha * 180) / Math.PI, 3)}° = ${numeral(peak, 3)} α`;
+  const degrees = `${numeral((peak * alpha * 180) / Math.PI, 3)}° = ${numeral(100 * peak, 3)} % of α`;
   return `${peak <= limit ? 'safe' : 'stands, beyond the limit'}: peak ${degrees}`;
 }
 
@@ -133,7 +133,7 @@ export function makeDesignedPanel(app) {
       const each = neighbours.find((one) => one.change === change);
       if (!each) return make('td');
       const words = each.fate !== DESIGN_FATE.stands ? fateWord(each.fate)
-        : each.peak ? `stands, ${numeral(each.peak, 3)} α` : 'does not lift';
+        : each.peak ? `stands, ${numeral(100 * each.peak, 3)} % of α` : 'does not lift';
       return make('td', { class: isFallen(each.fate) === isFallen(fate) ? '' : 'other' }, words);
     };
     const names = neighbours.map(({ change }) => change.replace(/ [−+].*/, ''));

@@ -7,6 +7,7 @@
 import { numeral } from '../../draw/scale.mjs';
 import { pulseHistory } from '../../physics/demand/pulse.mjs';
 import { make } from '../../shell/layout.mjs';
+import { equationsOf } from '../../shell/state.mjs';
 import { tableOf } from '../../shell/tables.mjs';
 import { drawCourse } from './course.mjs';
 import { struckOf, windowWords } from './pulse.mjs';
@@ -104,7 +105,7 @@ export function makePulseHistoryPanel(app) {
       const level = `${units.si ? 'a' : 'A'} = ${numeral(state.pA * units.amplitude, 4)}${units.a}`;
       const rate = `${units.si ? 'f' : 'Ω'} = ${numeral(state.pW * units.frequency, 4)}${units.f}`;
       const words = run ? pulseVerdict(run, units) : '';
-      return `One ${state.pulse} pulse of ${level}, ${rate}, ${state.model} model. ${words}`;
+      return `One ${state.pulse} pulse of ${level}, ${rate}, ${equationsOf(state)} model. ${words}`;
     },
     table() {
       const { time, angle, base } = unitsOf(app, app.state).axes;

@@ -4,7 +4,7 @@ import { attractorOf } from '../../physics/attractor.mjs';
 import { courseOf, historyOf, motionAt, periodTimes, sectionOf } from '../../physics/history.mjs';
 import { FULL_TURN, NoStart } from '../../physics/start.mjs';
 import { steadyStatesAt } from '../../physics/steady.mjs';
-import { blockNumbers, caseOf, defaultState, startOf } from '../../shell/state.mjs';
+import { blockNumbers, caseOf, defaultState, equationsOf, startOf } from '../../shell/state.mjs';
 
 /** @import { App, Panel } from '../../shell/app.mjs' */
 /** @import { State } from '../../shell/state.mjs' */
@@ -98,7 +98,7 @@ function followFirst({ kernels, state }) {
  * @param {() => Promise<void>} turn
  */
 export async function warmUp({ kernels, state }, turn) {
-  const given = caseOf(kernels, { ...defaultState(), model: state.model });
+  const given = caseOf(kernels, { ...defaultState(), model: equationsOf(state) });
   for (const follow of [historyOf, attractorOf]) {
     follow(kernels, given, { kind: 'rest' }, 1, FIRST_FLIGHTS);
     await turn();

@@ -1,7 +1,7 @@
 // Which motions coexist at the point: asked of the workers, named, and told in a sentence.
 
 import { coexistingOf, sameEnding, startOn } from '../../physics/coexisting.mjs';
-import { caseOf } from '../../shell/state.mjs';
+import { caseOf, equationsOf } from '../../shell/state.mjs';
 import { orbitCourse } from './followed.mjs';
 import { angleWords } from './units.mjs';
 
@@ -114,7 +114,7 @@ export function otherMotions(app, followed) {
  * @returns {Promise<Motions | null>}
  */
 async function motionsOf({ kernels, pool, state }, key) {
-  const given = caseOf(kernels, state), size = CHUNK[state.model];
+  const given = caseOf(kernels, state), size = CHUNK[equationsOf(state)];
   const ask = (/** @type {number} */ from) => pool.ask(
     'endings', { given, from, to: from + size }, { key: `motions:${from}`, priority: -1 },
   );

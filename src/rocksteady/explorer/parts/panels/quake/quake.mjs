@@ -137,7 +137,7 @@ export function makeQuakePanel(app) {
     if (peak === 0) return `${what}. The block does not lift: that takes ${few(upliftOf(block))} g.`;
     const end = rested !== null ? `, rests from ${seconds(rested)}`
       : status === 'undecided' ? ', undecided: too many flights' : '';
-    return `${what}. The block stands: peak ${few(peak * degrees)}° = ${few(peak)} α, ${met}${end}.`;
+    return `${what}. The block stands: peak ${few(peak * degrees)}° = ${few(100 * peak)} % of α, ${met}${end}.`;
   }
 
   /** Return the base acceleration that lifts the block [g]. @param {Shaken['block']} block */

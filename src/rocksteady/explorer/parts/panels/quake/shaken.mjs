@@ -7,7 +7,7 @@
 import { GRAVITY } from '../../physics/case.mjs';
 import { peakOf, refusedMotion } from '../../physics/quake/record.mjs';
 import { syntheticMotion } from '../../physics/quake/synthetic.mjs';
-import { blockNumbers } from '../../shell/state.mjs';
+import { blockNumbers, equationsOf } from '../../shell/state.mjs';
 
 /** @typedef {GroundMotion & { name: string, note: string }} NamedMotion */
 
@@ -64,7 +64,7 @@ function shakenAnew(app, state) {
   const choices = motionChoices(app);
   const motion = choices[Math.min(Math.round(state.record), choices.length - 1)];
   const { alpha, p, radius, restitution } = blockNumbers(app.kernels, state);
-  const block = { alpha, p, radius, restitution, nonlinear: state.model === 'nonlinear' };
+  const block = { alpha, p, radius, restitution, nonlinear: equationsOf(state) === 'nonlinear' };
   let peak = peaksOfMotions.get(motion.samples);
   if (peak === undefined) {
     peak = peakOf(motion);

@@ -7,6 +7,7 @@
 /** @import { FateSeries, Shaken } from './shaken.mjs' */
 /** @import { MotionClass } from '../../draw/classes.mjs' */
 import { followPointer } from './dragging.mjs';
+import { equationsOf } from '../../shell/state.mjs';
 import { neighbourCases } from '../../physics/quake/record.mjs';
 import { fillClass } from '../../draw/classes.mjs';
 import { drawPeaks } from './peaks.mjs';
@@ -52,7 +53,7 @@ export function makeVerdictPanel(app) {
         app.fail(panel, `No verdict: ${refused}`, 'Choose another motion');
         return;
       }
-      const body = [state.record, app.motions.length, state.b, state.h, block.restitution, state.model];
+      const body = [state.record, app.motions.length, state.b, state.h, block.restitution, equationsOf(state)];
       const key = [...body, last()].join();
       if (asked !== `${key} all` && asked !== `${key} ${settled ? 'all' : 'few'}`) {
         asked = `${key} ${settled ? 'all' : 'few'}`;
@@ -132,7 +133,7 @@ export function makeVerdictPanel(app) {
     if (!run) return 'Computing the response.';
     const fell = run.status === 'overturned';
     const own = fell ? 'Falls' : run.status === 'undecided' ? 'Undecided'
-      : `Stands, peak ${few(run.peak * degrees)}° = ${few(run.peak)} α`;
+      : `Stands, peak ${few(run.peak * degrees)}° = ${few(100 * run.peak)} % of α`;
     const done = neighbours.filter((each) => each !== undefined);
     if (!done.length || done.length < neighbours.length) return `${own}. Neighbours are computed.`;
     const falls = done.filter(({ status }) => status === 'overturned').length;
