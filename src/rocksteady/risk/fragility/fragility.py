@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.model.checks.validation import positive
+from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -115,17 +115,18 @@ class Fragility(Result):
         Parameters
         ----------
         pga_g, pgv_m_s
-            Peaks of the ground, above 0 [g], [m/s].
+            Peaks of the ground [g], [m/s].
 
         Raises
         ------
         InputError
-            If a peak is not above 0.
+            If a peak is not above 0, or not within 1e-50 to 1e50.
         """
         if pga_g is None or pgv_m_s is None:
             return None
-        pga = positive("pga_g", pga_g, hint="give the PGA in g")
-        pgv = positive("pgv_m_s", pgv_m_s, hint="give the PGV in m/s")
+        least = 1.0 / LARGEST
+        pga = in_range("pga_g", pga_g, least, LARGEST, "[]", hint="give the PGA in g")
+        pgv = in_range("pgv_m_s", pgv_m_s, least, LARGEST, "[]", hint="give the PGV in m/s")
         if self.surface is None:
             return None
         share = float(self.surface.probability([pga, pgv]))

@@ -72,7 +72,7 @@ def test_without_a_surface_there_is_no_picture_and_no_component(found: Fragility
         plots.fragility_surface(found, pga_g=0.4)
     with pytest.raises(InputError, match=r"pgv_m_s.*a demand has both peaks"):
         plots.fragility_surface(found, pgv_m_s=0.4)
-    for peaks in ((0.0, 0.5), (0.4, -0.5), (math.nan, 0.5), (0.4, math.inf)):
+    for peaks in ((0.0, 0.5), (0.4, -0.5), (math.nan, 0.5), (0.4, math.inf), (1e308, 0.5)):
         with pytest.raises(InputError, match=r"pga_g|pgv_m_s"):
             found.by_both_peaks(*peaks)
     none = replace(found, surface=None)
