@@ -81,7 +81,7 @@ def test_a_good_file_is_shaken_with_as_python_does(
     file.write_bytes(record())
     motion = rs.read_record(file)
     block = rs.Block.rectangle(width=0.5, height=2.0, restitution=0.8)
-    run = rs.simulate(block, motion, model=rs.Nonlinear())
+    run = rs.simulate(block, motion, model=rs.Linear())
     peak = re.search(r"= ([\d.]+) % of α", said)
     assert peak is not None, said
     assert float(peak[1]) == pytest.approx(100.0 * run.peak, rel=1e-2)

@@ -196,7 +196,7 @@ def test_a_motion_of_millions_of_impacts_leaves_the_page_free(explorer: Explorer
     """A lossless block on crests that just lift it: a period has a million impacts."""
     page = explorer.open({"A": 1.0000001, "W": 58.486833344963635, "r": 1})
     text = page.locator("[data-panel='readout']").inner_text()
-    assert "not known yet" in text
+    assert "not known yet" in text or "motions do not settle" in text
     page.locator("#tab-design").click(timeout=3000)
     assert "design" in panels(page)
 
