@@ -1,14 +1,16 @@
 """The whole study: chaos proved at two points and over a map of boxes, and its output folder."""
 
+import math
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise, product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rocksteady import __version__
+from rocksteady import Execution, __version__
+from rocksteady.arrays import Floats
 from rocksteady.formulas import heteroclinic_amplitude
 from rocksteady.proofs import Certificate, certify_chaos, check_certificate
 from rocksteady.results.answer import Answer
@@ -17,7 +19,9 @@ from rocksteady.show.report import render, twins
 from rocksteady.show.style.page import SCREEN, Page
 from rocksteady.show.style.tokens import HATCHES, inks_of
 from rocksteady.studies.folder import Done, environment, nothing
+from rocksteady.studies.parts import Parts
 from rocksteady.studies.saving import Saved
+from rocksteady.sweeps import Axis, Grid, Output, evaluate
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,11 +31,12 @@ OURS = r"map\.(png|svg|pdf|csv)|(hilltop|homoclinic|chaos)\.json|chaos\.html"
 """Names of the files, as a regular expression."""
 CASES: dict[Any, tuple[str, str]] = {"hilltop": ("2", "2"), "homoclinic": ("2.698", "2")}
 """Amplitude and frequency ratio of each proof at a point."""
+AXES = "amplitude", "frequency_ratio"
 EDGES = np.linspace(0.6, 4.0, 35), np.linspace(1.0, 3.0, 21)
 """Default ends of the boxes of the map: amplitudes, and frequency ratios."""
 WORDS = "Lower bound of the entropy over frequency and amplitude"
 
-Edges = tuple[NDArray[np.float64], NDArray[np.float64]]
+Edges = tuple[Floats, Floats]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -55,7 +60,7 @@ class Chaos(Saved):
     restitution: str
     points: dict[str, Certificate]
     edges: Edges
-    entropy: NDArray[np.float64]
+    entropy: Floats
 
     @property
     def sentences(self) -> list[str]:
@@ -121,7 +126,13 @@ class Chaos(Saved):
         done("page")
 
 
-def chaos(restitution: str = "0.8", edges: Edges = EDGES, *, done: Done = nothing) -> Chaos:
+def chaos(
+    restitution: str = "0.8",
+    edges: Edges = EDGES,
+    *,
+    parts: Parts | None = None,
+    done: Done = nothing,
+) -> Chaos:
     """Prove chaos at two points, and near the hilltops over a map of boxes.
 
     Parameters
@@ -130,16 +141,59 @@ def chaos(restitution: str = "0.8", edges: Edges = EDGES, *, done: Done = nothin
         Its decimal.
     edges
         Ends of the boxes of the map: amplitudes, and frequency ratios.
+    parts
+        Where finished boxes are kept, to go on with after an interruption.
     done
         Called with the name of each step.
     """
+    if parts is not None:
+        parts.begin()
     points = {kind: certify_chaos(*at, restitution, kind=kind) for kind, at in CASES.items()}
     done("points")
-    rows, columns = (pairwise(axis.tolist()) for axis in edges)
-    across, entropy = list(columns), []
-    for up in rows:
-        proofs = (certify_chaos(up, ratios, restitution) for ratios in across)
-        claims = (each.content["claim"] if each.proved else {} for each in proofs)
-        entropy.append([float(claim.get("entropy_per_period", 0.0)) for claim in claims])
-        done(f"A from {up[0]:g}")
-    return Chaos(restitution=restitution, points=points, edges=edges, entropy=np.array(entropy))
+
+    def told(boxes: int) -> None:
+        for _ in range(boxes):
+            done("box")
+
+    run = Execution(
+        executor="serial",  # the precision of balls is one for all threads
+        store=None if parts is None else parts.store("map", len(edges[1]) - 1),
+        progress=told,
+    )
+    cases = partial(entropies, restitution=restitution, edges=[axis.tolist() for axis in edges])
+    axes = [Axis(name=name, values=axis[:-1]) for name, axis in zip(AXES, edges, strict=True)]
+    boxes = evaluate(cases, Grid(axes=axes), [Output(name="entropy")], run=run)
+    entropy = boxes["entropy"].values
+    return Chaos(restitution=restitution, points=points, edges=edges, entropy=entropy)
+
+
+def steps(edges: Edges = EDGES) -> int:
+    """Return the number of times that `chaos` reports progress."""
+    return 1 + math.prod(len(axis) - 1 for axis in edges)
+
+
+def entropies(
+    amplitude: Floats, frequency_ratio: Floats, *, restitution: str, edges: list[list[float]]
+) -> dict[str, Floats]:
+    """Return the proved entropy of boxes, 0 where nothing is proved.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio
+        Lower ends of the boxes.
+    restitution
+        Its decimal.
+    edges
+        Ends of all boxes, among which the upper ends are.
+    """
+    up, across = (dict(pairwise(axis)) for axis in edges)
+    lows = zip(amplitude.tolist(), frequency_ratio.tolist(), strict=True)
+    proofs = (certify_chaos((a, up[a]), (w, across[w]), restitution) for a, w in lows)
+    claims = (each.content["claim"] if each.proved else {} for each in proofs)
+    return {"entropy": np.array([float(each.get("entropy_per_period", 0.0)) for each in claims])}
+
+
+def parts_of(restitution: str, folder: Path | str, *, resume: bool, force: bool) -> Parts:
+    """Return the finished parts of the study in its folder; arguments as for `Parts`."""
+    inputs = {"study": "chaos", "restitution": restitution}
+    return Parts(folder, inputs, resume=resume, force=force)
