@@ -124,7 +124,8 @@ def _proof(system: Extended, start: list[float], bits: int, numbers: Numbers) ->
         reason = "no box around it passes the test of Krawczyk"
         return PointProof(UNDECIDED, reason, bits, numbers)
     *phases, amplitude = zero.box
-    if passage(system.shaking(amplitude), phases, system.orders):
+    shaking, orders = system.shaking(amplitude), system.orders
+    if passage(shaking, phases, orders, links(shaking, phases, orders)):
         return PointProof(UNDECIDED, "a flight is not above the floor", bits, numbers, zero)
     try:
         rise, passing = system.direction(zero.box)
