@@ -296,4 +296,4 @@ def test_elimination_refuses_what_may_be_singular() -> None:
     local = checker.arb(64)
     rows = [[local.num(1), local.num(2)], [local.num(2), local.num(4)]]
     with pytest.raises(ArithmeticError):
-        point_checker.solved(local, rows, [local.num(1), local.num(1)])
+        checker.solved(rows, [[local.num(1)]] * 2, lambda x: abs(float(local.mid(x))))

@@ -2,7 +2,7 @@
 
 A state is the pair of the last two impact phases, and (E3) of docs/theory/proofs.md gives the next
 one; every flight lasts one half period plus the difference of its phases. All in floating point:
-what is found is proved by `rocksteady.certify.checker`.
+what is found is proved by `rocksteady.certify.chaos_checker`.
 """
 
 import math
