@@ -51,9 +51,9 @@ FACADE_EXAMPLES = (
 CHAOS_HELP = (
     "Where motions of the block are proved to be chaotic.\n\n"
     "Proves that every sequence of certain flights is a motion, at two points and over boxes of "
-    "amplitude and frequency. Writes certificates, checked in balls and in intervals, the map as "
+    "amplitude and frequency. Writes certificates, checked in balls and in intervals, maps as "
     "PNG, SVG, PDF and CSV, chaos.json, and the page chaos.html.\n\n"
-    "Takes some two minutes. What is finished is kept in the folder, and --resume continues after "
+    "Takes some three minutes. What is finished is kept in the folder, and --resume continues after "
     "whatever ended the run. Needs the extra proof (python-flint)."
 )
 CHAOS_EXAMPLES = "Example:\n\nrocksteady study chaos --out chaos"
