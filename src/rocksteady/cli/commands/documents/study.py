@@ -53,8 +53,8 @@ CHAOS_HELP = (
     "Proves that every sequence of certain flights is a motion, at two points and over boxes of "
     "amplitude and frequency. Writes certificates, checked in balls and in intervals, maps as "
     "PNG, SVG, PDF and CSV, chaos.json, and the page chaos.html.\n\n"
-    "Takes some three minutes. What is finished is kept in the folder, and --resume continues after "
-    "whatever ended the run. Needs the extra proof (python-flint)."
+    "Takes some three minutes. What is finished is kept in the folder, and --resume continues "
+    "after whatever ended the run. Needs the extra proof (python-flint)."
 )
 CHAOS_EXAMPLES = "Example:\n\nrocksteady study chaos --out chaos"
 
