@@ -18,7 +18,7 @@ FILES = sorted(SOURCE.rglob("*.py"))
 STARTED = {
     *("rocksteady.__main__", "rocksteady.cli.app", "rocksteady.kernels.entries"),
     *("rocksteady.certify.checker", "rocksteady.certify.fate_checker"),
-    *("rocksteady.certify.point_checker", "rocksteady.certify.region_checker"),
+    *(f"rocksteady.certify.{kind}_checker" for kind in ("base", "chaos", "point", "region")),
 }
 """Modules that are run by their names."""
 TWICE = {

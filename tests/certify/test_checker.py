@@ -15,7 +15,6 @@ import pytest
 import rocksteady as rs
 from rocksteady.certify import checker
 from rocksteady.certify._balls import precision
-from rocksteady.certify.chaos import certify_chaos
 from rocksteady.certify.files import program
 from rocksteady.certify.orbit import certify_orbit
 from tests.certify.test_orbit import closed_form
@@ -39,7 +38,10 @@ def verdict(values: dict[str, Any], arithmetic: Any = checker.arb) -> str:
         return str(checker.check(json.dumps(values), arithmetic))
 
 
-@every("kind, longest", [("orbit", 200), ("fate", 200), ("point", 300), ("region", 280)])
+@every(
+    "kind, longest",
+    [("orbit", 150), ("region", 150), ("fate", 200), ("chaos", 200), ("point", 220)],
+)
 def test_the_programs_import_nothing_of_the_package_and_are_short(kind: str, longest: int) -> None:
     source = program(kind)
     names = {
@@ -52,6 +54,12 @@ def test_the_programs_import_nothing_of_the_package_and_are_short(kind: str, lon
     }
     assert not any("rocksteady" in str(name) for name in names)
     assert code_lines(source) <= longest
+
+
+@every("bits", [-1000, 0, 128])
+def test_the_precision_is_never_below_64_bits(bits: int) -> None:
+    for arithmetic in (checker.arb, checker.iv):
+        assert verdict(certificate(*CASES[0]) | {"bits": bits}, arithmetic) == "holds"
 
 
 @every("case", CASES)
@@ -146,45 +154,9 @@ def test_a_thousand_false_certificates_are_refused() -> None:
     assert seen["true holds"] >= 100
 
 
-@every(
-    "change",
-    [
-        {"phases": ["0.5", "2.64832"]},  # no hilltop
-        {"phases": ["2.64832", "2.64832"]},  # one symbol twice
-        {"least_half_periods": 1},
-        {"least_half_periods": 4},
-        {"claim": {"entropy_per_period": "0.85"}},
-        {"radius": "0.5"},  # boxes that overlap
-        {"kind": "orbit"},
-        {"format": "other"},
-    ],
-)
-def test_tampered_horseshoes_do_not_hold(change: dict[str, Any]) -> None:
-    values = json.loads(certify_chaos(0.6, 2, 0.8).to_json())
-    assert verdict(values) == "holds"
-    if "phases" in change:
-        change = {"phases": [change["phases"][0], values["phases"][1]]}
-        if change["phases"][0] == "2.64832":
-            change = {"phases": [values["phases"][1]] * 2}
-    assert verdict(values | change) != "holds"
-
-
-@pytest.mark.slow
-def test_tampered_chains_of_coverings_do_not_hold() -> None:
-    values = json.loads(certify_chaos(2.698, 2, 0.8, kind="homoclinic").to_json())
-    assert verdict(values) == "holds"
-    for k, entry, change in ((0, 2, "0.0000001"), (5, 0, "2.5"), (7, 5, "0.5")):
-        frames = copy.deepcopy(values["frames"])
-        frames[k][entry] = change
-        assert verdict(values | {"frames": frames}) != "holds"
-    claim = {"entropy_per_period": "0.3"}
-    assert verdict(values | {"claim": claim}).startswith("refused")
-    assert verdict(values | {"frames": values["frames"][:-1]}) != "holds"
-
-
 def test_the_file_runs_alone_with_its_exit_codes(tmp_path: Path) -> None:
     alone = tmp_path / "check.py"
-    alone.write_text(Path(checker.__file__).read_text(encoding="utf-8"), encoding="utf-8")
+    alone.write_text(program("orbit"), encoding="utf-8")
     values = certificate(*CASES[0])
     good, bad = tmp_path / "good.json", tmp_path / "bad.json"
     good.write_text(json.dumps(values), encoding="utf-8")

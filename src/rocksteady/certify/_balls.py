@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from flint import arb, ctx, fmpq
 
-from rocksteady.certify import checker
+from rocksteady.certify import base_checker
 from rocksteady.errors import InputError
 
 BITS = (64, 128, 256, 512, 1024, 2048, 4096)
@@ -49,7 +49,7 @@ def stated(name: str, value: str | float | Fraction) -> Stated:
     """
     try:
         text = str(value) if isinstance(value, str | Fraction) else repr(float(value))
-        written = checker.exact(text)
+        written = base_checker.exact(text)
         double = Fraction(float(written))
     except (TypeError, ValueError, OverflowError, ZeroDivisionError):
         raise InputError(

@@ -5,7 +5,6 @@ a motion where each impact fits the flights before and after it (E3): the forms 
 docs/theory/proofs.md, of which no term grows with the length of the flight.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -150,31 +149,24 @@ def _rises(
     """Return whether half of a flight is above the floor, counted from one of its ends."""
     beta, speed, span = shaking.beta, sense * shaking.ratio, 1 - (-2 * duration).exp()
 
-    def state(u: arb, *, slope: bool) -> arb:
+    def state(u: arb) -> tuple[arb, arb]:
         decay, back = (-u).exp(), (u - 2 * duration).exp()
         up, down = (u - duration).exp(), (-u - duration).exp()
         sine, cosine = (phase + speed * u).sin_cos()
-        rise = (near * (decay + back) - far * (up + down)) / span - beta * speed * cosine
         height = 1 - beta * sine - (near * (decay - back) + far * (up - down)) / span
-        return arb(rise if slope else height)
+        return height, (near * (decay + back) - far * (up + down)) / span - beta * speed * cosine
 
-    return bisected(hull(0, above(duration) / 2), state, depth)
-
-
-def bisected(whole: arb, state: Callable[..., arb], depth: int) -> bool | None:
-    """Return whether a function that is 0 at 0 is positive on (0, end]; None where undecided."""
-    stack = [(whole, True, depth)]
+    stack = [(hull(0, above(duration) / 2), True, depth)]
     while stack:
         u, lead, left = stack.pop()
-        if state(u, slope=False) > 0:
-            continue
-        slope = state(u, slope=True)
-        if lead and slope > 0:
+        height, slope = state(u)
+        if height > 0 or (lead and slope > 0):
             continue
         centre = mid(u)
-        if not lead and state(centre, slope=False) + slope * (u - centre) > 0:
+        middle = state(centre)[0]
+        if not lead and middle + slope * (u - centre) > 0:
             continue
-        if state(centre, slope=False) < 0:
+        if middle < 0:
             return False
         if left == 0:
             return None

@@ -2,7 +2,7 @@
 
 A state is the pair of the last two impact phases, and (E3) of docs/theory/proofs.md gives the next
 one; every flight lasts one half period plus the difference of its phases. All in floating point:
-what is found is proved by `rocksteady.certify.checker`.
+what is found is proved by `rocksteady.certify.chaos_checker`.
 """
 
 import math
@@ -21,8 +21,8 @@ POINTS, STEPS = 3000, 36
 """Points of the unstable manifold that are followed, and for how many impacts."""
 MARGIN = 1.15
 """Factor by which a set grows less, and shrinks less, than the motion would have it."""
-DIGITS = 12
-"""Decimals of a set."""
+DIGITS = 6
+"""Decimals of a set, of which the proof takes account."""
 
 
 class Saddle(NamedTuple):

@@ -45,17 +45,15 @@ def _enclose(system: System, centre: list[arb]) -> Enclosure | None:
     before = float("inf")
     for _ in range(STEPS):
         residuals, jacobian = system(centre)
-        inverse = centres(arb_mat(jacobian)).inv()
-        step = inverse * arb_mat(count, 1, residuals)
-        length = max(size(step[i, 0]) for i in range(count))
+        inverse = centres(centres(arb_mat(jacobian)).inv())
+        shift = inverse * arb_mat(count, 1, residuals)
+        length = max(size(shift[i, 0]) for i in range(count))
         if not length < before / 2:
             break
         before = length
-        centre = [mid(x - step[i, 0]) for i, x in enumerate(centre)]
-    residuals, jacobian = system(centre)
-    inverse = centres(arb_mat(jacobian)).inv()
-    inverse = centres(inverse)
-    shift = inverse * arb_mat(count, 1, residuals)
+        centre = [mid(x - shift[i, 0]) for i, x in enumerate(centre)]
+    else:
+        return None
     unit = arb_mat(count, count, [int(i == j) for i in range(count) for j in range(count)])
 
     def image(radii: list[float]) -> tuple[list[arb], list[arb]]:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any, Literal
 
-from rocksteady.certify import checker
+from rocksteady.certify import base_checker, chaos_checker
 from rocksteady.certify._balls import precision
 from rocksteady.certify._hilltops import horseshoes
 from rocksteady.certify._homoclinic import chains
@@ -24,10 +24,14 @@ BITS = 64
 HILLTOP, HOMOCLINIC = "hilltop", "homoclinic"
 Search = Callable[[float, float, float], Iterator[dict[str, Any]]]
 SEARCHES: dict[str, tuple[Search, Callable[[Any, Any], None], str]] = {
-    HILLTOP: (horseshoes, checker.hilltops, "A is below that of the heteroclinic motions, A_het"),
+    HILLTOP: (
+        horseshoes,
+        chaos_checker.hilltops,
+        "A is below that of the heteroclinic motions, A_het",
+    ),
     HOMOCLINIC: (
         chains,
-        checker.homoclinic,
+        chaos_checker.homoclinic,
         "no saddle with a homoclinic motion was found: the symmetric motion may be stable",
     ),
 }
@@ -47,7 +51,7 @@ def proved_chaos(numbers: Numbers, kind: str) -> tuple[dict[str, Any] | None, st
     search, proof, reason = SEARCHES[kind]
     middle = [sum(map(Fraction, texts)) / len(texts) for texts in numbers.values()]
     with precision(BITS):
-        arithmetic = checker.arb(BITS)
+        arithmetic = base_checker.arb(BITS)
         for content in search(*map(float, middle)):
             try:
                 proof(arithmetic, {"model": numbers, **content})

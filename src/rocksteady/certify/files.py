@@ -9,7 +9,7 @@ from importlib.resources import files
 from os import PathLike
 from pathlib import Path
 
-from rocksteady.certify import checker, fate_checker
+from rocksteady.certify import base_checker, fate_checker
 from rocksteady.certify._balls import precision
 from rocksteady.certify.certificate import FORMAT
 from rocksteady.certify.region import Arithmetic, Leaves, region_from
@@ -19,8 +19,15 @@ from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
 
-FURTHER = {"point": "point_checker.py", "region": "region_checker.py"}
-"""What is added to the program that checks orbits and chaos, by kind."""
+BASE = "base_checker"
+PROGRAMS = {
+    "orbit": (BASE, "checker"),
+    "chaos": (BASE, "checker", "chaos_checker"),
+    "point": (BASE, "checker", "point_checker"),
+    "region": (BASE, "region_checker"),
+    "fate": ("fate_checker",),
+}
+"""Modules of which the program that checks a kind alone is made."""
 HOLDS, REFUSED, UNDECIDED = "holds", "refused", "undecided"
 
 
@@ -124,9 +131,9 @@ def check_certificate(
                 text, getattr(fate_checker, arithmetic), list(accelerations_m_s2)
             )
         else:
-            if kind in FURTHER:
-                import_module(f"rocksteady.certify.{kind}_checker")
-            answer = checker.check(text, getattr(checker, arithmetic))
+            for name in PROGRAMS.get(kind, ()):
+                import_module(f"rocksteady.certify.{name}")
+            answer = base_checker.check(text, getattr(base_checker, arithmetic))
     verdict, _, reason = answer.partition(": ")
     return CheckedCertificate(kind=kind, verdict=verdict, reason=reason)
 
@@ -140,11 +147,8 @@ def program(kind: str) -> str:
         "orbit", "point", "fate", "region" or "chaos".
     """
     here = files("rocksteady.certify")
-    name = "fate_checker.py" if kind == "fate" else "checker.py"
-    text = here.joinpath(name).read_text(encoding="utf-8")
-    if kind not in FURTHER:
-        return text
-    further = here.joinpath(FURTHER[kind]).read_text(encoding="utf-8")
-    added = re.sub(r"^from rocksteady[^\n(]*(\([^)]*\))?\n", "", further, flags=re.MULTILINE)
-    body, start, end = text.partition('if __name__ == "__main__":')
-    return f"{body}{added}\n\n{start}{end}"
+    first, *further = (here.joinpath(f"{x}.py").read_text(encoding="utf-8") for x in PROGRAMS[kind])
+    body, start, end = first.partition('if __name__ == "__main__":')
+    imports = re.compile(r"^from rocksteady[^\n(]*(\([^)]*\))?\n", re.MULTILINE)
+    added = "".join(f"{imports.sub('', text)}\n\n" for text in further)
+    return f"{body}{added}{start}{end}"

@@ -152,9 +152,11 @@ def trace_of(rows: list[Row]) -> Any:
     return a + d
 
 
-def passage(shaking: Shaking, phases: list[arb], half_periods: tuple[int, ...]) -> str:
+def passage(
+    shaking: Shaking, phases: list[arb], half_periods: tuple[int, ...], chain: Links
+) -> str:
     """Return what is wrong with the flights of a chain: empty, "undecided" or "refuted"."""
-    chain, count = links(shaking, phases, half_periods), len(phases)
+    count = len(phases)
     for k, flight in enumerate(chain.flights):
         after = (k + 1) % count
         ends = phases[k], phases[after]
@@ -194,12 +196,13 @@ def _proof(proposal: Proposal, numbers: Numbers, bits: int) -> OrbitProof:
     zero = enclose(system, [arb(phase) for phase in proposal.phases])
     if zero is None:
         return failed("no box around it passes the test of Krawczyk")
-    wrong = passage(shaking, zero.box, orders)
+    chain = links(shaking, zero.box, orders)
+    wrong = passage(shaking, zero.box, orders, chain)
     if wrong == REFUTED:
         return failed("it passes through the floor and is no motion", REFUTED)
     if wrong:
         return failed("it is too near the floor")
-    trace = trace_of(links(shaking, zero.box, orders).rows)
+    trace = trace_of(chain.rows)
     loss = shaking.restitution ** (2 * count)
     inside, outside = abs(trace) < 1 + loss, abs(trace) > 1 + loss
     if not inside and not outside:

@@ -5,7 +5,7 @@ from typing import Any
 
 from flint import arb, arb_mat, arb_series, ctx
 
-from rocksteady.certify import checker, point_checker
+from rocksteady.certify import base_checker, point_checker
 from rocksteady.certify._balls import ball, decimals_around, mid, precision, size
 from rocksteady.certify._flight import Shaking
 from rocksteady.certify._krawczyk import Enclosure, enclose
@@ -91,7 +91,7 @@ class Extended:
         *phases, amplitude = zero
         count, ratio = len(phases), self.ratio
         shaken = amplitude, ratio, self.restitution, amplitude / (1 + ratio * ratio)
-        numbers = checker.arb(ctx.prec)
+        numbers = base_checker.arb(ctx.prec)
         opens = point_checker.opening(numbers, shaken, phases, self.orders, self.sign)
         if self.sign > 0:
             return opens, arb(0)
@@ -124,7 +124,8 @@ def _proof(system: Extended, start: list[float], bits: int, numbers: Numbers) ->
         reason = "no box around it passes the test of Krawczyk"
         return PointProof(UNDECIDED, reason, bits, numbers)
     *phases, amplitude = zero.box
-    if passage(system.shaking(amplitude), phases, system.orders):
+    shaking, orders = system.shaking(amplitude), system.orders
+    if passage(shaking, phases, orders, links(shaking, phases, orders)):
         return PointProof(UNDECIDED, "a flight is not above the floor", bits, numbers, zero)
     try:
         rise, passing = system.direction(zero.box)
@@ -157,7 +158,7 @@ def _content(
             "claim": claim,
         }
         try:
-            point_checker.point(checker.arb(ctx.prec + 64), {"model": numbers, **content})
+            point_checker.point(base_checker.arb(ctx.prec + 64), {"model": numbers, **content})
         except (ArithmeticError, ValueError):
             continue
         return content

@@ -1,42 +1,33 @@
-"""Check also certificates of bifurcation points: that the multiplier passes 1 or -1, and how.
-
-One phase moves over its box, the others and A follow, and the trace passes its value. Near the
-point the phases on the branch that turns (1) or begins (-1, where s becomes -s when the chain has
-closed) are x + s v + s^2 u + ..., with v[0] = 1 and A + a s^2: it opens to larger A where a > 0.
-At 1 the second order of e gives a; at -1 it gives u for each a, and the third order a. What begins
-at -1 is stable (supercritical) where a times the derivative of the trace by A, along the orbit
-from which it begins, is below 0: there that orbit is unstable.
-"""
+"""Check certificates of bifurcation points."""
 
 from types import SimpleNamespace as K
 
-from rocksteady.certify.checker import KINDS, boxes, chain, flight, impact, krawczyk
+from rocksteady.certify.base_checker import KINDS, need, numbers, positive
+from rocksteady.certify.checker import boxes, chain, flight, impact, krawczyk, solved
 
-# isort: split
-from rocksteady.certify.checker import need, numbers, positive
+
+def terms(x):
+    """Return the terms of a series, or of a number."""
+    return x.c if isinstance(x, Series) else (x, 0, 0, 0)
 
 
 class Series:
-    """A power series of intervals in s, up to s^3."""
+    """A power series of intervals, up to the third."""
 
     def __init__(self, *c):
         self.c = (*c, 0, 0, 0)[:4]
 
     def __add__(self, o):
-        return Series(
-            *(x + y for x, y in zip(self.c, o.c if isinstance(o, Series) else (o, 0, 0, 0)))
-        )
+        return Series(*(x + y for x, y in zip(self.c, terms(o))))
 
     def __mul__(self, o):
-        c, d = self.c, o.c if isinstance(o, Series) else (o, 0, 0, 0)
-        return Series(*(sum(c[i] * d[k - i] for i in range(k + 1)) for k in range(4)))
+        d = terms(o)
+        return Series(*(sum(self.c[i] * d[k - i] for i in range(k + 1)) for k in range(4)))
 
     def __truediv__(self, o):
-        if not isinstance(o, Series):
-            return self * (1 / o)
-        c = []
+        c, d = [], terms(o)
         for k in range(4):
-            c.append((self.c[k] - sum(c[i] * o.c[k - i] for i in range(k))) / o.c[0])
+            c.append((self.c[k] - sum(c[i] * d[k - i] for i in range(k))) / d[0])
         return Series(*c)
 
     __radd__, __rmul__, __neg__ = __add__, __mul__, lambda self: self * -1
@@ -45,43 +36,32 @@ class Series:
 
 
 def series(L):
-    """Return an arithmetic of power series."""
+    """Return an arithmetic of power series, by Taylor's formula."""
 
-    def powers(x):
-        d = Series(0, *x.c[1:])
-        return d, d * d, d * d * d
-
-    def exp(x):
-        d, e, f = powers(x)
-        return (1 + d + e / L.num(2) + f / L.num(6)) * L.exp(x.c[0])
+    def taylor(x, a, b, c, d):
+        s = Series(0, *x.c[1:])
+        return ((s * (d / L.num(6)) + c / L.num(2)) * s + b) * s + a
 
     def sin_cos(x):
-        (d, e, f), (s, c) = powers(x), L.sin_cos(x.c[0])
-        i, j = d - f / L.num(6), 1 - e / L.num(2)
-        return j * s + i * c, j * c - i * s
+        s, c = L.sin_cos(x.c[0])
+        return taylor(x, s, c, -s, -c), taylor(x, c, -s, -c, s)
 
-    return K(pi=Series(L.pi), exp=exp, sin_cos=sin_cos)
-
-
-def solved(L, rows, right):
-    """Return the solution of linear equations, by elimination."""
-    a, n = [[*row, v] for row, v in zip(rows, right)], len(rows)
-    for i in range(n):
-        a[i:] = sorted(a[i:], key=lambda row: -abs(float(L.mid(row[i]))))
-        need(positive(abs(a[i][i])))
-        a[i] = [v / a[i][i] for v in a[i]]
-        for k in set(range(n)) - {i}:
-            a[k] = [v - a[k][i] * o for v, o in zip(a[k], a[i])]
-    return [row[n] for row in a]
+    return K(pi=Series(L.pi), exp=lambda x: taylor(x, *[L.exp(x.c[0])] * 4), sin_cos=sin_cos)
 
 
 def opening(L, M, x, n, s):
-    """Return a of the branch A + a s^2 that turns or begins at a point."""
-    m, S, zero = len(x), series(L), L.num(0)
+    """Return a of the branch A + a s^2 that turns (s = 1) or begins (-1) at a point.
+
+    The phases on it are x + t v + t^2 u + ..., with v[0] = 1; where s is -1, t becomes -t when the
+    chain has closed. At 1 the second order of e gives a; at -1 it gives u for each a, and the third
+    order a.
+    """
+    m, S, zero, size = len(x), series(L), L.num(0), lambda v: abs(float(L.mid(v)))
+    solve = lambda rows, right: [y for (y,) in solved(rows, [[v] for v in right], size)]
     whole, by_A = chain(L, M, x, n)[1:3]
     turned = chain(L, M, x, n, s)[1]
     edge = lambda column: [[*row[1:], y] for row, y in zip(turned, column)]
-    v = solved(L, edge(by_A if s == 1 else [L.num(1), *[zero] * (m - 1)]), [-r[0] for r in turned])
+    v = solve(edge(by_A if s == 1 else [L.num(1), *[zero] * (m - 1)]), [-r[0] for r in turned])
     v = [L.num(1), *v[:-1]]
 
     def term(k, u, a):
@@ -93,14 +73,19 @@ def opening(L, M, x, n, s):
 
     bent = term(2, [zero] * m, zero)
     if s == 1:
-        return -solved(L, edge(by_A), bent)[-1]
-    u, z = ([-y for y in solved(L, whole, column)] for column in (bent, by_A))
+        return -solve(edge(by_A), bent)[-1]
+    u, z = ([-y for y in solve(whole, column)] for column in (bent, by_A))
     still, moved = term(3, u, zero), term(3, [i + j for i, j in zip(u, z)], L.num(1))
-    return -solved(L, edge([i - j for i, j in zip(moved, still)]), still)[-1]
+    return -solve(edge([i - j for i, j in zip(moved, still)]), still)[-1]
 
 
 def point(L, c):
-    """Check that the trace passes its value at a point, and what turns or begins there."""
+    """Check that the trace passes its value at a point, and what turns or begins there.
+
+    One phase moves over its box, and the others and A follow. The branch opens to larger A where a
+    is above 0. What begins at -1 is stable (supercritical) where a times the derivative of the
+    trace by A, along the orbit from which it begins, is below 0: there that orbit is unstable.
+    """
     n, s, signs, ends = c["half_periods"], c["claim"]["sign"], [], []
     need(True, s not in (1, -1), "it is no multiplier")
     _, W, r, _ = numbers(L, {**c["model"], "amplitude": "1"})

@@ -14,7 +14,7 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from rocksteady.certify import checker, region_checker
+from rocksteady.certify import base_checker, region_checker
 from rocksteady.certify._balls import ball, hull, precision, stated
 from rocksteady.certify._flight import Arc, Shaking, stays_above
 from rocksteady.certify.certificate import FORMAT
@@ -250,7 +250,9 @@ class ProvedRegion(Result):
             chosen = np.random.default_rng(len(rows)).choice(len(rows), leaves, replace=False)
             rows = [rows[k] for k in chosen]
         for path, letter in rows:
-            answer = checker.check(self.box_json(path, letter), getattr(checker, arithmetic))
+            answer = base_checker.check(
+                self.box_json(path, letter), getattr(base_checker, arithmetic)
+            )
             if answer != "holds":
                 return str(answer)
         return "holds"

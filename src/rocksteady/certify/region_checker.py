@@ -1,32 +1,24 @@
-"""Check also certificates of regions: of each box of A and W, or of one.
-
-A symmetric motion has all phases p and all flights T = n pi/W: its e is 0 where, with S = b sin p,
-C = b cos p, h = th T/2 and g = (1 - r)/(1 + r), S + g h W C = g h h. Branch 1 is the larger S. The
-trace of half a cycle follows from the derivatives of e. With A sin(p + W t) - 1 at most once
-positive, from the start on, a flight cannot dip: where y is least below 0, y'' = y - 1 + ... < 0.
-So for n = 1 it has no dip if A < 1, A sin p > 1, or p > pi/2, which is b > g h h.
-The letters of a tree, breadth first, are 5 where a box is halved, by turns in A and in W; else
-1 no solution, 2 stable, 3 unstable, 4 through the floor, and 0, of which nothing is claimed.
-"""
+"""Check certificates of regions."""
 
 import base64
 import math
 import zlib
 
-from rocksteady.certify.checker import KINDS, above, exact, need, numbers, positive
+from rocksteady.certify.base_checker import KINDS, above, exact, need, numbers, positive
 
 
 def tree_of(c):
-    """Return the letters of a tree, if it is one."""
+    """Return the letters of a tree, if it is one.
+
+    The letters of a tree, breadth first, are 5 where a box is halved, by turns in A and in W; else
+    1 no solution, 2 stable, 3 unstable, 4 through the floor, and 0, of which nothing is claimed.
+    """
     try:
         tree = zlib.decompressobj().decompress(base64.b64decode(c["tree"]), 10**8).decode()
     except zlib.error:
         raise ValueError("it is no tree") from None
-    need(
-        True,
-        not set(tree) <= set("012345") or len(tree) != 2 * tree.count("5") + 1,
-        "it is no tree",
-    )
+    good = set(tree) <= set("012345") and len(tree) == 2 * tree.count("5") + 1
+    need(good, not good, "it is no tree")
     return tree
 
 
@@ -42,7 +34,14 @@ def leaves(c):
 
 
 def leaf(K, c, path, letter):
-    """Check what is claimed of one box."""
+    """Check what is claimed of one box.
+
+    A symmetric motion has all phases p and all flights T = n pi/W: its e is 0 where, with S = b sin
+    p, C = b cos p, h = th T/2 and g = (1 - r)/(1 + r), S + g h W C = g h h. Branch 1 is the larger
+    S. The trace of half a cycle follows from the derivatives of e. With A sin(p + W t) - 1 at most
+    once positive, from the start on, a flight cannot dip: where y is least below 0, y'' = y - 1 +
+    ... < 0. So for n = 1 it has no dip if A < 1, A sin p > 1, or p > pi/2, which is b > g h h.
+    """
     n, ends = c["order"], [[exact(x) for x in c[k]] for k in ("amplitude", "frequency_ratio")]
     false = type(n) is not int or n < 1 or n % 2 == 0 or letter not in set("1234")
     need(True, false or len(path) > 200, "it is no claim")

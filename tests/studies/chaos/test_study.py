@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from rocksteady.certify import checker
+from rocksteady.certify.chaos import certify_chaos
 from rocksteady.errors import OutputError
 from rocksteady.formulas import heteroclinic_amplitude
 from rocksteady.studies.chaos import study as module
@@ -20,11 +21,12 @@ from tests.outputs import unrendered
 
 mpl.use("Agg")
 EDGES = np.array([0.3, 0.4, 2.0, 2.1]), np.array([1.9, 2.0, 2.1])
+STRIP = np.array([1.1, 1.3]), np.array([2.0])
 
 
 @cache
 def small() -> Chaos:
-    return chaos("0.8", EDGES)
+    return chaos("0.8", EDGES, STRIP)
 
 
 def words(least: int, symbols: int, half_periods: int) -> int:
@@ -51,15 +53,30 @@ def test_a_box_is_proved_where_a_point_of_it_is_and_none_below_the_closed_form()
 
 
 @pytest.mark.slow
+def test_the_rocking_itself_is_proved_chaotic_above_the_cascade_alone() -> None:
+    """At 1.1 the motion that leans is stable (the cascade begins at 2.6246 = 1.238 of 2.1202)."""
+    (stable,), (proved,) = small().rocking.tolist()
+    assert stable == 0.0
+    low, high = module.small_boxes(STRIP, "0.8")[1][0]
+    assert low < 1.3 * 2.120166931264842 < high
+    for amplitude in (low, high):
+        point = certify_chaos(amplitude, 2, "0.8", kind="homoclinic")
+        assert float(point.content["claim"]["entropy_per_period"]) == pytest.approx(
+            proved, abs=0.03
+        )
+
+
+@pytest.mark.slow
 def test_the_folder_holds_certificates_that_hold_and_claims_no_more(tmp_path: Path) -> None:
     study, done = small(), list[str]()
     with unrendered():
         files = study.save(tmp_path / "out", done=done.append)
-    assert done == ["map", "page"]
+    assert done == ["map", "rocking", "page"]
     assert len(done) == study.steps
     assert all(re.fullmatch(OURS, file.name) for file in files)
     values = json.loads((tmp_path / "out" / "chaos.json").read_text(encoding="utf-8"))
     assert values["entropy_per_period"] == study.entropy.tolist()
+    assert values["rocking_per_period"] == study.rocking.tolist()
     for name in ("hilltop", "homoclinic"):
         text = (tmp_path / "out" / f"{name}.json").read_text(encoding="utf-8")
         assert checker.check(text, checker.arb) == "holds"
@@ -83,7 +100,7 @@ def test_a_claim_that_is_undecided_has_no_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(module, "CASES", {"hilltop": ("0.3", "2"), "homoclinic": ("2", "2")})
-    study = chaos("0.8", (EDGES[0][:2], EDGES[1][:2]))
+    study = chaos("0.8", (EDGES[0][:2], EDGES[1][:2]), (STRIP[0][:1], STRIP[1]))
     assert "undecided" in study.sentences[1]
     with unrendered():
         names = {file.name for file in study.save(tmp_path / "out")}

@@ -110,7 +110,7 @@ def certify(
         refuse({"--json": as_json}, "the checker is a program, and no object", "leave one out")
         from rocksteady.certify.files import program
 
-        print(program(what or "orbit"), end="")
+        print(program(what or "chaos"), end="")
         return 0
     output = OutputFlags(as_json=as_json, more=more, quiet=quiet, plot=plot, force=force)
     if what != "region":

@@ -51,9 +51,10 @@ FACADE_EXAMPLES = (
 CHAOS_HELP = (
     "Where motions of the block are proved to be chaotic.\n\n"
     "Proves that every sequence of certain flights is a motion, at two points and over boxes of "
-    "amplitude and frequency. Writes certificates, checked in balls and in intervals, the map as "
+    "amplitude and frequency. Writes certificates, checked in balls and in intervals, maps as "
     "PNG, SVG, PDF and CSV, chaos.json, and the page chaos.html.\n\n"
-    "Takes some two minutes. Needs the extra proof (python-flint)."
+    "Takes some three minutes. What is finished is kept in the folder, and --resume continues "
+    "after whatever ended the run. Needs the extra proof (python-flint)."
 )
 CHAOS_EXAMPLES = "Example:\n\nrocksteady study chaos --out chaos"
 
@@ -122,9 +123,11 @@ def atlas(
 @app.command("chaos", cls=OncePerFlag, help=CHAOS_HELP, epilog=CHAOS_EXAMPLES)
 @grouped
 def chaos(
+    context: typer.Context,
     out: Path = options.out_folder(),
     restitution: str = restitution_flag,
     force: bool = options.force(),
+    resume: bool = options.resume_study(),
     *,
     output: ScreenFlags,
 ) -> None:
@@ -132,11 +135,13 @@ def chaos(
     from rocksteady.show.export.folders import check_folder
     from rocksteady.studies.chaos import study as module
 
-    check_folder(out, module.OURS, force=force)
-    with progress("computing", len(module.EDGES[0]) + 1) as done:
-        result = module.chaos(restitution, done=done)
-    with progress("drawing", result.steps) as done:
-        files = result.save(out, force=force, done=done)
+    check_folder(out, module.OURS, force=force or resume)
+    parts = module.parts_of(restitution, out, resume=resume, force=force)
+    with resumable_study(parts, context):
+        with progress("computing", module.steps()) as done:
+            result = module.chaos(restitution, parts=parts, done=done)
+        with progress("drawing", result.steps) as done:
+            files = result.save(out, force=force or resume, parts=parts, done=done)
     _leave("chaos", result, output, out, files)
 
 
