@@ -191,6 +191,13 @@ def test_a_file_and_a_row_of_a_table_give_one_object_one_answer(tmp_path: Any) -
     assert "restitutions from" in table.rows[0]["method"]
 
 
+def test_where_all_slide_nothing_is_run_or_stored(tmp_path: Any) -> None:
+    run = Execution(store=tmp_path / "s.zarr")
+    table = assess_objects([described(friction=0.1)], SUITE, run=run, pga_g=0.4, pgv_m_s=0.4)
+    assert [row["verdict"] for row in table.rows] == ["slides"]
+    assert not [*tmp_path.iterdir()]
+
+
 def test_a_range_whose_worse_end_lifts_does_not_stand() -> None:
     """Its middle is 0.178: a PGA of 0.17 g lifts it at the low end alone."""
     demand = {"pga_g": 0.17, "pgv_m_s": 0.6}

@@ -172,15 +172,14 @@ def fit_fragilities(
     objects: Sequence[DescribedObject],
     motions: Sequence[Motions],
     intensities: Sequence[Measure],
-    fittings: Sequence[FitOptions],
+    fitting: FitOptions,
     *,
-    ranked: bool = True,
     run: Execution | None = None,
 ) -> list[Fragility]:
     """Run each object on its motions at all levels of it, and fit the curves of each.
 
-    Measures of intensity beside that of the levels are computed only to be `ranked`: no curve
-    depends on them, and they take longer than the runs.
+    Measures of intensity beside that of the levels are those that `fitting` compares: no curve
+    depends on them, and all take longer than the runs.
 
     Objects on one floor of one measure and restitution are run in one sweep.  The first sweep is
     kept in the store of `run`, further ones beside it: in runs-2.zarr, runs-3.zarr and so on beside
@@ -190,14 +189,11 @@ def fit_fragilities(
         levels_of(intensity, described.block, moved, described.given.assessment.levels)
         for described, moved, intensity in zip(objects, motions, intensities, strict=True)
     ]
-    if not ranked:
-        levels = [replace(each, beside=()) for each in levels]
+    if fitting.measures is not None:
+        levels = [replace(each, beside=fitting.measures) for each in levels]
     bands = [band_of(each, most=each.given.assessment.draws) for each in objects]
     ensembles = _run_objects(objects, motions, levels, bands, run=run)
-    return [
-        fit_fragility(ensemble, fitting=fitting)
-        for ensemble, fitting in zip(ensembles, fittings, strict=True)
-    ]
+    return [fit_fragility(ensemble, fitting=fitting) for ensemble in ensembles]
 
 
 def _run_objects(
@@ -273,10 +269,8 @@ def _runs_for(run: Execution | None, count: int) -> list[Execution | None]:
     if run is None or place is None:
         return [run] * count
     path = place.folder
-    stores = [place] + [
-        replace(place, path=path.with_name(f"{path.stem}-{k}{path.suffix}"))
-        for k in range(2, count + 1)
-    ]
+    beside = [path.with_name(f"{path.stem}-{k}{path.suffix}") for k in range(2, count + 1)]
+    stores = [place, *(replace(place, path=each) for each in beside)][:count]
     for store in stores[1:]:
         store.check()
     return [replace(run, store=store) for store in stores]

@@ -515,7 +515,7 @@ def _rocking(
     described, level = assessment.described, findings.level
     inner = None if run is None else replace(run, store=None, progress=None)
     fitting = _fitting(described.given.assessment)
-    (fragility,) = fit_fragilities([described], [suite], [intensity], [fitting], run=run)
+    (fragility,) = fit_fragilities([described], [suite], [intensity], fitting, run=run)
     cases = vary(described, suite, level, run=inner)
     answer = probability_of(
         described, findings.onset, fragility, level, cases[0].counted, cases[0].band

@@ -264,21 +264,14 @@ def assess_objects(
     ]
     onsets = [onset_of(each) for each in asked]
     rocking = [place for place, onset in enumerate(onsets) if not onset.slides]
-    fitting = FitOptions(states=[OVERTURNED], bands=None)
-    fragilities = dict(
-        zip(
-            rocking,
-            fit_fragilities(
-                [asked[place] for place in rocking],
-                [shaken[place] for place in rocking],
-                [intensities[place] for place in rocking],
-                [fitting] * len(rocking),
-                ranked=False,
-                run=run,
-            ),
-            strict=True,
-        )
+    fitted = fit_fragilities(
+        [asked[place] for place in rocking],
+        [shaken[place] for place in rocking],
+        [intensities[place] for place in rocking],
+        FitOptions(states=[OVERTURNED], bands=None, measures=()),
+        run=run,
     )
+    fragilities = dict(zip(rocking, fitted, strict=True))
     inner = None if run is None else replace(run, store=None, progress=None)
     counts = count_at_demand(asked, shaken, levels, run=inner)
     rows = []

@@ -72,7 +72,6 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         ],
         "demand": facts["demand"].words,
         "notes": [greek(note) for note in description.notes if note not in CAVEATS],
-        "plan": _plan(table),
         "orders": [{"key": key, "words": words} for key, words, _ in ORDERS],
         "provenance": provenance(manifest),
         "records": f"{table.records:,}",
@@ -80,7 +79,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         "share": f"is enough {OF_STANDING}",
         "target": chance(table.target_probability),
     }
-    return render(__package__, "objects.html.j2", **cleaned(values))
+    return render(__package__, "objects.html.j2", **cleaned(values), plan=_plan(table))
 
 
 def _plan(table: ObjectsTable) -> dict[str, str] | None:
@@ -92,7 +91,7 @@ def _plan(table: ObjectsTable) -> dict[str, str] | None:
     return picture(
         lambda axes: plot_plan(table, axes),
         1.1 + FLOOR * len(floors),
-        f"Objects on each floor, the worst first: {named}.",
+        cleaned(f"Objects on each floor, the worst first: {named}."),
         rows=True,
     )
 
