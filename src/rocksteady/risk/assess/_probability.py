@@ -178,8 +178,8 @@ def fit_fragilities(
 ) -> list[Fragility]:
     """Run each object on its motions at all levels of it, and fit the curves of each.
 
-    Measures of intensity beside that of the levels are those that `fitting` compares: no curve
-    depends on them, and all take longer than the runs.
+    Beside the measure of the levels only measures that `fitting` compares are computed: no curve
+    depends on them, and all of them take longer than the runs.
 
     Objects on one floor of one measure and restitution are run in one sweep.  The first sweep is
     kept in the store of `run`, further ones beside it: in runs-2.zarr, runs-3.zarr and so on beside
