@@ -162,6 +162,7 @@ def test_a_file_and_a_row_of_a_table_give_one_object_one_answer(tmp_path: Any) -
         described("chest", geometry={"width_m": 0.9, "height_m": 1.8}),
         described("vertical", demand={**PEAKS, "vertical_g": 0.3, "vertical_share": 0.4}),
         described("few levels", assessment={**FEW, "levels": 2, "draws": 1}),
+        described("heavy", geometry={**CABINET, "mass_kg": 300.0}),
     ]
     run = Execution(store=tmp_path / "s.zarr")
     peaks: dict[str, Any] = {"pga_g": 0.24, "pgv_m_s": 0.6, "target_probability": 0.95}
@@ -181,6 +182,10 @@ def test_a_file_and_a_row_of_a_table_give_one_object_one_answer(tmp_path: Any) -
         ):
             assert getattr(file, key) == row[key], (each.name, key)
         assert file.facts.uplift_pga_g == row["uplift_pga_g"]
+        for key, value in file.qualification.items():
+            assert value == row[key], (each.name, key)
+        forces = row["base_force_across_kn"], row["base_force_down_kn"]
+        assert forces == (file.base_force_kn or (None, None)), each.name
         if file.cases:
             assert (file.cases[0].fell, file.cases[0].trials) == (row["fell"], row["tried"])
         seen.add((row["basis"], row["by_curve"] is None))
@@ -189,6 +194,14 @@ def test_a_file_and_a_row_of_a_table_give_one_object_one_answer(tmp_path: Any) -
     by_runs = {("curve", False), ("count", False), ("count", True)}
     assert seen == by_runs | {("statics", True), (None, True)}
     assert "restitutions from" in table.rows[0]["method"]
+    assert table.rows[-1]["base_force_down_kn"] > 0.9 * 9.81 * 0.3
+
+
+def test_where_all_slide_nothing_is_run_or_stored(tmp_path: Any) -> None:
+    run = Execution(store=tmp_path / "s.zarr")
+    table = assess_objects([described(friction=0.1)], SUITE, run=run, pga_g=0.4, pgv_m_s=0.4)
+    assert [row["verdict"] for row in table.rows] == ["slides"]
+    assert not [*tmp_path.iterdir()]
 
 
 def test_a_range_whose_worse_end_lifts_does_not_stand() -> None:

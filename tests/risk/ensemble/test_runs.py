@@ -25,6 +25,7 @@ from rocksteady.measures import compute_measure
 from rocksteady.model.equations import Linear
 from rocksteady.results.gridded import described
 from rocksteady.risk import Levels, RestitutionBand
+from rocksteady.risk.ensemble.runs import run_each
 from rocksteady.sweeps import evaluate
 from tests.every import every
 from tests.seismic.grounds import ground, lifting
@@ -352,6 +353,17 @@ def test_a_linear_block_lifts_above_alpha_g() -> None:
     assert float(found.uplift_time_s.isel(direction=0).squeeze()) == pytest.approx(
         0.3 * 9.80665 / 10.0, rel=1e-14
     )
+
+
+def test_blocks_at_levels_of_their_own_are_as_if_each_ran_alone() -> None:
+    levels = [Levels("pga_g", [low, 3.0 * low], beside=()) for low in (0.2, 0.3, 0.25)]
+    band = RestitutionBand(draws=2)
+    together = run_each(BLOCKS, MOTIONS, levels=levels, restitution=band)
+    for block, wanted, found in zip(BLOCKS, levels, together, strict=True):
+        alone = run_ensemble(block, MOTIONS, levels=wanted, restitution=band)
+        xarray.testing.assert_equal(found, alone)
+        assert found.attrs["runs"] == alone.attrs["runs"]
+        assert found.attrs["warnings"] == alone.attrs["warnings"]
 
 
 def test_an_ensemble_describes_itself() -> None:

@@ -26,10 +26,10 @@ def task_of(cases: Any, batch: int = 64) -> Task:
     ("seconds_a_cell", "sizes"),
     [
         (0.0, [1, 8, 64, 64, 64]),
-        (1 / 8192, [1, 8, 64, 64, 64]),
-        (1 / 1024, [1, 8, 16, 16, 16]),
-        (1 / 512, [1, 2, 4, 8, 8]),
-        (1 / 64, [1, 1, 1, 1, 1]),
+        (1 / 2048, [1, 8, 64, 64, 64]),
+        (1 / 256, [1, 8, 16, 16, 16]),
+        (1 / 128, [1, 2, 4, 8, 8]),
+        (1 / 16, [1, 1, 1, 1, 1]),
     ],
 )
 def test_calls_grow_while_they_are_short(
@@ -42,7 +42,7 @@ def test_calls_grow_while_they_are_short(
         called.append(len(a))
         return {"double": 2.0 * a}
 
-    answer = task_of(double).run((10, 1000), 60.0)
+    answer = task_of(double).run((10, 1000), 99.0)
     assert answer.stop == 1000
     assert called[:5] == sizes
     assert sum(called) == 990
@@ -53,9 +53,9 @@ def test_calls_grow_while_they_are_short(
 @every(
     ("seconds_a_cell", "many", "sizes", "next_many"),
     [
-        (1 / 1024, 2, [2, 4, 8, 16, 16], 2),
-        (1 / 1024, 500, [64, 64], 8),
-        (1 / 256, 32, [32, 1, 2], 1),
+        (1 / 256, 2, [2, 4, 8, 16, 16], 2),
+        (1 / 256, 500, [64, 64], 8),
+        (1 / 64, 32, [32, 1, 2], 1),
     ],
 )
 def test_a_job_begins_where_another_has_come_to(
@@ -77,12 +77,12 @@ def test_a_job_begins_where_another_has_come_to(
     assert answer.many == next_many
 
 
-@every(("seconds", "calls"), [(0.0, 1), (1 / 64, 1), (3 / 64, 3), (0.05, 4)])
+@every(("seconds", "calls"), [(0.0, 1), (1 / 16, 1), (3 / 16, 3), (0.2, 4)])
 def test_slow_cells_are_left_to_others_when_the_time_is_over(
     seconds: float, calls: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     called: list[int] = []
-    monkeypatch.setattr(f"{Task.__module__}.time.monotonic", lambda: sum(called) / 64)
+    monkeypatch.setattr(f"{Task.__module__}.time.monotonic", lambda: sum(called) / 16)
 
     def slow(a: NDArray[np.float64]) -> dict[str, Any]:
         called.append(len(a))

@@ -446,6 +446,11 @@ class Physical:
             width *= 2.0 / (FINER - 1)
         return largest
 
+    @cached_property
+    def _starts(self) -> Floats:
+        """Pivot time at which each segment of the base motion starts."""
+        return base_motion.segment_starts(self.segments)
+
     def _forces(self, row: NDArray[np.int64], since: Floats) -> tuple[Floats, Floats]:
         """Return |horizontal| and vertical force over mass at times since the start of rows."""
         block = self.block
@@ -465,7 +470,7 @@ class Physical:
         index = self.rows[row, columns.ROW_SEGMENT].astype(np.int64)
         # Of the row's own segment, whose end is not yet the next one's start.
         across, up = base_motion.accelerations_in(
-            self.segments, index, self.flights.pt[row] + since
+            self.segments, self._starts, index, self.flights.pt[row] + since
         )
         radius = radius * (1.0 if block.cap is None else block.cap.lever)
         # Of the mass centre against the base, towards the side to which the block leans.

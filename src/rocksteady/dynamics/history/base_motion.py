@@ -134,13 +134,15 @@ def lift(segments: Floats, s: ArrayLike) -> Floats:
 
 
 def accelerations_in(
-    segments: Floats, index: NDArray[np.int64], s: Floats
+    segments: Floats, starts: Floats, index: NDArray[np.int64], s: Floats
 ) -> tuple[Floats, Floats]:
     """Return horizontal [alpha g] and vertical acceleration [g] in given segments at pivot times.
 
+    `starts` are those of `segment_starts`.
+
     At the end of a segment it is the value there, not that with which the next one begins.
     """
-    row, since = segments[index], s - segment_starts(segments)[index]
+    row, since = segments[index], s - starts[index]
     across = _acceleration(row, since)
     if segments.shape[1] <= columns.LIFT:
         return across, np.zeros(len(row))

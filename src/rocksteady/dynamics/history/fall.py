@@ -151,7 +151,7 @@ def _accelerations(trajectory: Trajectory, start: float) -> tuple[Floats, Floats
     index = np.repeat(first, 3)
     middles = 0.5 * (steps[:-1] + steps[1:])
     places = np.column_stack([steps[:-1], middles, steps[1:]]).ravel()
-    across, up = base_motion.accelerations_in(table, index, places)
+    across, up = base_motion.accelerations_in(table, starts, index, places)
     jumps = np.where(starts[first] == steps[:-1], table[first, columns.JUMP], 0.0)
     return steps, across.reshape(-1, 3), up.reshape(-1, 3), jumps
 

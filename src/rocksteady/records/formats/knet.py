@@ -116,8 +116,9 @@ def _header(text: RecordText, *, once: bool = False) -> dict[str, int]:
     """Return the index of the line of each key; a key that occurs twice is refused if `once`."""
     header: dict[str, int] = {}
     for at, line in enumerate(text.heads[:_WITHIN]):
+        words = line.lstrip().lower()
         for key in _KEYS:
-            if line.lstrip().lower().startswith(key.lower()):
+            if words.startswith(key.lower()):
                 if once and key in header and key != "Memo.":
                     text.refuse_repeated(header[key], at)
                 header.setdefault(key, at)

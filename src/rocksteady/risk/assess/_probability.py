@@ -3,19 +3,20 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 
 from rocksteady.results.doubts import MOST_MISFIT, far_above
 from rocksteady.results.numbers import chance, number, plural
-from rocksteady.risk.assess._counts import Basis, Motions, is_fitted, run_at
+from rocksteady.risk.assess._counts import Basis, Motions, count_runs, is_fitted
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._sensitivity import MOST_DRAWS, band_of
 from rocksteady.risk.assess._vertical_levels import levels_of
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
+from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
-from rocksteady.risk.ensemble.runs import run_ensemble
+from rocksteady.risk.ensemble.runs import run_each
 from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.risk.fragility.fit_fragility import fit_fragility
 from rocksteady.risk.fragility.fitting import FitOptions
@@ -171,47 +172,57 @@ def fit_fragilities(
     objects: Sequence[DescribedObject],
     motions: Sequence[Motions],
     intensities: Sequence[Measure],
-    fittings: Sequence[FitOptions],
+    fitting: FitOptions,
     *,
-    ranked: bool = True,
     run: Execution | None = None,
 ) -> list[Fragility]:
     """Run each object on its motions at all levels of it, and fit the curves of each.
 
-    Measures of intensity beside that of the levels are computed only to be `ranked`: no curve
-    depends on them, and they take longer than the runs.
+    Beside the measure of the levels only measures that `fitting` compares are computed: no curve
+    depends on them, and all of them take longer than the runs.
 
-    Objects that share motions, levels and restitutions are run in one sweep.  The first sweep is
+    Objects on one floor of one measure and restitution are run in one sweep.  The first sweep is
     kept in the store of `run`, further ones beside it: in runs-2.zarr, runs-3.zarr and so on beside
     runs.zarr.
     """
+    levels = [
+        levels_of(intensity, described.block, moved, described.given.assessment.levels)
+        for described, moved, intensity in zip(objects, motions, intensities, strict=True)
+    ]
+    if fitting.measures is not None:
+        levels = [replace(each, beside=fitting.measures) for each in levels]
+    bands = [band_of(each, most=each.given.assessment.draws) for each in objects]
+    ensembles = _run_objects(objects, motions, levels, bands, run=run)
+    return [fit_fragility(ensemble, fitting=fitting) for ensemble in ensembles]
+
+
+def _run_objects(
+    objects: Sequence[DescribedObject],
+    motions: Sequence[Motions],
+    levels: Sequence[Levels],
+    bands: Sequence[RestitutionBand],
+    *,
+    vertical: bool | Literal["both"] = "both",
+    run: Execution | None = None,
+) -> list["xarray.Dataset"]:
+    """Return the ensemble of each object, of all on one floor and of one restitution in a sweep."""
     groups: dict[object, list[int]] = {}
-    sweeps = []
-    for place, (described, intensity) in enumerate(zip(objects, intensities, strict=True)):
-        block, options = described.block, described.given.assessment
-        wanted = levels_of(intensity, block, motions[place], options.levels)
-        band = band_of(described, most=options.draws)
-        levels = wanted.levels_for([block])
-        # Equal coordinates in one group: an object's part of it is as if it ran alone.
-        key = (id(motions[place]), intensity, levels, band, block.symmetric, block.one_sided)
-        if key not in groups:
-            beside = wanted.beside if ranked else ()
-            sweeps.append((replace(wanted, levels=levels, beside=beside), band))
+    for place, (described, wanted) in enumerate(zip(objects, levels, strict=True)):
+        count = len(wanted.levels_for([described.block]))
+        key = (id(motions[place]), wanted.measure, count, bands[place])
         groups.setdefault(key, []).append(place)
-    runs = _runs_for(run, len(groups))
-    fragilities: dict[int, Fragility] = {}
-    for (wanted, band), places, sweep_run in zip(sweeps, groups.values(), runs, strict=True):
-        ensemble = run_ensemble(
+    ensembles: dict[int, xarray.Dataset] = {}
+    for places, sweep_run in zip(groups.values(), _runs_for(run, len(groups)), strict=True):
+        made = run_each(
             [objects[place].block for place in places],
-            list(motions[places[0]]),
-            levels=wanted,
-            restitution=band,
+            motions[places[0]],
+            levels=[levels[place] for place in places],
+            restitution=bands[places[0]],
+            vertical=vertical,
             run=sweep_run,
         )
-        for number_in, place in enumerate(places):
-            part = _part(ensemble, number_in)
-            fragilities[place] = fit_fragility(part, fitting=fittings[place])
-    return [fragilities[place] for place in range(len(objects))]
+        ensembles |= dict(zip(places, made, strict=True))
+    return [ensembles[place] for place in range(len(objects))]
 
 
 class AtDemand(NamedTuple):
@@ -240,33 +251,16 @@ def count_at_demand(
     run: Execution | None = None,
 ) -> list[AtDemand]:
     """Return the runs of each object at its demand, without vertical motion, counted."""
-    groups: dict[tuple[int, DemandLevel, RestitutionBand], list[int]] = {}
-    for place, (described, level) in enumerate(zip(objects, levels, strict=True)):
-        key = (id(motions[place]), level, band_of(described, most=MOST_DRAWS))
-        groups.setdefault(key, []).append(place)
-    counted: dict[int, AtDemand] = {}
-    for (_, level, band), places in groups.items():
-        blocks = [objects[place].block for place in places]
-        all_counts = run_at(
-            blocks,
-            motions[places[0]],
-            level.measure,
-            [level.value],
-            restitution=band,
-            run=run,
-        )
-        for place, counts in zip(places, all_counts, strict=True):
-            lifted, trials = int(counts.lifted.sum()), int(counts.trials.sum())
-            counted[place] = AtDemand(*counts.totals(0), lifted, trials, counts.share_band(0))
-    return [counted[place] for place in range(len(objects))]
-
-
-def _part(ensemble: "xarray.Dataset", place: int) -> "xarray.Dataset":
-    """Return the part of an ensemble of one of its blocks."""
-    if ensemble.sizes["block"] == 1:
-        return ensemble
-    part = ensemble.isel(block=[place])
-    return part.assign_attrs(runs=ensemble.attrs["runs"] // ensemble.sizes["block"])
+    at = [Levels(each.measure, [each.value], beside=()) for each in levels]
+    bands = [band_of(each, most=MOST_DRAWS) for each in objects]
+    counted = []
+    for described, ensemble in zip(
+        objects, _run_objects(objects, motions, at, bands, vertical=False, run=run), strict=True
+    ):
+        (counts,) = count_runs(ensemble, [described.block])
+        lifted, trials = int(counts.lifted.sum()), int(counts.trials.sum())
+        counted.append(AtDemand(*counts.totals(0), lifted, trials, counts.share_band(0)))
+    return counted
 
 
 def _runs_for(run: Execution | None, count: int) -> list[Execution | None]:
@@ -275,10 +269,8 @@ def _runs_for(run: Execution | None, count: int) -> list[Execution | None]:
     if run is None or place is None:
         return [run] * count
     path = place.folder
-    stores = [place] + [
-        replace(place, path=path.with_name(f"{path.stem}-{k}{path.suffix}"))
-        for k in range(2, count + 1)
-    ]
+    beside = [path.with_name(f"{path.stem}-{k}{path.suffix}") for k in range(2, count + 1)]
+    stores = [place, *(replace(place, path=each) for each in beside)][:count]
     for store in stores[1:]:
         store.check()
     return [replace(run, store=store) for store in stores]

@@ -223,11 +223,10 @@ class Assessment(Result):
         84 % of one run under each motion, at the level of `qualification` and with the object's
         own restitution, do not exceed them.  None without the object's mass, or such runs.
         """
-        runs, mass = self._at_demand, self.facts.mass_kg
-        if runs is None or mass is None:
+        runs, facts = self._at_demand, self.facts
+        if runs is None:
             return None
-        scales = runs["scale"].isel(block=0).values
-        return forces_of_standing(self.facts.block, self.motions, scales, mass)
+        return forces_of_standing(runs, facts.block, self.motions, facts.mass_kg)
 
     @property
     def _at_demand(self) -> "xarray.Dataset | None":
@@ -515,7 +514,7 @@ def _rocking(
     described, level = assessment.described, findings.level
     inner = None if run is None else replace(run, store=None, progress=None)
     fitting = _fitting(described.given.assessment)
-    (fragility,) = fit_fragilities([described], [suite], [intensity], [fitting], run=run)
+    (fragility,) = fit_fragilities([described], [suite], [intensity], fitting, run=run)
     cases = vary(described, suite, level, run=inner)
     answer = probability_of(
         described, findings.onset, fragility, level, cases[0].counted, cases[0].band

@@ -40,7 +40,12 @@ from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.building import Building, on_floors
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.two_numbers import assess_by_formula, share_words
-from rocksteady.risk.ensemble.qualification import OUTPUTS, most_of_standing, runs_near
+from rocksteady.risk.ensemble.qualification import (
+    OUTPUTS,
+    forces_of_standing,
+    most_of_standing,
+    runs_near,
+)
 from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.screens.friction import uplift_acceleration_g
@@ -55,6 +60,8 @@ METHOD = (
 )
 
 
+FORCES = ("base_force_across_kn", "base_force_down_kn")
+"""Columns of the force on the base."""
 ORDER = {"red": 0, "amber": 1, "grey": 2, "green": 3}
 """Place of a colour on the screen: an object without an answer comes before what is safe."""
 
@@ -76,8 +83,9 @@ class ObjectsTable(Result):
         `Assessment`, where it was counted its interval from ``band_low`` to ``band_high``, the
         share ``counted`` at the demand, of those ``tried``, the probability ``by_curve`` and that
         by the ``closed_form``, ``colour``, ``class``, ``verdict`` and ``sentence``, and as in
-        `Assessment.qualification` ``top_displacement_m``, ``clearance_m`` and ``edge_speed_m_s``;
-        further columns of its table after them.
+        `Assessment.qualification` ``top_displacement_m``, ``clearance_m`` and ``edge_speed_m_s``,
+        with a mass the `Assessment.base_force_kn` ``base_force_across_kn`` and
+        ``base_force_down_kn``; further columns of its table after them.
     pga_g, pgv_m_s
         The demand of objects that state none of their own; the motions are scaled to its PGV,
         without one to its PGA.
@@ -222,8 +230,8 @@ def assess_objects(
     target_probability
         Above it an object is red, above a fifth of it amber; default 0.1.
     run
-        Executor, workers, store and progress; default `Execution()`.  Objects with other levels or
-        restitutions than the first have stores of their own beside it, as runs-2.zarr.
+        Executor, workers, store and progress; default `Execution()`.  Objects on other floors or
+        with other restitutions than the first have stores of their own beside it, as runs-2.zarr.
 
     Returns
     -------
@@ -264,21 +272,14 @@ def assess_objects(
     ]
     onsets = [onset_of(each) for each in asked]
     rocking = [place for place, onset in enumerate(onsets) if not onset.slides]
-    fitting = FitOptions(states=[OVERTURNED], bands=None)
-    fragilities = dict(
-        zip(
-            rocking,
-            fit_fragilities(
-                [asked[place] for place in rocking],
-                [shaken[place] for place in rocking],
-                [intensities[place] for place in rocking],
-                [fitting] * len(rocking),
-                ranked=False,
-                run=run,
-            ),
-            strict=True,
-        )
+    fitted = fit_fragilities(
+        [asked[place] for place in rocking],
+        [shaken[place] for place in rocking],
+        [intensities[place] for place in rocking],
+        FitOptions(states=[OVERTURNED], bands=None, measures=()),
+        run=run,
     )
+    fragilities = dict(zip(rocking, fitted, strict=True))
     inner = None if run is None else replace(run, store=None, progress=None)
     counts = count_at_demand(asked, shaken, levels, run=inner)
     rows = []
@@ -287,12 +288,13 @@ def assess_objects(
         if place in fragilities:
             share, band = counts[place].share, counts[place].band
             answer = probability_of(each, onset, fragilities[place], level, share, band)
-        row = _row(each, onset, answer, level, counts[place])
-        moved: dict[str, float | None] = dict.fromkeys(OUTPUTS)
+        row = _row(each, onset, answer, level, counts[place]) | dict.fromkeys((*OUTPUTS, *FORCES))
         if place in fragilities and answer.basis != "statics":
             runs, measure = fragilities[place].ensemble, fragilities[place].measure
-            moved = most_of_standing(runs_near(runs, level.of(measure, each.block)))
-        rows.append(row | moved | _kept(each, row))
+            near = runs_near(runs, level.of(measure, each.block))
+            force = forces_of_standing(near, each.block, shaken[place], each.body.mass_kg)
+            row |= most_of_standing(near) | dict(zip(FORCES, force or (), strict=False))
+        rows.append(row | _kept(each, row))
     return ObjectsTable(
         rows=tuple(rows),
         pga_g=pga_g,
@@ -394,8 +396,7 @@ def _row(
 def _kept(described: DescribedObject, row: Mapping[str, object]) -> dict[str, str]:
     """Return the further columns of an object's table; a name of the row is marked as given."""
     return {
-        (f"{key} (given)" if key in row or key in OUTPUTS else key): text
-        for key, text in described.extra.items()
+        (f"{key} (given)" if key in row else key): text for key, text in described.extra.items()
     }
 
 

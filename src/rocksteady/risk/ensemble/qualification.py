@@ -82,21 +82,28 @@ def standing_words(values: Mapping[str, float | None]) -> str:
 
 
 def forces_of_standing(
-    block: Block, motions: Sequence[Record | BaseMotion], scales: Floats, mass_kg: float
+    runs: "xarray.Dataset",
+    block: Block,
+    motions: Sequence[Record | BaseMotion],
+    mass_kg: float | None,
 ) -> tuple[float, float] | None:
     """Return the horizontal and vertical force on the base of most runs [kN].
 
-    84 % of the runs that rock and stand do not exceed them; None where there is none.
+    84 % of the runs that rock and stand do not exceed them; None where there is none, or no mass.
 
     Parameters
     ----------
+    runs
+        Those of the block at one level, whose factors are taken.
     block, mass_kg
         The block and its mass [kg].
-    motions, scales
-        The records, each run once, and the factor of each.
+    motions
+        The records, each run once.
     """
-    forces = []
-    for motion, scale in zip(motions, scales.tolist(), strict=True):
+    if mass_kg is None:
+        return None
+    forces, scales = [], runs["scale"].isel(block=0).values.tolist()
+    for motion, scale in zip(motions, scales, strict=True):
         base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
         run = simulate(block, base.scaled(scale))
         parts = run.base_force_kn(mass_kg)

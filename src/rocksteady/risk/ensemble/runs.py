@@ -102,23 +102,65 @@ def run_ensemble(
     >>> fell.mean("run").values
     array([0. , 0.5, 0.5])
     """
-    bodies, grounds = blocks_of(blocks), grounds_of(motions)
-    records = [ground.record for ground in grounds]
-    names = names_of(records)
+    bodies = blocks_of(blocks)
     wanted = Levels() if levels is None else levels
     band = RestitutionBand() if restitution is None else restitution
-    for body in bodies:
-        band.ratios(body)  # refused before anything runs
+    (ensemble,) = run_each(
+        bodies,
+        motions,
+        levels=[wanted],
+        restitution=band,
+        reverse=reverse,
+        vertical=vertical,
+        model=model,
+        run=run,
+    )
+    return ensemble
+
+
+def run_each(
+    blocks: Sequence[Block],
+    motions: Record | BaseMotion | Sequence[Record | BaseMotion],
+    *,
+    levels: Sequence[Levels],
+    restitution: RestitutionBand,
+    reverse: bool | Literal["both"] = "both",
+    vertical: bool | Literal["both"] = "both",
+    model: Model | None = None,
+    run: Execution | None = None,
+) -> list["xarray.Dataset"]:
+    """Run each block at its own levels, all in one sweep.
+
+    Parameters
+    ----------
+    blocks, motions, restitution, reverse, vertical, model, run
+        As for `run_ensemble`.
+    levels
+        Levels of each block, of one measure and equally many; or the levels of all blocks, which
+        then are one ensemble.
+
+    Returns
+    -------
+    list of xarray.Dataset
+        For each block what `run_ensemble` returns for it alone; or that of all.
+    """
+    grounds = grounds_of(motions)
+    records = [ground.record for ground in grounds]
+    names = names_of(records)
+    for block in blocks:
+        restitution.ratios(block)  # refused before anything runs
     directions = chosen(reverse, DIRECTIONS)
     lifts = _lifts(vertical, grounds)
-    at = np.array(wanted.levels_for(bodies))
-    at_one = wanted.at_scale_one(records, bodies)
-    scale = at / at_one[:, :, np.newaxis]
-    equations = chosen_model(model, bodies[0], records[0])
+    parts = [slice(place, place + len(blocks) // len(levels)) for place in range(len(levels))]
+    rows = [each.levels_for(blocks[part]) for each, part in zip(levels, parts, strict=True)]
+    at, alike = np.array(rows), len(set(rows)) == 1
+    at_one = levels[0].at_scale_one(records, blocks)
+    scale = at[:, np.newaxis] / at_one[:, :, np.newaxis]
+    equations = chosen_model(model, blocks[0], records[0])
     used = grounds if "with" in lifts else [GroundShaking(record=record) for record in records]
-    check_grounds(used, scale.max(axis=(0, 2)).tolist(), extremes_of(bodies), equations)
+    check_grounds(used, scale.max(axis=(0, 2)).tolist(), extremes_of(blocks), equations)
     # Of symmetric blocks alone one direction is the mirror image of the other.
-    several = directions if not all(block.symmetric for block in bodies) else directions[:1]
+    several = directions if not all(block.symmetric for block in blocks) else directions[:1]
     ways = ways_to_run(grounds, several, lifts)
     # Draws run fastest: those of one block on one ground share its table and its scale.
     axes = (
@@ -130,53 +172,63 @@ def run_ensemble(
         ),
         Axis(
             name="block",
-            values=[f"block {place}" for place in range(1, len(bodies) + 1)],
+            values=[f"block {place}" for place in range(1, len(blocks) + 1)],
             long_name="block",
-            items=[Body(block=block, number=place) for place, block in enumerate(bodies)],
+            items=[Body(block=block, number=place) for place, block in enumerate(blocks)],
         ),
-        Axis(name="level", values=at, long_name=wanted.key),
-        Axis(name="draw", values=np.arange(band.draws), long_name="value of the restitution"),
+        Axis(name="level", values=at[0], long_name=levels[0].key)
+        if alike
+        else Axis(name="level", values=np.arange(at.shape[1]), long_name="number of the level"),
+        Axis(
+            name="draw", values=np.arange(restitution.draws), long_name="value of the restitution"
+        ),
     )
     load_kernel(equations)
     swept = evaluate(
         functools.partial(
             fates,
             at_one=at_one,
-            band=band,
+            band=restitution,
             mirrored_from=directions[0] if len(several) > 1 else None,
             model=equations,
+            **({} if alike else {"levels": at}),
         ),
         Grid(axes=axes),
         OUTPUTS,
         run=run,
         numbered="cell",
-        attributes={"model": equations.name, "measure": wanted.key},
+        attributes={"model": equations.name, "measure": levels[0].key},
     )
-    arrays = whole(swept, ways, bodies, directions, lifts)
+    arrays = whole(swept, ways, blocks, directions, lifts)
     speeds = arrays.pop("peak_velocity")
-    arrays |= qualification_of(bodies, arrays["peak_angle"], speeds, arrays["status"])
+    arrays |= qualification_of(blocks, arrays["peak_angle"], speeds, arrays["status"])
     times = uplift_times(
-        bodies, grounds, scale, directions, lifts, linear=isinstance(equations, Linear)
+        blocks, grounds, scale, directions, lifts, linear=isinstance(equations, Linear)
     )
     # Uplift does not depend on the restitution.
     rocked = arrays["peak_angle"] > 0.0
     arrays["uplift_time_s"] = np.where(rocked, times[:, :, :, :, np.newaxis], np.nan)
-    copied = sum(block.symmetric for block in bodies) / len(bodies) if len(several) > 1 else 0.0
-    copies = round(0.5 * copied * swept["status"].size)
-    return labelled(
-        arrays,
-        (bodies, records, names),
-        wanted,
-        scale,
-        band,
-        coordinates={"direction": list(directions), "vertical": list(lifts), "level": at},
-        attributes={
-            **swept.attrs,
-            "kind": "rocking ensemble",
-            "runs": int(swept["status"].size) - copies,
-            "warnings": warnings_of(names, records, scale, arrays["status"]),
-        },
-    )
+    ensembles = []
+    for each, row, part in zip(levels, at, parts, strict=True):
+        members = blocks[part]
+        runs = sum(len(ways) // (len(several) if block.symmetric else 1) for block in members)
+        ensembles.append(
+            labelled(
+                {name: values[part] for name, values in arrays.items()},
+                (members, records, names),
+                each,
+                scale[part],
+                restitution,
+                coordinates={"direction": list(directions), "vertical": list(lifts), "level": row},
+                attributes={
+                    **swept.attrs,
+                    "kind": "rocking ensemble",
+                    "runs": runs * at.shape[1] * restitution.draws,
+                    "warnings": warnings_of(names, records, scale[part], arrays["status"][part]),
+                },
+            )
+        )
+    return ensembles
 
 
 def _lifts(value: object, grounds: Sequence[GroundShaking]) -> tuple[str, ...]:

@@ -30,7 +30,7 @@ def goodness_of(best: Maximum) -> float | None:
     .. [1] D. Pregibon, Applied Statistics 29, 15-24 (1980), tests of a link by an added term.
     .. [2] D. D. Boos, The American Statistician 46, 327-333 (1992), generalised score tests.
     """
-    from scipy.stats import t
+    from scipy.special import stdtr
 
     counts, family = best.counts, best.family
     records = counts.records
@@ -48,4 +48,4 @@ def goodness_of(best: Maximum) -> float | None:
     scatter = math.sqrt(float(weight @ np.square(left - mean)) / (records - 1))
     if scatter < LEAST_SCATTER * math.sqrt(float(weight @ np.square(scores).sum(axis=1))):
         return None
-    return float(2.0 * t.sf(abs(mean) / scatter * math.sqrt(records), records - 1))
+    return float(2.0 * stdtr(records - 1, -abs(mean) / scatter * math.sqrt(records)))

@@ -6,7 +6,7 @@ from typing import Any
 from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.results.numbers import chance, interval, number
 from rocksteady.risk.assess.caveats import CAVEATS
-from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.risk.assess.objects_table import FORCES, ObjectsTable
 from rocksteady.risk.ensemble.qualification import OF_STANDING
 from rocksteady.show.export.provenance import provenance
 from rocksteady.show.plots.risk.plan import floors_of, plot_plan
@@ -51,6 +51,9 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
             "clearance": NOTHING
             if row["clearance_m"] is None
             else f"{1000.0 * row['clearance_m']:.0f}",
+            "force": NOTHING
+            if row[FORCES[0]] is None
+            else " / ".join(number(row[key]) for key in FORCES),
             "friction": NOTHING
             if row["friction_needed"] is None
             else number(row["friction_needed"]),
@@ -71,16 +74,16 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
             if count
         ],
         "demand": facts["demand"].words,
+        "forces": any(row[FORCES[0]] is not None for row in rows),
         "notes": [greek(note) for note in description.notes if note not in CAVEATS],
-        "plan": _plan(table),
         "orders": [{"key": key, "words": words} for key, words, _ in ORDERS],
         "provenance": provenance(manifest),
         "records": f"{table.records:,}",
         "rows": shown,
-        "share": f"is enough {OF_STANDING}",
+        "share": OF_STANDING,
         "target": chance(table.target_probability),
     }
-    return render(__package__, "objects.html.j2", **cleaned(values))
+    return render(__package__, "objects.html.j2", **cleaned(values), plan=_plan(table))
 
 
 def _plan(table: ObjectsTable) -> dict[str, str] | None:
@@ -92,7 +95,7 @@ def _plan(table: ObjectsTable) -> dict[str, str] | None:
     return picture(
         lambda axes: plot_plan(table, axes),
         1.1 + FLOOR * len(floors),
-        f"Objects on each floor, the worst first: {named}.",
+        cleaned(f"Objects on each floor, the worst first: {named}."),
         rows=True,
     )
 

@@ -1,11 +1,10 @@
 """Plot of the floors of buildings with the objects on them, in the colours of their risk."""
 
-import math
 from collections import defaultdict
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import InputError, Words
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import chance
 from rocksteady.risk.assess.described.objects import floor_number
@@ -38,9 +37,7 @@ def floors_of(table: ObjectsTable) -> list[tuple[str, list[dict[str, Any]]]]:
     """Return the floors with an object, the lowest first, and their objects, the worst first."""
     floors: dict[tuple[str, int, str], list[dict[str, Any]]] = defaultdict(list)
     for row in table.worst:
-        storey, place = row["storey"], row["floor"]
-        number = storey if storey is not None else 0
-        room = str(place).strip() if place is not None else ""
+        number, room = row["storey"], str(row["floor"] or "").strip()
         where = f"floor {number}" if number else "ground"
         named = where if floor_number(room) is not None else f"{where}, {room}"
         building = row["building"] or ""
@@ -166,5 +163,5 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
 
 def _size(row: dict[str, Any]) -> tuple[float, float]:
     """Return width and height of the homogeneous rectangle that rocks as an object does [m]."""
-    radius = 0.75 * STANDARD_GRAVITY / row["p_rad_s"] ** 2
-    return 2.0 * radius * math.sin(row["alpha_rad"]), 2.0 * radius * math.cos(row["alpha_rad"])
+    block = Block.from_p(alpha=row["alpha_rad"], p=row["p_rad_s"])
+    return block.width, block.height
