@@ -35,5 +35,5 @@ def proof_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         region.grid: {"rows": 4, "columns": 5},
         region.to_json: {},
         region.values: {},
-        region.box_json: {"path": "0", "letter": "u"},
+        region.box_json: {"path": "0", "letter": "2"},
     }

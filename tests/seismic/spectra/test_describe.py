@@ -1,6 +1,7 @@
 """Descriptions of spectra and of many runs: rows, tables, and the names of the JSON keys."""
 
 import math
+import re
 from functools import cache
 
 import numpy as np
@@ -72,6 +73,23 @@ def test_the_table_has_a_row_a_size_and_a_column_a_slenderness() -> None:
                 if fell
                 else float(cell) == pytest.approx(float(block.peak_angle), rel=6e-3)
             )
+
+
+def test_the_answer_has_the_size_of_the_largest_block_that_falls() -> None:
+    spectrum = compute_rocking_spectrum(ground(1, 9.0), alpha=ALPHA, periods_s=PERIODS)
+    fell = (spectrum.status == int(Status.OVERTURNED)).to_numpy()
+    said = describe(spectrum).answer
+    assert said is not None
+    words = r"of ([\d.]+)° fall .* 2 pi/p = ([\d.]+) s \(([\d.]+) x ([\d.]+) m\)"
+    found = re.search(words, said.sentence)
+    assert found is not None, said
+    degrees, period, width, height = map(float, found.groups())
+    alpha = min(ALPHA, key=lambda each: abs(math.degrees(each) - degrees))
+    assert period == max(np.array(PERIODS)[fell.any(axis=0)])
+    assert fell[ALPHA.index(alpha), PERIODS.index(period)]
+    block = Block.rectangle(width=width, height=height)
+    assert block.p == pytest.approx(2.0 * math.pi / period, rel=5e-3)
+    assert block.alpha == pytest.approx(alpha, rel=5e-3)
 
 
 def test_the_table_of_a_suite_has_medians_and_shares() -> None:

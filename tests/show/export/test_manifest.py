@@ -50,6 +50,8 @@ def test_seed_model_and_warnings_come_from_the_ensemble(tmp_path: Path) -> None:
     assert found["ensemble"]["seed"] == "7"
     assert found["ensemble"]["measure"] == "pga_g"
     assert found["ensemble"]["cells"] == runs.status.size
+    with pytest.raises(InputError, match="ensemble is no rocking ensemble"):
+        make_manifest([SHOCK], ensemble=runs.assign_attrs(kind="attractors"))
     assert found["warnings"] == ["one", *json.loads(runs.attrs["warnings"])]
     assert any("scaled by up to" in each for each in found["warnings"])
     file = write_manifest(tmp_path / "run.json", found)

@@ -75,13 +75,7 @@ def write_runs_csv(path: Path | str, ensemble: "xarray.Dataset") -> Path:
     ['top_displacement_m', 'clearance_m', 'edge_speed_m_s', 'uplift_time_s']
     """
     file = Path(path)
-    if ensemble.attrs.get("kind") != "rocking ensemble" or "status" not in ensemble:
-        raise InputError(
-            "ensemble",
-            Words("is no rocking ensemble"),
-            "it must be what run_ensemble returns",
-            "give fragility.ensemble, or call run_ensemble(...)",
-        )
+    check_ensemble(ensemble)
     save_csv("path", file, HEAD, _rows(ensemble))
     return file
 
@@ -114,3 +108,20 @@ def _rows(ensemble: "xarray.Dataset") -> Iterator[tuple[object, ...]]:
                     words.get(status[d][v][r][k], status[d][v][r][k]),
                     *("" if math.isnan(each[d][v][r][k]) else each[d][v][r][k] for each in results),
                 )
+
+
+def check_ensemble(ensemble: "xarray.Dataset") -> None:
+    """Refuse a dataset that is no ensemble.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    if ensemble.attrs.get("kind") != "rocking ensemble" or "status" not in ensemble:
+        raise InputError(
+            "ensemble",
+            Words("is no rocking ensemble"),
+            "it must be what run_ensemble returns",
+            "give fragility.ensemble, or call run_ensemble(...)",
+        )

@@ -14,6 +14,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.show.export.components import text_value
+from rocksteady.show.export.ensemble_rows import check_ensemble
 from rocksteady.show.export.files import json_text, save_text
 
 if TYPE_CHECKING:
@@ -60,7 +61,7 @@ def make_manifest(
     Raises
     ------
     InputError
-        If a file cannot be read.
+        If a file cannot be read, or the dataset is no ensemble.
 
     Examples
     --------
@@ -81,6 +82,7 @@ def make_manifest(
     }
     sentences = [text_value("warnings", sentence) for sentence in warnings]
     if ensemble is not None:
+        check_ensemble(ensemble)
         kept = {key: ensemble.attrs.get(key) for key in ("model", "measure", "seed", "scatter")}
         values["ensemble"] = kept | {"cells": int(ensemble["status"].size)}
         sentences += json.loads(ensemble.attrs.get("warnings", "[]"))

@@ -209,8 +209,8 @@ def sources_of(function: Any) -> dict[str, str]:
         sources = {module: _hash_of(source)}
     else:  # typed in, or one of Python's own
         code = getattr(function, "__code__", None)
-        told = sys.version.encode() if code is None else _instructions(code)
-        sources = {str(module): hashlib.sha256(told).hexdigest()[:HEX]}
+        content = sys.version.encode() if code is None else _instructions(code)
+        sources = {str(module): hashlib.sha256(content).hexdigest()[:HEX]}
     return sources | {"rocksteady": _hash_of(PACKAGE)}
 
 
