@@ -157,6 +157,9 @@ def test_resonance_is_the_closed_form() -> None:
         assert isinstance(found, Harmonic)
         assert found.amplitude == pytest.approx(0.5 * closed, rel=1e-12)
     assert Floor(frequencies_hz=1.0, damping=0.05).amplification(1.0) == pytest.approx(10.049876)
+    for beyond in (0.0, 1e308, math.nan):
+        with pytest.raises(InputError, match="frequency_hz"):
+            Floor(frequencies_hz=1.0).amplification(beyond)
 
 
 def test_lasting_shaking_is_what_is_left_of_shaking_from_rest() -> None:

@@ -10,6 +10,7 @@ from rocksteady.kernels.elementary.arrays import atan2, exp, hypot, log, sincos
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions._sampled import polyline
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.fourier import FourierSeries
@@ -140,20 +141,19 @@ class Floor:
         Parameters
         ----------
         frequency_hz
-            Frequencies of the shaking [Hz], above 0, any shape.
+            Frequencies of the shaking [Hz], 1e-50 to 1e50, any shape.
 
         Raises
         ------
         InputError
-            If one is not a number above 0.
+            If one is none of these.
         """
         import numpy as np
 
         given = np.asarray(frequency_hz, dtype=np.float64)
-        if not (np.isfinite(given) & (given > 0.0)).all():
-            raise InputError(
-                "frequency_hz", frequency_hz, "all must be above 0", "give frequencies in Hz"
-            )
+        if not ((given >= 1.0 / LARGEST) & (given <= LARGEST)).all():
+            valid = "all must lie in [1e-50, 1e+50]"
+            raise InputError("frequency_hz", frequency_hz, valid, "give frequencies in Hz")
         return np.asarray(hypot(*self._modes_at(1.0).shares(2.0 * math.pi * given)))
 
     def motion(

@@ -62,7 +62,7 @@ def absolute_velocity(record: Record) -> float:
 def _parts_above(start: Floats, end: Floats, level: float) -> tuple[Floats, Floats]:
     """Return between which parts of their length, in [0, 1], lines are above a level."""
     rise = end - start
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         crossing = (level - start) / rise
     low = np.where(start >= level, 0.0, np.where(end > level, crossing, 1.0))
     high = np.where(end >= level, 1.0, np.where(start > level, crossing, 0.0))
