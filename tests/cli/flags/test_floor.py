@@ -134,7 +134,7 @@ def test_scales_of_a_record_are_those_of_the_ground(file: Path) -> None:
 @pytest.mark.parametrize(
     ("flags", "words"),
     [
-        ("--floor-hz 0", ["--floor-hz = 0.0", "(0, 10000]"]),
+        ("--floor-hz 0", ["--floor-hz = 0.0", "[0.001, 10000]"]),
         ("--floor-hz x", ["--floor-hz", "x"]),
         ("--floor-hz 1 --floor-damping 1", ["--floor-damping = 1.0", "(0, 1)"]),
         ("--floor-hz 1,2", ["--participation", "2 modes"]),
