@@ -162,6 +162,12 @@ def test_resonance_is_the_closed_form() -> None:
             Floor(frequencies_hz=1.0).amplification(beyond)
 
 
+def test_a_floor_that_never_comes_to_rest_is_refused() -> None:
+    ground = Record(acceleration_m_s2=np.array([0.0, 1.0, 0.0]), dt_s=0.1)
+    with pytest.raises(InputError, match=r"tolerance = 0.001 .* inf samples"):
+        floor_motion(ground, frequencies_hz=1.0, damping=5e-324)
+
+
 def test_lasting_shaking_is_what_is_left_of_shaking_from_rest() -> None:
     motion = FourierSeries(
         amplitude=0.8, frequency_ratio=2.0, phase=0.3, harmonics=((1, 1.0, 0.2), (3, 0.5, -1.0))

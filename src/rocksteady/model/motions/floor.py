@@ -221,8 +221,9 @@ class Floor:
             curved = curved + _square(rate) * hypot(*swings[-1])
         after = modes.quiet_after(left, error)
         curvature = max(float(curved.max()), modes.curvature(left))
-        parts = max(1, math.ceil(dt * math.sqrt(curvature / (8.0 * error))))
-        count = len(slope) + math.ceil(after / dt)
+        least = dt * math.sqrt(curvature / (8.0 * error))
+        parts = max(1, math.ceil(min(least, MOST_SAMPLES + 1.0)))
+        count = len(slope) + after / dt
         if count * parts > MOST_SAMPLES:
             raise InputError(
                 "tolerance",

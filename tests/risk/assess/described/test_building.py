@@ -51,6 +51,8 @@ def test_a_file_says_what_the_constructor_does(tmp_path: Path) -> None:
     assert museum.storey(" 2.0 ") == 2  # as a spreadsheet writes it
     with pytest.raises(InputError, match="must be a name"):
         Building.of_first_mode("house", storeys=2, period_s=0.3, rooms={"2": 1})
+    with pytest.raises(InputError, match="must be a name"):
+        Building.of_first_mode("house", storeys=2, period_s=0.3, rooms={1: 2})  # type: ignore[dict-item]
 
 
 def test_an_object_on_a_floor_is_one_on_the_motions_of_that_floor() -> None:

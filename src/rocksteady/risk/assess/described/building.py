@@ -95,7 +95,7 @@ class Building:
         object.__setattr__(self, "floors", tuple(self.floors))
         for room, place in self.rooms.items():
             hint = "give the number of its floor; 0 is the ground"
-            if room.strip() != room or floor_number(room) is not None:
+            if str(room).strip() != room or floor_number(room) is not None:
                 words = "it must be a name, without a number alone and spaces at its ends"
                 raise InputError("rooms", room, words, "name it, as hall 2")
             whole_number(f"rooms: {room}", place, at_least=0, at_most=len(self.floors), hint=hint)
