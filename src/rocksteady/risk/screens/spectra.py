@@ -244,12 +244,13 @@ def read_table(path: Path) -> tuple[Floats, tuple[float, ...] | None]:
         If the file cannot be read, or holds no such table.
     """
     try:
-        if path.stat().st_size > MOST_BYTES:
-            raise InputError("spectrum", path, "it is too large for a spectrum", SHAPE_HINT)
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeError) as error:
+        size = path.stat().st_size
+        lines = path.read_text(encoding="utf-8").splitlines() if size <= MOST_BYTES else []
+    except (OSError, ValueError) as error:  # a name with a zero byte too
         reason = getattr(error, "strerror", None) or "it is no text"
         raise InputError("spectrum", path, f"it cannot be read ({reason})", SHAPE_HINT) from error
+    if size > MOST_BYTES:
+        raise InputError("spectrum", path, "it is too large for a spectrum", SHAPE_HINT)
     rows: list[list[float]] = []
     dampings: tuple[float, ...] | None = None
     for number, line in enumerate(lines, 1):
