@@ -115,3 +115,6 @@ def test_a_folder_is_read_without_vertical_channels_and_hidden_files(tmp_path: P
     ):
         with pytest.raises(InputError, match=words):
             read_records(folder, pattern=pattern)
+    for nothing in ("", ".", "./"):
+        with pytest.raises(InputError, match="^pattern = "):
+            read_records(tmp_path, pattern=nothing)

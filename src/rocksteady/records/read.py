@@ -206,7 +206,7 @@ def read_records(
     if not place.is_dir():
         raise InputError("folder", folder, "there is no such folder", "name a folder of records")
     given: object = pattern
-    if not isinstance(given, str) or not given:
+    if not isinstance(given, str) or not Path(given).parts:  # as of "."
         raise InputError("pattern", pattern, "it must be a text", 'give one as "*.AT2"')
     files = [file for file in files_of(place) if file.match(pattern)]
     recordings = [each for file in files for each in read_recordings(file, units=units, dt_s=dt_s)]

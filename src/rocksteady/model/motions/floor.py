@@ -152,7 +152,7 @@ class Floor:
 
         given = np.asarray(frequency_hz, dtype=np.float64)
         if not ((given >= 1.0 / LARGEST) & (given <= LARGEST)).all():
-            valid = "all must lie in [1e-50, 1e+50]"
+            valid = f"all must lie in [{1.0 / LARGEST:g}, {LARGEST:g}]"
             raise InputError("frequency_hz", frequency_hz, valid, "give frequencies in Hz")
         return np.asarray(hypot(*self._modes_at(1.0).shares(2.0 * math.pi * given)))
 
