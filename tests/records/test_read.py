@@ -116,5 +116,5 @@ def test_a_folder_is_read_without_vertical_channels_and_hidden_files(tmp_path: P
         with pytest.raises(InputError, match=words):
             read_records(folder, pattern=pattern)
     for nothing in ("", ".", "./"):
-        with pytest.raises(InputError, match="^pattern = "):
+        with pytest.raises(InputError, match=r"^pattern = "):
             read_records(tmp_path, pattern=nothing)
