@@ -38,6 +38,19 @@ def test_the_script_has_no_imports_no_exports_and_begins_by_itself() -> None:
     assert text.endswith("$.at(-1).start();\n}\n")
 
 
+@every("scene", NAMES)
+def test_the_script_begins_in_a_worker_which_has_no_window(
+    scene: str | None, tmp_path: Path
+) -> None:
+    file = tmp_path / "worker.cjs"
+    text = (
+        f"globalThis.onmessage = null;\n{script(entry_of(scene))}\nconsole.log(typeof onmessage);"
+    )
+    file.write_text(text, encoding="utf-8")
+    ran = subprocess.run([*node(), str(file)], check=False, capture_output=True, text=True)
+    assert (ran.stdout, ran.stderr) == ("function\n", "")
+
+
 def test_modules_give_what_they_export_and_keep_the_rest(tmp_path: Path) -> None:
     entry = written(
         tmp_path,

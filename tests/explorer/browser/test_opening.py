@@ -192,6 +192,13 @@ def test_the_block_rocks_by_itself_where_motion_is_welcome(explorer: Explorer) -
 
 
 @pytest.mark.slow
+def test_jobs_run_in_workers(explorer: Explorer) -> None:
+    page = explorer.open()
+    drawn(page)
+    assert len(page.workers) >= 2
+
+
+@pytest.mark.slow
 def test_a_motion_of_millions_of_impacts_leaves_the_page_free(explorer: Explorer) -> None:
     """A lossless block on crests that just lift it: a period has a million impacts."""
     page = explorer.open({"A": 1.0000001, "W": 58.486833344963635, "r": 1})

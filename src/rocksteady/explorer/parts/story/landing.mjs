@@ -24,7 +24,6 @@ const IDLE_EVERY = 6.5; // [s]
 const NUDGE = /** @type {const} */ ([[0, 0], [0.18, 0.15], [0.36, 0]]);
 const GLOW = 0.3; // [s] of an impact
 const NARROW_PAGE = 700; // [px]
-const INSTRUCTION = matchMedia('(hover: hover)').matches ? 'Drag left or right, or use the arrow keys.' : 'Drag left or right.';
 const PROMPT = 'Push the ground.';
 
 /** Return the block of the landing. @param {import('../kernels/loader.mjs').Kernels} kernels */
@@ -67,7 +66,8 @@ export function makeLanding(app) {
     [events, trace, hits] = [[], [], []];
     begin();
     section.classList.remove('moved');
-    say(element('verdict'), touched ? PROMPT : INSTRUCTION);
+    const keys = matchMedia('(hover: hover)').matches ? ', or use the arrow keys.' : '.';
+    say(element('verdict'), touched ? PROMPT : `Drag left or right${keys}`);
     say(element('facts'), '');
     wake();
   };
