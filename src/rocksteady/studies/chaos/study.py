@@ -17,6 +17,7 @@ from rocksteady.results.answer import Answer
 from rocksteady.show.export.files import FORMATS, json_text, picture_files, save_csv, save_text
 from rocksteady.show.report import render, twins
 from rocksteady.show.style.page import SCREEN, Page
+from rocksteady.show.style.palette import LABELS
 from rocksteady.show.style.tokens import HATCHES, inks_of
 from rocksteady.studies.folder import Done, environment, nothing
 from rocksteady.studies.parts import Parts
@@ -35,6 +36,7 @@ EDGES = np.linspace(0.6, 4.0, 35), np.linspace(1.0, 3.0, 21)
 """Default ends of the boxes of the map: amplitudes, and frequency ratios."""
 STRIP = np.linspace(1.16, 1.4, 13), np.linspace(1.5, 2.4, 10)
 """Default amplitudes over that at which symmetry breaks, and frequency ratios, of small boxes."""
+AXES: dict[str, Any] = {"xlabel": LABELS["frequency_ratio"], "ylabel": LABELS["amplitude"]}
 HALF_WIDTH = 1e-5
 """Half-width of a small box over its centre, in both parameters."""
 WORDS = "Lower bound of the entropy over frequency and amplitude"
@@ -113,7 +115,7 @@ class Chaos(Saved):
             drawn = axes.pcolormesh(*self.edges[::-1], shown, cmap="cividis", rasterized=True)
             axes.plot(across, level, c=inks_of(axes).ink, label="$A_{het}$")
             figure.colorbar(drawn, label="entropy per period, at least")
-            axes.set(xlabel=r"$\Omega=\omega/p$", ylabel="$A$", xlim=across[[0, -1]], ylim=up)
+            axes.set(**AXES, xlim=across[[0, -1]], ylim=up)
             axes.legend(loc="upper left", frameon=True)
         return figure
 
@@ -127,12 +129,13 @@ class Chaos(Saved):
         with page.figure(7.2, 4.6, "") as figure:
             axes = figure.subplots()
             ink, proved = inks_of(axes).ink, shown > 0.0
-            axes.scatter(places[~proved], amplitudes[~proved], s=9, fc="none", ec=ink, lw=0.5)
-            where = places[proved], amplitudes[proved]
-            drawn = axes.scatter(*where, c=shown[proved], marker="s", s=12, cmap="cividis")
+            open_, filled = ((places[each], amplitudes[each]) for each in (~proved, proved))
+            axes.scatter(*open_, s=9, fc="none", ec=ink, lw=0.5, label="nothing proved")
+            drawn = axes.scatter(*filled, c=shown[proved], marker="s", s=12, cmap="cividis")
+            drawn.set_label("chaos proved")
             axes.plot(across, breaks(across), c=ink, label="symmetry breaks")
             figure.colorbar(drawn, label="entropy per period, at least")
-            axes.set(xlabel=r"$\Omega=\omega/p$", ylabel="$A$")
+            axes.set(**AXES)
             axes.legend(loc="upper left", frameon=True)
         return figure
 
