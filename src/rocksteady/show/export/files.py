@@ -164,11 +164,15 @@ def figure_bytes(
 
 def picture_files(figure: "Figure", *, command: str = "") -> dict[str, bytes]:
     """Return a figure as a file of each of `FORMATS`, all with the layout of the svg."""
+    from matplotlib import rc_context
+
     engine, files = figure.get_layout_engine(), {}
     try:
         for kind in sorted(FORMATS, reverse=True):
             files[kind] = figure_bytes(figure, kind, command=command)
-            figure.set_layout_engine("none")  # to lay it out takes as long as to draw it
+            # To lay it out takes as long as to draw it, and a placeholder would draw it twice.
+            with rc_context({"figure.constrained_layout.use": False, "figure.autolayout": False}):
+                figure.set_layout_engine(None)
     finally:
         figure.set_layout_engine(engine)
     return {kind: files[kind] for kind in FORMATS}
