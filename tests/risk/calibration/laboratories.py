@@ -1,9 +1,11 @@
 """Laboratories with a known truth: shaking tests in sessions, as two specimens of stone have them.
 
 ``python -m tests.risk.calibration.laboratories scores 0 10`` prints held-out scores of ten of them,
-and ``coverage 0 200`` how often 90 % intervals of small ones hold what is true.
+and ``coverage 0 200`` how often 90 % intervals of small ones hold what is true.  ``drawn 0 200``
+does so where the truth comes from the default priors: there 90 % of them must hold it.
 """
 
+import functools
 import math
 import sys
 import time
@@ -17,6 +19,7 @@ from rocksteady import Block, Linear, Record, Status, calibrate, read_record
 from rocksteady.calibration import (
     ObjectPrior,
     Observations,
+    OutcomeErrors,
     Prior,
     ShakingTest,
     compute_test_fates,
@@ -43,6 +46,7 @@ class Laboratory:
     alpha_rad: Mapping[str, float]
     restitution: Mapping[str, float]
     session_gain: Mapping[str, float]
+    session_ln: float
 
 
 def motions(count: int, seed: int) -> list[Record]:
@@ -55,7 +59,7 @@ def motions(count: int, seed: int) -> list[Record]:
 
 def make_laboratory(
     seed: int, *, tests: int = 490, records: int = 14, sessions: int = 14, scatter: float = 0.0,
-    outlines: Sequence[str] = tuple(OUTLINES), spread: float = SESSION_GAIN,
+    outlines: Sequence[str] = tuple(OUTLINES), spread: float = SESSION_GAIN, drawn: bool = False,
 ) -> Laboratory:  # fmt: skip
     """Return a laboratory whose sessions take turns with the specimens.
 
@@ -72,11 +76,23 @@ def make_laboratory(
         Specimens.
     spread
         Standard deviation of the gains of sessions, in ln.
+    drawn
+        Whether objects and errors are drawn from the default priors, with one outline.
     """
     rng = np.random.default_rng([seed, 4])
+    of_test, flipped = TEST_GAIN, FLIPPED
     shakings = motions(records, seed)
     base = {name: float(rng.uniform(0.7, 0.9)) for name in outlines}
     factor = {name: float(rng.uniform(0.9, 1.05)) for name in outlines}
+    if drawn:
+        (name,), chance = outlines, np.random.default_rng([seed, 5])
+        known = ObjectPrior(name=name, width_m=OUTLINES[name][0], height_m=OUTLINES[name][1])
+        values = known.draw(chance.random((1, len(known.parameters))))[0].tolist()
+        its = dict(zip(known.parameters, values, strict=True))
+        base[name], factor[name], scatter = its["base"], its["housner_factor"], its["scatter"]
+        noise = OutcomeErrors()
+        errors = (noise.session_ln, noise.sigma_ln, noise.outliers)
+        spread, of_test, flipped = (float(each.quantile(chance.random())) for each in errors)
     blocks, gain_of = {}, {}
     given: list[ShakingTest] = []
     truth: list[ShakingTest] = []
@@ -106,7 +122,7 @@ def make_laboratory(
                 )
             )
             truth.append(replace(given[-1], object=f"day {session + 1}"))
-            error.append(shift + TEST_GAIN * float(rng.normal()))
+            error.append(shift + of_test * float(rng.normal()))
     levels = np.exp(np.array(error))[:, np.newaxis] * np.array([1.0, 0.95, 1.05])
     fell = (
         compute_test_fates(
@@ -115,8 +131,9 @@ def make_laboratory(
         )["status"].values.reshape(len(given), 3)
         == Status.OVERTURNED
     )  # fmt: skip
-    edge = (fell != fell[:, :1]).any(axis=1)
-    flips = edge & (rng.random(len(given)) < FLIPPED / max(edge.mean(), FLIPPED))
+    edge = (fell != fell[:, :1]).any(axis=1) | drawn
+    share = flipped / 2.0 if drawn else flipped / max(edge.mean(), flipped)
+    flips = edge & (rng.random(len(given)) < share)
     outcomes = fell[:, 0] ^ flips
     objects = {
         name: ObjectPrior(name=name, width_m=OUTLINES[name][0], height_m=OUTLINES[name][1])
@@ -133,6 +150,7 @@ def make_laboratory(
         alpha_rad={name: block.alpha for name, block in middle.items()},
         restitution=factor,
         session_gain=gain_of,
+        session_ln=spread,
     )
 
 
@@ -166,15 +184,15 @@ def fit(tests: Observations, prior: Prior | None = None) -> Calibration:
     return calibrate(tests, prior, folds="record", model=Linear())
 
 
-def covered(seed: int) -> dict[str, list[bool]]:
+def covered(seed: int, *, drawn: bool = False) -> dict[str, list[bool]]:
     """Return whether 90 % intervals of 60 tests on 12 records hold what is true."""
     name = tuple(OUTLINES)[seed % 2]
-    made = make_laboratory(seed, tests=60, records=12, sessions=6, outlines=(name,))
+    made = make_laboratory(seed, tests=60, records=12, sessions=6, outlines=(name,), drawn=drawn)
     posterior = fit(made.tests).posteriors[name]
     truth = {
         "alpha_rad": made.alpha_rad[name],
         "housner_factor": made.restitution[name],
-        "session_ln": SESSION_GAIN,
+        "session_ln": made.session_ln,
     }
     held = {}
     for key, value in truth.items():
@@ -187,10 +205,11 @@ def covered(seed: int) -> dict[str, list[bool]]:
 
 def main(kind: str, first: int, last: int) -> None:
     """Print scores, or coverage, of laboratories."""
+    coverage = functools.partial(covered, drawn=kind == "drawn")
     kept: dict[str, list[Any]] = {}
     began = time.perf_counter()
     for seed in range(first, last):
-        rows: Mapping[str, Any] = table_of(seed) if kind == "scores" else covered(seed)
+        rows: Mapping[str, Any] = table_of(seed) if kind == "scores" else coverage(seed)
         for name, values in rows.items():
             kept.setdefault(name, []).extend([values] if kind == "scores" else values)
         means = {name: np.mean(values, axis=0).round(4).tolist() for name, values in kept.items()}
