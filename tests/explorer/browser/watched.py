@@ -53,7 +53,7 @@ class Watch:
         self.faults = kept
 
     def _console(self, message: ConsoleMessage) -> None:
-        if message.type == "error":
+        if message.type == "error" or message.text.startswith("no worker"):
             self.faults.append(f"console: {message.text}")
 
     def _error(self, error: WebError) -> None:

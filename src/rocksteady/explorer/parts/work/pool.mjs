@@ -40,6 +40,7 @@ export function makePool(module, program, here) {
   let queue = [];
   let count = 0;
   let turn = 0; // the timer of the next job on the page's own thread
+  let told = false;
 
   const running = () => [...hands].flatMap(({ asked }) => asked ?? []);
   /** @param {Asked} asked @param {any} result @param {string} [fault] */
@@ -60,6 +61,8 @@ export function makePool(module, program, here) {
   const nextHere = () => { // one a turn, so that the page answers in between
     turn = 0;
     if (!queue.length) return;
+    if (!told) console.warn('no worker starts here: jobs run on the thread of the page');
+    told = true;
     const asked = takenOf(queue);
     try {
       finish(asked, here(asked.job, asked.args));
