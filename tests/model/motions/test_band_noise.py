@@ -171,6 +171,7 @@ def test_what_is_no_noise_is_refused() -> None:
         ("duration", 0.0),
         ("duration", 1e6),
         ("seed", -1),
+        ("seed", 2**64),
         ("seed", 1.5),
         ("number", -1),
     ):
