@@ -20,12 +20,12 @@ def test_the_largest_acceleration_is_that_of_lines_and_a_bound_of_sinusoids() ->
             Segment(duration=0.5, constant=c, slope=m) for c, m in generator.normal(size=(3, 2))
         ]
         swing = Segment(duration=2.0, constant=0.3, slope=-0.8, amplitude=0.4, frequency=20.0)
-        lines = segment_table(Piecewise(pieces=line))
+        lines = segment_table(Piecewise(pieces=tuple(line)))
         ends = [(each.constant, each.constant + 0.5 * each.slope) for each in line]
         expected = float(np.abs(ends).max())
         assert largest_acceleration(lines) == pytest.approx(expected)
         assert peak_acceleration(lines) == pytest.approx(expected)
-        both = segment_table(Piecewise(pieces=[*line, swing]))
+        both = segment_table(Piecewise(pieces=(*line, swing)))
         at = np.linspace(0.0, 3.5, 2000)
         seen = float(np.abs(base_acceleration(both, at)).max())
         assert seen <= peak_acceleration(both) < 1.01 * seen
