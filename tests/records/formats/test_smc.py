@@ -37,6 +37,13 @@ def test_smc_vertical_and_without_comments(tmp_path: Path) -> None:
     assert found.orientation == "vertical"
 
 
+def test_smc_counts_its_comments_with_or_without_their_bar(tmp_path: Path) -> None:
+    for comment in ("| 12.5 of comment", "12.5 of comment"):
+        (found,) = read(tmp_path, smc(CM).replace("| 12.5 of comment", comment))
+        close(found, CM, 5e-3)
+        assert found.warnings == ()
+
+
 def test_smc_of_times_and_samples_in_turn(tmp_path: Path) -> None:
     times = 0.00149 * np.arange(len(CM))
     times[9::10] += 0.0006
