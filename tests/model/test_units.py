@@ -46,6 +46,15 @@ def test_the_units_are_those_of_the_block_and_its_motions() -> None:
         assert np.gradient(rate, fine)[1:-1] == pytest.approx(turn[1:-1], rel=1e-3, abs=1e-2)
 
 
+def test_degrees_are_those_of_alpha_and_rates_are_by_seconds() -> None:
+    angle = math.degrees(BLOCK.alpha)
+    sizes = {"_deg": angle, "_deg_s": angle * BLOCK.p, "_deg_s2": angle * BLOCK.p**2}
+    for name, (unit_name, _) in CONVERSIONS.items():
+        for suffix, size in sizes.items():
+            if unit_name.endswith(suffix):
+                assert one(name) == pytest.approx(size, rel=1e-14), name
+
+
 def test_every_name_ends_in_its_unit_and_what_has_no_size_gains_nothing() -> None:
     assert all(
         unit_name.endswith(SUFFIXES)

@@ -33,6 +33,13 @@ def test_each_doubling_is_one_by_the_return_map(found: Cascade) -> None:
         assert point.multipliers[1] == pytest.approx(-(0.8 ** (2 * point.impacts)), rel=1e-5)
 
 
+def test_a_dataset_numbers_the_doublings_from_one(found: Cascade) -> None:
+    data = found.to_dataset()
+    assert data["doubling"].values.tolist() == [1, 2, 3, 4, 5, 6]
+    assert data["period"].sel(doubling=3) == 4
+    assert data["frequency_ratio"].values.tolist() == list(found.values)
+
+
 def test_it_lies_where_the_paper_has_its_doubled_orbit(found: Cascade) -> None:
     # Doubled at 1.78, gone by 1.77 (TW7).
     assert 1.78 < found.values[0] < 1.80

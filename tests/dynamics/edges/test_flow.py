@@ -73,6 +73,15 @@ def test_states_after_impacts_are_those_of_a_run() -> None:
         assert found.phase == pytest.approx(4.0 * float(run.impacts.pt[count - 1]), abs=1e-12)
 
 
+@every("restitution", [0.0, 0.5])
+def test_off_a_wall_a_velocity_into_it_is_one_away_from_it(restitution: float) -> None:
+    block = DimensionlessBlock(restitution=restitution, one_sided=True)
+    flow = Flow(block, Harmonic(amplitude=2.0, frequency_ratio=4.0), Linear())
+    away, into = (flow.carried(0.0, velocity, 0.5, 1.5) for velocity in (0.3, -0.3))
+    assert away == into
+    assert away.angle > 0.0
+
+
 def test_an_impact_that_stops_the_block_cannot_be_undone() -> None:
     block = DimensionlessBlock(restitution=0.0, one_sided=True)
     with pytest.raises(ModelError, match="restitution above 0"):

@@ -27,7 +27,9 @@ from rocksteady.basins import (
     find_hilltop_saddles,
 )
 from rocksteady.dynamics.edges._flow import Flow
-from rocksteady.dynamics.edges._leaving import FromHilltop, FromOrbit
+from rocksteady.dynamics.edges._leaving import FromHilltop, FromOrbit, Images
+from rocksteady.dynamics.edges._sampling import Plane, Sampled
+from rocksteady.dynamics.edges.growing import _branch
 from rocksteady.dynamics.orbits.return_map import harmonic
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from rocksteady.errors import ModelError
@@ -293,6 +295,17 @@ def test_a_longer_branch_contains_a_shorter_one() -> None:
     assert other.length > one.length
     count = int(np.searchsorted(one.label, 2.0))
     assert (other.first[:count] == one.first[:count]).all()
+
+
+def test_a_branch_is_broken_where_its_samples_are() -> None:
+    plane = Plane(np.zeros(2), np.ones(2), 0.0)
+    first, none = np.linspace(0.0, 0.8, 5), np.zeros(5, dtype=np.int64)
+    images = Images(first, np.zeros(5), none, none + 1, none > 0)
+    for breaks in ([], [0], [2], [3], [0, 3]):
+        part = Sampled(first, images, np.isin(np.arange(4), breaks), True)
+        found = _branch(part, plane, 1, 0, "length")
+        assert found.breaks.tolist() == breaks
+        assert found.arclength[-1] == pytest.approx(0.2 * (4 - len(breaks)))
 
 
 def test_what_has_no_manifolds_is_refused() -> None:

@@ -96,4 +96,6 @@ def test_its_trajectory_stays_where_a_run_would_leave() -> None:
     expected = -1.0 - 0.2 / (1.0 + 0.0625) * np.sin(0.25 * times)
     assert angle == pytest.approx(expected, abs=1e-12)
     assert "Hilltop saddle on the negative side" in repr(saddle)
+    other, _ = find_hilltop_saddles(DimensionlessBlock(restitution=0.9), motion)
+    assert "Hilltop saddle on the positive side" in repr(other)
     assert saddle.to_dict()["impacts_per_period"] == 0

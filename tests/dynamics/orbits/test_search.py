@@ -1,6 +1,7 @@
 """All orbits at a point: closed forms, the map itself, kicks, and what cannot be one."""
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -453,6 +454,21 @@ def test_an_orbit_that_comes_to_rest_is_among_them(point: tuple[float, float, fl
     assert found is not None
     assert found.rest_phases == 2
     assert any(orbit.rest_phases for orbit in at(*point, seeds=24))
+
+
+def test_an_orbit_that_comes_to_rest_is_found_up_to_its_period() -> None:
+    for longest in (1, 2, 3, 4):
+        found = at(1.173, 6.075, 0.43, max_period=longest, seeds=1)
+        resting = [orbit.period for orbit in found if orbit.rest_phases]
+        assert resting == ([3] if longest >= 3 else []), longest
+
+
+def test_an_orbit_is_stable_where_both_multipliers_lie_inside_the_unit_circle(
+    many: tuple[Orbit, ...],
+) -> None:
+    for pair, stable in (((0.9, 0.1), True), ((1.0, 0.1), False), ((1j, -1j), False)):
+        orbit = replace(many[0], multipliers=np.array(pair, dtype=np.complex128))
+        assert orbit.stable is stable, pair
 
 
 def test_orbits_whose_half_cycles_no_flight_stays_on_are_given_all_the_same() -> None:

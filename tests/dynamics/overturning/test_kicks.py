@@ -98,6 +98,16 @@ def test_a_kick_during_a_motion_is_an_impulse_of_it(block: Block, model: Model) 
             assert (run.status is Status.OVERTURNED) is falls
 
 
+def test_a_push_on_the_way_saves_as_much_of_the_kick_as_it_adds_to_the_growing_part() -> None:
+    # z = u + u' grows by z' = z - 1 + a, and the block falls where z comes to 1 and more.
+    pieces = Segment(duration=0.5, constant=0.8), Segment(duration=0.5, constant=0.3)
+    motion = Piecewise(pieces=pieces)
+    kicks = find_fatal_kicks(BARE, motion=motion, times_pt=(0.0, 0.5), within=(0.4, 0.9))
+    first, last = 1.0 - math.exp(-0.5), math.exp(-0.5) - math.exp(-1.0)
+    expected = 1.0 - 0.8 * first - 0.3 * last, 1.0 - 0.3 * first
+    assert kicks.signed[:, 0] == pytest.approx(expected, rel=1e-11)
+
+
 @pytest.mark.slow
 def test_kicks_during_a_record_agree_with_time_histories() -> None:
     record = ground(1).scaled(0.7)

@@ -153,6 +153,9 @@ def test_a_falling_block_rises_through_the_critical_angle_for_the_last_time() ->
     assert 1e-9 * math.exp(last) == pytest.approx(beta * math.sin(5.0 * last), rel=1e-6)
     assert np.all(1e-9 * np.exp(later) > beta * np.sin(5.0 * later))
     assert last > 10.0
+    # It turns back below: 1 - cosh t + 0.5 sinh t stays under 1 - sqrt(0.75).
+    sinking = make_flight(make_forcing(-1.0, 0.0, 0.0, 0.0), 0.0, 0.5, 0.0, 0.0, 1.0)
+    assert last_rise(sinking, make_forcing(-1.0, 0.0, 0.0, 0.0), 1.0, 3.0, False) == -1.0
 
 
 def test_an_inflection_is_no_extremum() -> None:

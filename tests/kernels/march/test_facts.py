@@ -10,10 +10,15 @@ from rocksteady.kernels.core.tables import (
     AT_REST,
     COUNTED,
     ENDED_BY_IMPACT,
+    LIFT,
+    LIFT_SLOPE,
+    ORDERS,
     OVERTURNED,
     ROCKING,
     ROW_EVENT,
     ROW_PHASE,
+    SEGMENT_COLUMNS,
+    SHARES,
 )
 from rocksteady.kernels.core.tuples import Tables
 from rocksteady.kernels.march.facts import (
@@ -21,6 +26,7 @@ from rocksteady.kernels.march.facts import (
     LANDING_ROWS,
     LONGEST_REST,
     RunFacts,
+    base_at,
     fill_landings,
     run_end,
     run_facts,
@@ -61,19 +67,43 @@ def test_rows_begin_where_the_ones_before_end_and_impacts_are_between_them() -> 
         assert math.isnan(facts.overturned)
 
 
-def test_a_block_rests_after_the_bounces_that_are_not_recorded() -> None:
-    # On a still base a bounce of velocity v lasts 2 atanh(v), and the next has r v.
-    r, velocity = 0.5, 0.2
-    sides = both_sides(r)
-    ran = run(table(Piece()), sides, side=1, velocity=velocity, rest_velocity=1e-8)
+@every(("push", "ratios"), [(0.0, (0.5, 0.5)), (0.3, (0.5, 0.5)), (-0.3, (0.4, 0.7))])
+def test_a_block_rests_after_the_bounces_that_are_not_recorded(
+    push: float, ratios: tuple[float, float]
+) -> None:
+    # A bounce of velocity v on a side that is pulled back by g lasts 2 atanh(v/g), and the next,
+    # on the other side, has r v.
+    sides = both_sides(ratios)
+    base = table(Piece(constant=push))
+    ran = run(base, sides, side=1, velocity=0.2, rest_velocity=1e-8)
     starts, facts, landings = facts_of(ran, sides)
     assert ran.status == AT_REST
-    total = sum(2.0 * math.atanh(velocity * r**k) for k in range(60))
+    total, velocity = 0.0, 0.2
+    for k in range(120):
+        total += 2.0 * math.atanh(velocity / (1.0 + push if k % 2 else 1.0 - push))
+        velocity *= ratios[k % 2]
     assert facts.rested == pytest.approx(total, rel=1e-12)
     assert starts[-1] < facts.rested < facts.end
     assert np.abs(landings[5, -1]) < COUNTED
-    still = run(table(Piece()), sides)
+    still = run(base, sides)
     assert facts_of(still, sides)[1].rested == 0.0
+
+
+def test_the_base_at_any_time_is_that_of_its_segment() -> None:
+    pieces = (Piece(1.5, 0.1, -0.2, 1.2, 3.0, 0.4), Piece(2.0, amplitude=2.0, frequency=5.0))
+    segments = np.zeros((3, SHARES + 4))
+    segments[:, :SEGMENT_COLUMNS] = table(*pieces, Piece(constant=-0.7))
+    segments[1, ORDERS:] = 2, 0.3, -0.1, 0.4, 0.2
+    segments[:, LIFT : LIFT_SLOPE + 1] = (0.1, 0.2), (0.3, -0.4), (-0.5, 0.6)
+    for time in (0.0, 0.7, 1.49):
+        lift = 0.1 + 0.2 * time
+        assert base_at(segments, time) == pytest.approx((pieces[0].base(time), lift)), time
+    for since in (0.0, 1.1, 1.99):
+        swing = 0.3 * math.sin(5.0 * since) - 0.1 * math.cos(5.0 * since)
+        swing += 0.4 * math.sin(10.0 * since) + 0.2 * math.cos(10.0 * since)
+        expected = 2.0 * swing, 0.3 - 0.4 * since
+        assert base_at(segments, 1.5 + since) == pytest.approx(expected), since
+    assert base_at(segments, 3.5 + 2.0) == pytest.approx((-0.7, 0.7))
 
 
 def test_a_fall_passes_the_slenderness_and_is_followed_to_twice_that() -> None:

@@ -8,10 +8,14 @@ import pytest
 
 from rocksteady.kernels.nonlinear.drive import Drive, Instant, acceleration, foot_forcing
 from rocksteady.kernels.nonlinear.series import (
+    HIGHEST,
+    SHAKING,
     TERMS,
     WORK_ROWS,
     angle_at,
     expand,
+    fill_shaking,
+    make_work,
     root_of_parabola,
 )
 from tests.every import every
@@ -71,6 +75,21 @@ def test_the_first_curvature_is_the_equation_of_motion(seed: int) -> None:
     assert r.constant + r.amplitude * sine == pytest.approx(
         acceleration(drive, 0.0, 0.0, sine), rel=1e-13, abs=1e-14
     )
+
+
+def test_the_shaking_of_a_series_is_that_of_its_sinusoids() -> None:
+    drive = Drive(0.3, 0.0, 0.0, 2.0, 3.0, 0.0, 0.0, series=-1.0)
+    shares, phase = np.array([0.7, -0.2, 0.0, 0.0, 0.0, 0.4, 0.3, 0.0]), 0.8
+    work = make_work(shares)
+    fill_shaking(drive, math.sin(phase), math.cos(phase), work)
+    for n in range(HIGHEST - 1):
+        terms = [
+            (3.0 * k) ** n * (p * math.sin(turned) + q * math.cos(turned)) / math.factorial(n)
+            for k, (p, q) in enumerate(shares.reshape(-1, 2), 1)
+            for turned in [k * phase + 0.5 * math.pi * n]
+        ]
+        rounding = 1e-14 * sum(map(abs, terms))
+        assert work[SHAKING, n] == pytest.approx(-2.0 * sum(terms), rel=0, abs=10 * rounding), n
 
 
 def test_short_steps_take_few_terms() -> None:

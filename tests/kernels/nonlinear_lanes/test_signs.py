@@ -3,7 +3,16 @@
 import numpy as np
 
 from rocksteady.kernels.nonlinear_lanes._ends import find_places
-from rocksteady.kernels.nonlinear_lanes._layout import ANGLE, CHANGES, PLACE
+from rocksteady.kernels.nonlinear_lanes._layout import (
+    ANGLE,
+    CHANGES,
+    LANES,
+    PLACE,
+    POINTS,
+    SIZE,
+    TOP,
+)
+from rocksteady.kernels.nonlinear_lanes._signs import count_changes
 from tests.kernels.nonlinear_lanes.flights import field, in_flight, one_step, polynomials
 from tests.strategies import sample_size
 
@@ -33,3 +42,16 @@ def test_signs_count_the_roots_of_a_step() -> None:
                 # `LOW` holds the place too; here the last one that was looked at.
                 assert abs(field(lanes, PLACE)[k] - roots[0]) < 1e-8
     assert min(kinds.values()) > sample_size(200, 10)
+
+
+def test_the_guess_is_the_root_of_a_straight_line() -> None:
+    """The control points of a line lie on it, wherever among them the sign changes."""
+    expected = np.linspace(0.02, 0.98, 2 * LANES)
+    for roots in (expected[::2], expected[1::2]):
+        lanes = np.zeros(SIZE)
+        field(lanes, ANGLE)[:] = 1.0
+        field(lanes, POINTS)[:] = 1.0
+        field(lanes, POINTS + LANES)[:] = -1.0 / (TOP * roots)
+        count_changes(lanes)
+        assert (field(lanes, CHANGES) == 1.0).all()
+        np.testing.assert_allclose(field(lanes, PLACE), roots, rtol=1e-12)

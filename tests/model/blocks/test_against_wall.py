@@ -157,6 +157,17 @@ def test_a_description_has_the_wall_and_nothing_of_the_other_side() -> None:
     assert "against a wall" in str(bare)
 
 
+def test_a_description_begins_with_what_a_block_is() -> None:
+    first = [
+        (FACADE, "size"),
+        (LEANING, "sides"),
+        (FACADE.against_wall(0.5), "sides"),
+        (FACADE.capped(columns=2, cap_mass_ratio=1.0), "frame"),
+        (FACADE.capped(columns=2, cap_mass_ratio=1.0).against_wall(0.5), "sides"),
+    ]
+    assert [block.describe().facts[0].label for block, _ in first] == [label for _, label in first]
+
+
 @pytest.mark.parametrize("free", [FACADE, LEANING])
 def test_results_and_titles_name_the_wall_and_one_side(free: Block) -> None:
     block = free.against_wall(0.5)

@@ -171,6 +171,7 @@ def test_what_is_no_noise_is_refused() -> None:
         ("duration", 0.0),
         ("duration", 1e6),
         ("seed", -1),
+        ("seed", 2**64),
         ("seed", 1.5),
         ("number", -1),
     ):
@@ -178,5 +179,7 @@ def test_what_is_no_noise_is_refused() -> None:
             BandNoise(**{**good, name: value})
     with pytest.raises(InputError, match="1e9 products"):
         BandNoise(rms=0.1, band=(1.0, 5.0), duration=12000.0, seed=1)
+    # Eight sinusoids: how many there are counts, not how high they are.
+    assert BandNoise(rms=0.1, band=(1000.0, 1000.5), duration=50.0, seed=1).duration == 50.0
     with pytest.raises(ModelError, match="block"):
         add_noise(RECORD, NOISE)

@@ -1,11 +1,24 @@
 """A horizontal and a vertical motion together."""
 
+import inspect
+
 import numpy as np
 import pytest
 
-from rocksteady import BaseMotion, Block, Harmonic, Linear, Nonlinear, Piecewise, Record, simulate
+from rocksteady import (
+    BaseMotion,
+    Block,
+    Harmonic,
+    Linear,
+    Nonlinear,
+    Piecewise,
+    Pulse,
+    Record,
+    SyntheticMotion,
+    simulate,
+)
 from rocksteady.errors import InputError, ModelError
-from rocksteady.motions import Segment
+from rocksteady.motions import BandNoise, FourierSeries, Impulses, Segment
 
 BLOCK = Block.from_p(alpha=0.3, p=2.0, restitution=0.8)
 TIME = np.arange(0.0, 3.0, 0.02)
@@ -65,3 +78,14 @@ def test_a_component_is_a_base_motion() -> None:
     for given in ((3.0, None), (ACROSS, 3.0), (BaseMotion(ACROSS), None), (None, ACROSS)):
         with pytest.raises(InputError, match="it must be a Motion"):
             BaseMotion(*given)
+
+
+def test_in_si_a_motion_has_the_defaults_of_its_class() -> None:
+    checked = 0
+    for kind in (BandNoise, FourierSeries, Harmonic, Impulses, Pulse, SyntheticMotion):
+        defaults = inspect.signature(kind).parameters
+        for parameter in inspect.signature(kind.from_si).parameters.values():
+            if parameter.name in defaults:
+                assert parameter.default == defaults[parameter.name].default, f"{kind}: {parameter}"
+                checked += 1
+    assert checked > 10

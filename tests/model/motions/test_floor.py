@@ -182,6 +182,7 @@ def test_lasting_shaking_is_what_is_left_of_shaking_from_rest() -> None:
     times = start + np.linspace(0.01, 6.0, 200)
     both = [np.asarray(base_acceleration(segment_table(each), times)) for each in (begun, lasting)]
     assert both[0] == pytest.approx(both[1], abs=1e-5)
+    assert not any(piece.jump for piece in pieces)
 
 
 def test_a_rigid_building_is_its_ground_and_a_soft_one_stands_still() -> None:

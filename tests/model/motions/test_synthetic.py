@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy import signal
 
 from rocksteady import Block, SyntheticMotion
 from rocksteady.dynamics.history.base_motion import base_acceleration
@@ -69,6 +70,17 @@ def test_the_spectrum_is_the_target_on_average(damping: float, high: float) -> N
     wide = np.add.reduceat(found, bands) / np.add.reduceat(density, bands)
     within = ratio[bands] < 3.0
     np.testing.assert_allclose(wide[within], 1.0, atol=0.08)
+
+
+@every(("damping", "high"), [(0.6, 0.1), (0.2, 0.3)])
+def test_the_filters_are_those_of_the_docstring_in_phase_too(damping: float, high: float) -> None:
+    one = motion(filter_damping=damping, high_pass_ratio=high)
+    turn, found = signal.sosfreqz(one._filters(), 64)
+    # The bilinear transformation, over omega_g = 6.
+    s = 2.0j / one.step * np.tan(0.5 * turn) / 6.0
+    ground = (2.0 * damping * s + 1.0) / (s * s + 2.0 * damping * s + 1.0)
+    low = s * s / (s * s + 2.0 * damping * high * s + high * high)
+    np.testing.assert_allclose(found, ground * low, rtol=1e-9)
 
 
 def test_the_envelope() -> None:

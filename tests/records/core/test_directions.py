@@ -243,3 +243,8 @@ def test_real_files_of_pacoima_dam() -> None:
     assert found.vertical.processing
     filed = np.array(" ".join(paths[2].read_text().splitlines()[4:]).split(), dtype=np.float64)
     np.testing.assert_array_equal(found.vertical.record.acceleration_m_s2, -filed * 9.80665)
+
+
+def test_an_azimuth_has_360_degrees_at_most() -> None:
+    degrees = {"0": 0.0, "359": 359.0, "360": 0.0, "360.5": None, "361": None}
+    assert {text: pointing(text).azimuth_deg for text in degrees} == degrees

@@ -90,6 +90,18 @@ def test_rows_that_are_missing_evenly(tmp_path: Path, each: int, form: str) -> N
         table(tmp_path, times)
 
 
+def test_all_columns_of_a_table_are_resampled(tmp_path: Path) -> None:
+    times = np.array([0.0, 0.01, 0.02, 0.035, 0.04, 0.05])
+    path = tmp_path / "table.csv"
+    rows = (f"{time:.3f},{100.0 * time:.1f},{5.0 - 20.0 * time:.1f}" for time in times)
+    path.write_text("time (s),N (m/s2),E (m/s2)\n" + "\n".join(rows) + "\n")
+    found = read_recordings(path, resample=True)
+    even = 0.01 * np.arange(6)
+    for each, line in zip(found, (100.0 * even, 5.0 - 20.0 * even), strict=True):
+        assert each.record.dt_s == pytest.approx(0.01)
+        np.testing.assert_allclose(each.record.acceleration_m_s2, line, atol=1e-12)
+
+
 def test_jitter_that_digits_do_not_explain(tmp_path: Path) -> None:
     times = 0.01 * np.arange(500) + np.random.default_rng(2).uniform(-0.002, 0.002, 500)
     with pytest.raises(RecordFileError, match="ask for resampling"):

@@ -71,5 +71,7 @@ def test_csmip_volume_1_of_times_and_samples_in_turn(tmp_path: Path, even: bool)
     assert found.record.dt_s == pytest.approx(0.02, abs=1e-9)
     if even:
         close(found, CM, 0.05)
+        (other,) = read(tmp_path, text.replace(".153 G", ".353 G"))
+        assert (found.warnings, len(other.warnings)) == ((), 1)
     else:
         assert "resampled" in found.processing[0]

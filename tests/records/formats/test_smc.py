@@ -22,10 +22,26 @@ def test_smc(tmp_path: Path) -> None:
     assert found.warnings == ()
 
 
+def test_smc_states_when_its_peak_comes_on_either_side(tmp_path: Path) -> None:
+    for values in (CM, -CM):
+        assert read(tmp_path, smc(values))[0].warnings == ()
+        early = np.roll(values, 50)
+        text = smc(values).partition("| 12.5")[0] + "|" + smc(early).partition("|")[2]
+        (found,) = read(tmp_path, text)
+        assert "its peak comes after" in "".join(found.warnings)
+
+
 def test_smc_vertical_and_without_comments(tmp_path: Path) -> None:
     (found,) = read(tmp_path, smc(CM, comments=0, angles=(0, 0)))
     close(found, CM, 5e-3)
     assert found.orientation == "vertical"
+
+
+def test_smc_counts_its_comments_with_or_without_their_bar(tmp_path: Path) -> None:
+    for comment in ("| 12.5 of comment", "12.5 of comment"):
+        (found,) = read(tmp_path, smc(CM).replace("| 12.5 of comment", comment))
+        close(found, CM, 5e-3)
+        assert found.warnings == ()
 
 
 def test_smc_of_times_and_samples_in_turn(tmp_path: Path) -> None:

@@ -161,3 +161,13 @@ def test_a_demand_at_the_capacity_is_satisfied() -> None:
         # With q = 2 the same peak is half of the capacity.
         again = check_facade(WALL, FacadeDemand(slv=flat)).checks[1]
         assert again.ratio == 0.5 * part
+
+
+def test_the_mechanism_is_told_without_what_the_checks_tell() -> None:
+    found = checked()
+    labels = {fact.key: fact.label for fact in found.mechanism.describe().facts if fact.label}
+    tables = {table.title: table for table in found.describe().tables}
+    told_of = [row["name"] for row in tables["Mechanism"].rows]
+    elsewhere = {"name", "d_slv_m", "d_slc_m"}
+    assert elsewhere < labels.keys()
+    assert told_of == [label for key, label in labels.items() if key not in elsewhere]

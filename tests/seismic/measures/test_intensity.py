@@ -62,6 +62,13 @@ def test_a_record_without_those_frequencies_has_no_mean_period() -> None:
     assert math.isnan(compute_measures(slow).mean_period_s)
 
 
+def test_a_push_that_grows_leaves_its_velocity_and_its_way() -> None:
+    found = compute_measures(Record(acceleration_m_s2=np.linspace(0.0, 2.0, 5), dt_s=0.25))
+    # The acceleration is 2 t, up to t = 1.
+    assert found.final_velocity_m_s == pytest.approx(1.0, rel=1e-14)
+    assert (found.pgv_m_s, found.pgd_m) == pytest.approx((1.0, 1.0 / 3.0), rel=1e-14)
+
+
 def test_simpsons_rule_is_exact_for_cubics() -> None:
     at = np.linspace(-1.0, 2.0, 7)
     assert _simpson(at**3 - 2.0 * at + 1.0, at) == pytest.approx(15.0 / 4.0 - 3.0 + 3.0, rel=1e-14)

@@ -108,6 +108,11 @@ def test_velocity_that_is_left_over_moves_the_ground_no_further_in_what_is_told(
     told = {fact.key: fact.value for fact in describe(push).facts}
     assert told["peak_displacement"] == pytest.approx(2.0)
     assert motion_course(push).displacement[-1] == pytest.approx(2.0 + 2.0 * 0.2)
+    # Without a step at the end there is no row just before it: the end itself counts.
+    pieces = Segment(duration=1.0, slope=1.0), Segment(duration=1.0, constant=1.0, slope=-1.0)
+    told = {fact.key: fact.value for fact in describe(Piecewise(pieces=pieces)).facts}
+    peaks = [told[f"peak_{name}"] for name in ("acceleration", "velocity", "displacement")]
+    assert peaks == pytest.approx([1.0, 1.0, 1.0], rel=1e-12)
 
 
 def record(count: int, dt_s: float, name: str) -> Record:

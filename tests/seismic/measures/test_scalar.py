@@ -63,7 +63,7 @@ def test_a_measure_that_does_not_exist_or_has_no_block_is_refused() -> None:
         Measure("pga_g", 0.5)
     with pytest.raises(InputError, match="period_s"):
         Measure("sa_g", 0.0)
-    for name in ("sa_g", "p_pgv_per_uplift"):
+    for name in ("sa_g", "sa_avg_g", "p_pgv_per_uplift", "pga_per_uplift"):
         with pytest.raises(InputError, match="give the block"):
             compute_measure(RECORD, name)
 

@@ -11,7 +11,7 @@ import xarray
 from rocksteady import Block, Status, compute_rocking_spectrum, simulate_many
 from rocksteady.measures import compute_suite_spectrum
 from rocksteady.results.rendering import as_text
-from rocksteady.seismic.spectra.describe import describe
+from rocksteady.seismic.spectra.describe import _severity, describe
 from tests.seismic.grounds import ground
 
 ALPHA, PERIODS = [0.1, 0.2, 0.3], [1.0, 4.0]
@@ -90,6 +90,12 @@ def test_the_answer_has_the_size_of_the_largest_block_that_falls() -> None:
     block = Block.rectangle(width=width, height=height)
     assert block.p == pytest.approx(2.0 * math.pi / period, rel=5e-3)
     assert block.alpha == pytest.approx(alpha, rel=5e-3)
+
+
+def test_rows_are_ranked_by_falls_and_then_by_medians() -> None:
+    quantiles = {"peaks": [0.1, 0.2, 0.4], "overturned": 0.0}
+    assert _severity([quantiles, quantiles]) == (0.0, 0.2)
+    assert _severity([quantiles, {**quantiles, "overturned": 0.5}]) == (0.5, 0.2)
 
 
 def test_the_table_of_a_suite_has_medians_and_shares() -> None:

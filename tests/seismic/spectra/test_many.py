@@ -1,6 +1,7 @@
 """Many blocks on many records: each cell against a time history, levels, directions, refusals."""
 
 import functools
+import inspect
 import math
 from itertools import product
 
@@ -23,6 +24,7 @@ from rocksteady.measures import compute_suite_spectrum
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.pulses import Pulse
+from rocksteady.seismic.spectra.many import cells_of_many
 from tests.every import every
 from tests.seismic.grounds import ground, lifting
 
@@ -290,3 +292,11 @@ def test_a_crest_at_uplift_leaves_no_flight_without_end() -> None:
             # Bounces on the crest are of the size of rounding, which differs with the units.
             assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8)
         assert int(fates.status[0]) == Status.OVERTURNED
+
+
+def test_cells_are_made_with_the_defaults_of_the_runs() -> None:
+    runs, cells = (
+        {name: each.default for name, each in inspect.signature(function).parameters.items()}
+        for function in (simulate_many, cells_of_many)
+    )
+    assert runs == cells

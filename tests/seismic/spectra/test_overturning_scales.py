@@ -19,6 +19,8 @@ from rocksteady import (
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.seismic.spectra import overturning_scales
+from rocksteady.seismic.spectra.overturning_scales import RESOLUTION
 from tests.every import every
 from tests.records import FOLDER
 from tests.seismic.grounds import ground
@@ -94,6 +96,18 @@ def test_borders_are_found_to_the_last_digits(model: Model) -> None:
         if high < 4.0:
             assert falls(BLOCK, WAVE, high * (1.0 - near), model)
             assert not falls(BLOCK, WAVE, high * (1.0 + near), model)
+
+
+def test_a_finer_search_may_try_more_amplitudes(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(overturning_scales, "MOST", 200)
+    left = [
+        find_overturning_scales(
+            BLOCK, RECORD, within=(1.0, 1.2), resolution=part * RESOLUTION, model=Linear()
+        ).unsettled[0]
+        for part in (1.0, 0.25)
+    ]
+    assert left[0] > 0
+    assert left[1] == 0
 
 
 @pytest.mark.parametrize("reverse", [False, True])

@@ -10,7 +10,7 @@ import psutil
 import pytest
 
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.executors._local import Local
+from rocksteady.sweep.executors._local import Local, _how
 from rocksteady.sweep.run import Execution
 from tests.sweep.executors.callers import within
 from tests.sweep.executors.cases import GRID, OUTPUTS, slow
@@ -52,6 +52,11 @@ def ours() -> list[str]:
     )
     there = {**listening("tcp"), **listening("tcp6")}
     return [place for inode, place in there.items() if inode in mine]
+
+
+def test_how_a_process_has_ended_is_told() -> None:
+    ends = {0: "with status 0", 3: "with status 3", -9: "by signal 9"}
+    assert {status: _how(status) for status in ends} == ends
 
 
 def test_addresses_of_the_kernel_are_read() -> None:

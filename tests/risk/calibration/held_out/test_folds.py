@@ -11,6 +11,7 @@ from rocksteady.risk.calibration.held_out.folds import (
     choose_tempers,
     effective,
     hold_out,
+    predict_with,
     preferred,
     weighted_quantiles,
 )
@@ -137,3 +138,13 @@ def test_weighted_quantiles_are_those_of_repeated_values() -> None:
     found = weighted_quantiles(values, weights, (0.05, 0.5, 0.75, 0.95))
     assert found[:, 0].tolist() == [1.0, 1.0, 2.0, 3.0]
     assert effective(np.array([0.5, 0.5, 0.0])) == 2.0
+
+
+def test_the_error_of_a_mean_needs_two_draws() -> None:
+    weights = np.array([[0.5, 1.0], [0.5, 0.0]])
+    share = np.array([[0.2, 0.2], [0.4, 0.4]])
+    found = predict_with(weights, share, ends=False)
+    assert found["p"] == pytest.approx([0.3, 0.2])
+    assert found["effective"] == pytest.approx([2.0, 1.0])
+    # Two draws 0.1 from their mean: the standard deviation 0.1 sqrt(2), over sqrt(2).
+    assert found["error"] == pytest.approx([0.1, 0.5])
