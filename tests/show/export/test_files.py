@@ -140,6 +140,13 @@ def test_a_figure_has_one_layout_in_all_formats() -> None:
     assert origin_of(files["png"], "png")[1] == "rocksteady a"
 
 
+def test_a_figure_without_a_layout_keeps_none_whatever_the_settings() -> None:
+    figure = Figure(figsize=(2.0, 1.5))
+    with mpl.rc_context({"figure.autolayout": True}):
+        picture_files(figure)
+    assert figure.get_layout_engine() is None
+
+
 @every("kind", MAGIC)
 def test_a_picture_says_what_made_it(kind: str) -> None:
     own = f"rocksteady {__version__}"

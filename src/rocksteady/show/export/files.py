@@ -167,14 +167,14 @@ def picture_files(figure: "Figure", *, command: str = "") -> dict[str, bytes]:
     from matplotlib import rc_context
 
     engine, files = figure.get_layout_engine(), {}
-    try:
-        for kind in sorted(FORMATS, reverse=True):
-            files[kind] = figure_bytes(figure, kind, command=command)
-            # To lay it out takes as long as to draw it, and a placeholder would draw it twice.
-            with rc_context({"figure.constrained_layout.use": False, "figure.autolayout": False}):
+    # Without these, None is no layout. To lay it out takes as long as to draw it.
+    with rc_context({"figure.constrained_layout.use": False, "figure.autolayout": False}):
+        try:
+            for kind in sorted(FORMATS, reverse=True):
+                files[kind] = figure_bytes(figure, kind, command=command)
                 figure.set_layout_engine(None)
-    finally:
-        figure.set_layout_engine(engine)
+        finally:
+            figure.set_layout_engine(engine)
     return {kind: files[kind] for kind in FORMATS}
 
 
