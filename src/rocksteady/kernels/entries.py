@@ -9,13 +9,14 @@ import logging
 import time
 from typing import Any
 
-from rocksteady.kernels.batch import attractors, harmonic, pulses, records, waiting
+from rocksteady.kernels.batch import attractors, forces, harmonic, pulses, records, waiting
 from rocksteady.kernels.core import clock, motions, tables
 from rocksteady.kernels.elementary import loops
 from rocksteady.kernels.lanes import driver, settling
 from rocksteady.kernels.linear import oscillator
 from rocksteady.kernels.machine_code.compilation import Kernel, cache_folder
 from rocksteady.kernels.march import facts, march, replay
+from rocksteady.kernels.march.forces import largest_forces
 from rocksteady.kernels.nonlinear import drive
 from rocksteady.kernels.nonlinear_lanes import loop
 from rocksteady.kernels.orbits import (
@@ -42,10 +43,12 @@ _KERNELS: tuple[Any, ...] = (
     settling.lane_attractors,
     attractors.fill_clocks,
     records.record_fates,
+    forces.record_forces,
     waiting.fill_hardest,
     pulses.pulse_fates,
     harmonic.harmonic_segment,
     oscillator.fill_oscillator,
+    oscillator.fill_largest,
     # Time histories.
     march.march,
     replay.fill_states,
@@ -55,6 +58,7 @@ _KERNELS: tuple[Any, ...] = (
     facts.run_end,
     facts.run_facts,
     facts.fill_landings,
+    largest_forces,
     clock.clock,
     clock.segment_start,
     tables.is_nonlinear,

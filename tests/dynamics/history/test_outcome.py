@@ -24,10 +24,13 @@ from rocksteady import (
     check_neighbours,
     simulate,
 )
+from rocksteady.dynamics.history.lowering import mass_centres
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import steady_states
 from rocksteady.histories import Neighbours, Samples, Trajectory
 from rocksteady.kernels.core import tables as columns_of
+from rocksteady.kernels.core.tuples import Tables
+from rocksteady.kernels.march.forces import FORCES, FRICTION, fill_forces
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Motion
 from rocksteady.motions import Segment
@@ -125,6 +128,15 @@ GROUND = Record(acceleration_m_s2=9.80665 * samples(), dt_s=0.02, name="hut")
 LIFT = Record(acceleration_m_s2=2.0 * samples(9), dt_s=0.02, name="up")
 
 
+def forces(run: Trajectory, rows: np.ndarray, since: np.ndarray) -> np.ndarray:
+    """Return the forces over the weight at times since the start of flights, and their ratio."""
+    assert isinstance(run.block, Block)
+    found = np.empty((FORCES, len(rows)))
+    tables = Tables(run.segments, run.sides)
+    fill_forces(tables, run.rows, rows, since, mass_centres(run.block), found)
+    return found
+
+
 @every("slope", [1.0 / 6.0, 0.3, 0.1])
 @every("above", [1.3, 2.1])
 @every("sign", [1.0, -1.0])
@@ -135,8 +147,7 @@ def test_friction_at_uplift_of_a_rectangle(slope: float, above: float, sign: flo
     push = Segment(duration=1e-4, constant=sign * level / block.alpha)
     run = simulate(block, Piecewise(pieces=(push,)))
     first = run.rows[:, columns_of.ROW_SIDE].nonzero()[0][:1]
-    across, up = run._forces(first, np.zeros(1))
-    ratio = across[0] / up[0]
+    ratio = forces(run, first, np.zeros(1))[FRICTION, 0]
     expected = (level * (1.0 + 4.0 * slope**2) + 3.0 * slope) / (
         4.0 + slope**2 + 3.0 * level * slope
     )
@@ -173,7 +184,7 @@ def test_friction_is_that_of_the_path_of_the_mass_centre(vertical: Record | None
         lift = np.interp(at, times[: len(vertical.acceleration_m_s2)], vertical.acceleration_m_s2)
     ratio = np.abs(base + across) / (block.gravity + lift + up)
     index = np.flatnonzero(run.flights.side)[long][:200]
-    found = np.divide(*run._forces(index, 0.5 * run.flights.duration[index]))
+    found = forces(run, index, 0.5 * run.flights.duration[index])[FRICTION]
     np.testing.assert_allclose(found, ratio, rtol=1e-3, atol=1e-4)
     assert run.friction_needed is not None
     assert run.friction_needed >= found.max()

@@ -4,6 +4,7 @@ import functools
 import json
 from itertools import product
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -25,6 +26,7 @@ from rocksteady.measures import compute_measure
 from rocksteady.model.equations import Linear
 from rocksteady.results.gridded import described
 from rocksteady.risk import Levels, RestitutionBand
+from rocksteady.risk.ensemble.qualification import FORCES, SHARE
 from rocksteady.risk.ensemble.runs import run_each
 from rocksteady.sweeps import evaluate
 from tests.every import every
@@ -114,6 +116,46 @@ def test_each_cell_is_a_time_history() -> None:
                 first = run.flights.pt[lifted[0]] / block.p if len(lifted) else np.nan
                 assert float(cell.uplift_time_s) == pytest.approx(first, rel=1e-9, nan_ok=True)
     assert {Status.AT_REST, Status.OVERTURNED} <= set(found.status.values.ravel().tolist())
+
+
+def test_forces_of_a_mass_are_those_of_each_time_history() -> None:
+    """Nan of a fall and without uplift; twice the mass has twice the force."""
+    blocks, motions, masses = BLOCKS[:2], MOTIONS[:2], [120.0, 300.0]
+    settings: dict[str, Any] = {
+        "levels": Levels("pga_per_uplift", [0.9, 1.05, 1.3], beside=()),
+        "restitution": RestitutionBand(draws=2),
+    }
+    found = run_ensemble(blocks, motions, mass_kg=masses, **settings)
+    assert not set(FORCES) & set(run_ensemble(blocks, motions, **settings).data_vars)
+    assert found["base_force_down_kn"].attrs["units"] == "kN"
+    finite = 0
+    for i, j, lift, draw, k in product(range(2), range(2), range(2), range(2), range(3)):
+        cell = found.isel(block=i, record=j, direction=0, vertical=lift, draw=draw, level=k)
+        motion = motions[j]
+        base = BaseMotion(motion) if isinstance(motion, Record) else motion
+        if not lift:
+            base = BaseMotion(base.horizontal)
+        ratios = settings["restitution"].ratios(blocks[i])[draw].tolist()
+        run = simulate(blocks[i].with_restitution(tuple(ratios)), base.scaled(float(cell["scale"])))
+        forces = run.base_force_kn(masses[i])
+        if forces is None or run.status is Status.OVERTURNED:
+            forces = (np.nan, np.nan)
+        finite += bool(np.isfinite(forces).all())
+        got = [float(cell[name]) for name in FORCES]
+        assert got == pytest.approx(forces, rel=1e-9 * run.growth, nan_ok=True)
+    assert finite > 10
+    (row,) = described(found.isel(level=[1])).tables[0].rows
+    known = found["base_force_down_kn"].isel(level=1).values
+    assert row["base_force_down_kn"] == np.quantile(known[np.isfinite(known)], SHARE)
+    heavier = run_ensemble(blocks[0], motions, mass_kg=240.0, **settings)
+    one = found["base_force_across_kn"].isel(block=[0])
+    np.testing.assert_allclose(heavier["base_force_across_kn"], 2.0 * one, rtol=1e-12)
+
+
+@every("mass", [0.0, -1.0, np.nan, [100.0], [100.0, 0.0], [1.0, 2.0, 3.0]])
+def test_a_mass_that_is_none_or_of_another_number_of_blocks_is_refused(mass: Any) -> None:
+    with pytest.raises(InputError, match=r"^mass_kg"):
+        run_ensemble(BLOCKS[:2], SUITE, mass_kg=mass)
 
 
 @pytest.mark.parametrize("model", [Linear(), None])

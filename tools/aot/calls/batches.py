@@ -12,7 +12,7 @@ from rocksteady.kernels.batch.attractors import REAL_COLUMNS, WHOLE_COLUMNS
 from rocksteady.kernels.core.tables import ALPHA, CEILING, LEAN, PEAK_COLUMNS, RATE, RESTITUTION
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.model.motions.pulses import Pulse
-from tools.aot.calls.drawn import PULSES, SLENDER, Drawn
+from tools.aot.calls.drawn import CENTRES, PULSES, SLENDER, Drawn
 from tools.aot.calls.recorder import Recorder
 
 MOST = 10_000
@@ -134,6 +134,8 @@ def record_records(
     after = np.full(count, AFTERWARDS)
     peaks = np.zeros((count, PEAK_COLUMNS))
     call("record_fates", segments, sides, after, 2000, status, impacts, peaks)
+    centres = np.tile(CENTRES, (count, 1, 1))
+    call("record_forces", segments, sides, after, centres, 2000, np.zeros((count, 2)))
     call("fill_hardest", segments, nonlinear, np.zeros(len(segments) - 1))
 
 

@@ -29,6 +29,8 @@ from rocksteady.model.motions.segments import Harmonic, Piecewise, Segment
 
 Floats = NDArray[np.float64]
 
+CENTRES = np.array([[0.2, 0.75], [0.3, 0.7]])
+"""Where the mass centre of a block lies, for the forces on its base."""
 SLENDER = Block.from_p(alpha=0.25, p=2.0)
 """The block whose units the tables of records and of the nonlinear model have."""
 PULSES = ("half-sine", "one-sine", "one-cosine", "ricker", "type-c2")

@@ -25,7 +25,8 @@ from rocksteady.kernels.core.tables import (
     March,
 )
 from rocksteady.kernels.march.facts import LANDING_ROWS
-from tools.aot.calls.drawn import MOTIONS, Drawn
+from rocksteady.kernels.march.forces import FORCES
+from tools.aot.calls.drawn import CENTRES, MOTIONS, Drawn
 from tools.aot.calls.recorder import Recorder
 
 LIMIT = 400
@@ -131,6 +132,7 @@ def _facts(call: Recorder, segments: Any, sides: Any, rows: Any, status: int) ->
     """Record what a march amounts to."""
     starts = np.zeros(len(rows))
     call("run_facts", segments, sides, rows, status, starts)
+    call("largest_forces", segments, sides, rows, 1.0, CENTRES, np.zeros(FORCES))
     landings = np.zeros((LANDING_ROWS, len(rows)))
     call("fill_landings", segments, sides, rows, starts, landings)
 

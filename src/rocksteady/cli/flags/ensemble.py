@@ -198,6 +198,11 @@ class EnsembleFlags:
         "Let the restitution scatter from impact to impact with this standard deviation.",
         default=0.0,
     )
+    mass_kg: float | None = ensemble_flag(
+        "--mass-kg KG",
+        "Set the mass of the block, of a frame that of columns and cap together: the runs of --csv "
+        "and --netcdf then have the largest force on the base.",
+    )
     no_reverse: bool = ensemble_flag(
         "--no-reverse", "Run the records as recorded only; by default reversed too.", default=False
     )

@@ -1,24 +1,25 @@
 """A run in seconds, in tau and in SI: times, states, and what its base must carry."""
 
 import math
-from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
+from rocksteady.dynamics.history.lowering import mass_centres, weight_kn
 from rocksteady.dynamics.history.samples import Flights, Impacts, Samples
 from rocksteady.dynamics.history.start import State
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.tables import is_nonlinear
-from rocksteady.kernels.elementary.arrays import cos, sin, tan
+from rocksteady.kernels.core.tuples import Tables
+from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.kernels.march.facts import RunFacts
-from rocksteady.kernels.march.replay import fill_states
+from rocksteady.kernels.march.forces import FORCES, largest_forces
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import impact_friction
 from rocksteady.model.blocks.tops import overhang, top_displacement
@@ -33,16 +34,6 @@ if TYPE_CHECKING:
     from rocksteady.model.equations import Model
     from rocksteady.model.motions.segments import Motion
     from rocksteady.outcomes import Status
-
-
-FRICTION_STEP = 0.02
-"""Longest step between samples of the base force, in pivot time."""
-
-ROUNDS = 4
-"""Of refinement of its largest value: the last step is some 1e-6 of the first."""
-
-FINER = 41
-"""Samples of a round between the neighbours of the largest one."""
 
 
 @checked_result
@@ -276,8 +267,9 @@ class Physical:
         rocks.  For one against a wall neither impacts nor what the wall takes of the base shear
         while the block rests on it count.
         """
-        forces, impacts = self._friction_of_forces, self.friction_at_impacts
-        return forces if forces is None or impacts is None else max(forces, impacts)
+        if self._forces is None:
+            return None
+        return max(self._forces[2], self.friction_at_impacts or 0.0)
 
     @cached_property
     def friction_at_impacts(self) -> float | None:
@@ -295,16 +287,6 @@ class Physical:
         return max((impact_friction(*sides[sign]) for sign in signs), default=None)
 
     @cached_property
-    def _friction_of_forces(self) -> float | None:
-        """Largest ratio of horizontal and vertical force at the pivot, impacts left out."""
-
-        def ratio(across: Floats, up: Floats) -> Floats:
-            with np.errstate(divide="ignore"):
-                return np.where(up > 0.0, across / np.maximum(up, 0.0), np.inf)
-
-        return self._largest(ratio)
-
-    @cached_property
     def forces_per_weight(self) -> tuple[float, float] | None:
         """Largest horizontal and vertical force on the base while the block rocks, over its weight.
 
@@ -312,11 +294,7 @@ class Physical:
         together.  The impacts, which last no time here, are left out.  None where `uplift_g` is, or
         if the block never rocks.
         """
-        across, up = self._largest(lambda x, _: x), self._largest(lambda _, z: z)
-        if across is None or up is None:
-            return None
-        assert isinstance(self.block, Block)
-        return across / self.block.gravity, up / self.block.gravity
+        return self._forces and self._forces[:2]
 
     def base_force_kn(self, mass_kg: float) -> tuple[float, float] | None:
         """Return the largest horizontal and vertical force on the base while the block rocks [kN].
@@ -357,7 +335,7 @@ class Physical:
             )
         if parts is None:
             return None
-        weight = mass * block.gravity / 1000.0
+        weight = weight_kn(block, mass)
         return parts[0] * weight, parts[1] * weight
 
     @property
@@ -407,74 +385,18 @@ class Physical:
         return self.block.width * (self.block.alpha * self.block.p * fastest)
 
     @cached_property
-    def _rocking(self) -> tuple[Floats, NDArray[np.int64], Floats, Floats, Floats, Floats] | None:
-        """Durations of rows, and of samples while it rocks: row, time in it, step and both forces.
+    def _forces(self) -> tuple[float, float, float] | None:
+        """Largest force across and down over the weight, and ratio of both, while the block rocks.
 
         None if it never rocks, or where the forces are not known.
         """
         if self._shaken_block is None:
             return None
-        count, durations = len(self.rows), self.rows[:, columns.ROW_DURATION].copy()
-        durations[-1] = self._facts.last
+        rows, last = self.rows, self._facts.last
         if self._facts.passing >= 0:
-            count = self._facts.passing + 1
-            durations[count - 1] = self._facts.since
-        flying = np.flatnonzero(self.rows[:count, columns.ROW_SIDE])
-        if not len(flying):
-            return None
-        steps = np.ceil(durations[flying] / FRICTION_STEP).astype(np.int64).clip(1, 10_000)
-        row = np.repeat(flying, steps + 1)
-        ends = np.cumsum(steps + 1)
-        place = np.arange(ends[-1]) - np.repeat(ends - steps - 1, steps + 1)
-        step = np.repeat(durations[flying] / steps, steps + 1)
-        since = place * step
-        return durations, row, since, step, *self._forces(row, since)
-
-    def _largest(self, measure: Callable[[Floats, Floats], Floats]) -> float | None:
-        """Return the largest value of a measure of both forces while the block rocks."""
-        if self._rocking is None:
-            return None
-        durations, row, since, step, across, up = self._rocking
-        values = measure(across, up)
-        best = int(values.argmax())
-        largest, index, at, width = float(values[best]), row[best], since[best], step[best]
-        for _ in range(ROUNDS):
-            near = np.clip(np.linspace(at - width, at + width, FINER), 0.0, durations[index])
-            values = measure(*self._forces(np.full(FINER, index), near))
-            best = int(values.argmax())
-            largest, at = max(largest, float(values[best])), near[best]
-            width *= 2.0 / (FINER - 1)
-        return largest
-
-    @cached_property
-    def _starts(self) -> Floats:
-        """Pivot time at which each segment of the base motion starts."""
-        return base_motion.segment_starts(self.segments)
-
-    def _forces(self, row: NDArray[np.int64], since: Floats) -> tuple[Floats, Floats]:
-        """Return |horizontal| and vertical force over mass at times since the start of rows."""
-        block = self.block
-        assert isinstance(block, Block)
-        states = np.empty((3, len(row)))
-        fill_states(self.segments, self.sides, self.rows, row, since, states)
-        sign = self.rows[row, columns.ROW_SIDE]
-        alpha, radius = np.where(
-            sign > 0.0,
-            *np.array([(side.alpha, side.radius) for side in (block.positive, block.negative)])[
-                :, :, np.newaxis
-            ],
-        )
-        tilt, rate, turn = sign * block.alpha * states * [[1.0], [block.p], [block.p * block.p]]
-        left = alpha - tilt
-        sine, cosine = sin(left), cos(left)
-        index = self.rows[row, columns.ROW_SEGMENT].astype(np.int64)
-        # Of the row's own segment, whose end is not yet the next one's start.
-        across, up = base_motion.accelerations_in(
-            self.segments, self._starts, index, self.flights.pt[row] + since
-        )
-        radius = radius * (1.0 if block.cap is None else block.cap.lever)
-        # Of the mass centre against the base, towards the side to which the block leans.
-        sideways = radius * (cosine * turn + sine * rate * rate)
-        upwards = radius * (sine * turn - cosine * rate * rate)
-        horizontal = np.abs(sideways - sign * across * block.uplift_acceleration)
-        return horizontal, block.gravity * (1.0 + up) + upwards
+            rows, last = rows[: self._facts.passing + 1], self._facts.since
+        largest = np.empty(FORCES)
+        centres = mass_centres(self._shaken_block)
+        largest_forces(Tables(self.segments, self.sides), rows, last, centres, largest)
+        across, down, ratio = largest.tolist()
+        return None if math.isnan(across) else (across, down, ratio)

@@ -125,6 +125,23 @@ def only_side(sides: Floats) -> int:
     return -1 if sides[1, columns.RESTITUTION] <= 0.0 else 0
 
 
+def mass_centres(block: Block) -> Floats:
+    """Return alpha [rad] and R p^2/g of a block's sides, shape (2, 2).
+
+    R is the distance from the pivot to the mass centre, of a frame to that of all its parts.
+    """
+    lever = 1.0 if block.cap is None else block.cap.lever
+    sides = block.positive, block.negative
+    return np.array(
+        [(each.alpha, lever * each.radius * each.p**2 / block.gravity) for each in sides]
+    )
+
+
+def weight_kn(block: Block, mass_kg: float) -> float:
+    """Return the weight of a block of some mass [kN]."""
+    return mass_kg * block.gravity / 1000.0
+
+
 def symmetric_sides(restitution: Floats) -> Floats:
     """Return the sides of symmetric blocks, shape (blocks, 2, 3), from their restitutions."""
     sides = np.ones((len(restitution), 2, 3))

@@ -13,7 +13,7 @@ from rocksteady.dynamics.history.nonlinear_tables import (
 )
 from rocksteady.dynamics.history.start import HasStart, Start, initial_march, start_of
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.kernels.core.tables import ROW_COLUMNS
+from rocksteady.kernels.core.tables import ROW_COLUMNS, SMALLEST_BOUNCE
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.facts import run_end
 from rocksteady.kernels.march.march import march
@@ -26,9 +26,6 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
 from rocksteady.outcomes import Status
-
-SMALLEST_BOUNCE = 1e-8
-"""Chatter slower than this (du/ds) may come to rest: its bounces are below 1e-16 of alpha."""
 
 LONGEST_RUN = 1.0e15
 """Most forcing periods of a run; their half periods are still counted exactly."""

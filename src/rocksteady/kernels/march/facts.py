@@ -174,7 +174,12 @@ def base_at(segments: Floats, time: float) -> tuple[float, float]:
     while index + 1 < len(segments) and begun + segments[index, columns.DURATION] <= time:
         begun += segments[index, columns.DURATION]
         index += 1
-    since = time - begun
+    return base_in(segments, index, time - begun)
+
+
+@compiled
+def base_in(segments: Floats, index: int, since: float) -> tuple[float, float]:
+    """Return the same a time after the start of a segment."""
     turned = segments[index, columns.FREQUENCY] * since + segments[index, columns.PHASE]
     swing = sin(turned)
     if is_series(segments, index):

@@ -226,7 +226,8 @@ class Assessment(Result):
         runs, facts = self._at_demand, self.facts
         if runs is None:
             return None
-        return forces_of_standing(runs, facts.block, self.motions, facts.mass_kg)
+        (force,) = forces_of_standing([runs], [facts.block], self.motions, [facts.mass_kg])
+        return force
 
     @property
     def _at_demand(self) -> "xarray.Dataset | None":

@@ -2,9 +2,9 @@
 
 import time
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -41,6 +41,7 @@ from rocksteady.risk.assess.described.building import Building, on_floors
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.two_numbers import assess_by_formula, share_words
 from rocksteady.risk.ensemble.qualification import (
+    FORCES,
     OUTPUTS,
     forces_of_standing,
     most_of_standing,
@@ -53,15 +54,14 @@ from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.seismic.measures.scalar import GIVEN, Measure
 from rocksteady.sweep.run import Execution
 
+if TYPE_CHECKING:
+    import xarray
+
 METHOD = (
     "Each object is assessed as one of its own file: by the curve through its runs at all levels "
     "and restitutions, or, where no curve can be fitted, by the share of its runs at the demand; "
     f"over PGV it is of the runs that lift, {GIVEN}."
 )
-
-
-FORCES = ("base_force_across_kn", "base_force_down_kn")
-"""Columns of the force on the base."""
 ORDER = {"red": 0, "amber": 1, "grey": 2, "green": 3}
 """Place of a colour on the screen: an object without an answer comes before what is safe."""
 
@@ -282,7 +282,8 @@ def assess_objects(
     fragilities = dict(zip(rocking, fitted, strict=True))
     inner = None if run is None else replace(run, store=None, progress=None)
     counts = count_at_demand(asked, shaken, levels, run=inner)
-    rows = []
+    rows: list[dict[str, Any]] = []
+    near: dict[int, xarray.Dataset] = {}
     for place, (each, onset, level) in enumerate(zip(asked, onsets, levels, strict=True)):
         answer = NO_ANSWER
         if place in fragilities:
@@ -291,10 +292,18 @@ def assess_objects(
         row = _row(each, onset, answer, level, counts[place]) | dict.fromkeys((*OUTPUTS, *FORCES))
         if place in fragilities and answer.basis != "statics":
             runs, measure = fragilities[place].ensemble, fragilities[place].measure
-            near = runs_near(runs, level.of(measure, each.block))
-            force = forces_of_standing(near, each.block, shaken[place], each.body.mass_kg)
-            row |= most_of_standing(near) | dict(zip(FORCES, force or (), strict=False))
+            near[place] = runs_near(runs, level.of(measure, each.block))
+            row |= most_of_standing(near[place])
         rows.append(row | _kept(each, row))
+    for places in _alike(shaken, near):
+        forces = forces_of_standing(
+            [near[place] for place in places],
+            [asked[place].block for place in places],
+            shaken[places[0]],
+            [asked[place].body.mass_kg for place in places],
+        )
+        for place, force in zip(places, forces, strict=True):
+            rows[place] |= dict(zip(FORCES, force or (), strict=False))
     return ObjectsTable(
         rows=tuple(rows),
         pga_g=pga_g,
@@ -320,6 +329,16 @@ def _asked(
             "give the PGV, and the PGA where it is known",
         )
     return described.with_peaks(pga_g=pga_g, pgv_m_s=pgv_m_s)
+
+
+def _alike(
+    motions: Sequence[Sequence[Record | BaseMotion]], places: Iterable[int]
+) -> list[list[int]]:
+    """Return the numbers of the objects that stand on each floor."""
+    floors: dict[int, list[int]] = {}
+    for place in places:
+        floors.setdefault(id(motions[place]), []).append(place)
+    return list(floors.values())
 
 
 def _measure_of(described: DescribedObject) -> Measure:

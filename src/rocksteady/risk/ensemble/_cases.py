@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats, Integers, Objects
+from rocksteady.dynamics.history.lowering import mass_centres
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.equations import Model
 from rocksteady.outcomes import Status
+from rocksteady.risk.ensemble.qualification import FORCES
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.spectra.batch import (
     OUTPUTS,
@@ -20,6 +22,7 @@ from rocksteady.seismic.spectra.batch import (
     keys_of,
     scattered_sides,
     shaken_fates,
+    shaken_forces,
     sides_in_si,
     told_apart,
 )
@@ -88,6 +91,7 @@ def fates(
     mirrored_from: str | None,
     model: Model,
     levels: Floats | None = None,
+    weights_kn: Floats | None = None,
 ) -> dict[str, NDArray[Any]]:
     """Return how the blocks of some cells fare.
 
@@ -109,6 +113,8 @@ def fates(
     levels
         Levels of each block, shape (blocks, levels), where `level` is their number; by default
         `level` is the same for all.
+    weights_kn
+        Weights of the blocks [kN], for the forces on their bases; by default there are none.
     """
     ways, way = told_apart(motion)
     bodies, body = told_apart(block)
@@ -126,18 +132,27 @@ def fates(
     status = np.full(len(motion), int(Status.UNDECIDED))
     peaks, speeds = np.full((2, len(motion)), np.nan)
     impacts = np.zeros(len(motion), dtype=np.int64)
-    ends = shaken_fates(
-        [each.shaking for each in ways],
-        ground=way[runs],
-        scale=scale[runs],
-        sides=sides[runs],
-        gravity=np.array([each.block.gravity for each in bodies])[body][runs],
-    )
+    shakings = [each.shaking for each in ways]
+    gravity = np.array([each.block.gravity for each in bodies])[body]
+
+    def shaken(cells: NDArray[np.bool_]) -> dict[str, Any]:
+        """Return what shakes some cells."""
+        columns = {"ground": way, "scale": scale, "sides": sides, "gravity": gravity}
+        return {name: values[cells] for name, values in columns.items()}
+
+    ends = shaken_fates(shakings, **shaken(runs))
     status[runs], peaks[runs], impacts[runs] = ends.status, ends.peak_angle, ends.impacts
     speeds[runs] = ends.peak_velocity
-    return dict(
+    found = dict(
         zip((output.name for output in OUTPUTS), (status, peaks, speeds, impacts), strict=True)
     )
+    if weights_kn is not None:
+        rocks = (status != int(Status.OVERTURNED)) & (peaks > 0.0)
+        centres = np.stack([mass_centres(each.block) for each in bodies])[body]
+        forces = np.full((len(motion), 2), np.nan)
+        forces[rocks] = shaken_forces(shakings, **shaken(rocks), centres=centres[rocks])
+        found |= dict(zip(FORCES, (forces * weights_kn[numbers, np.newaxis]).T, strict=True))
+    return found
 
 
 def whole(
@@ -165,7 +180,7 @@ def whole(
     index = np.array([[source(*cell, mirror=bool(same)) for cell in cells] for same in symmetric])
     shape = (len(bodies), len(records), len(directions), len(lifts))
     columns = {}
-    for name in (output.name for output in OUTPUTS):
+    for name in map(str, swept.data_vars):
         values = swept[name].transpose("block", "motion", "draw", "level").values
         picked = values[np.arange(len(bodies))[:, np.newaxis], index]
         columns[name] = picked.reshape(*shape, *values.shape[2:])

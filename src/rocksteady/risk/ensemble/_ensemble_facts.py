@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table, shown
 from rocksteady.results.numbers import length, number, plural
-from rocksteady.risk.ensemble.qualification import SHARE, most_of_standing
+from rocksteady.risk.ensemble.qualification import FORCES, SHARE, most_of_standing
 
 if TYPE_CHECKING:
     import xarray
@@ -41,6 +41,11 @@ def describe(dataset: "xarray.Dataset") -> Description:
         Column("top_displacement_m", f"top, {SHARE:.0%}", _moved),
         Column("clearance_m", f"gap, {SHARE:.0%}", _moved),
         Column("edge_speed_m_s", f"edge, {SHARE:.0%} [m/s]"),
+        *(
+            Column(name, f"{word}, {SHARE:.0%} [kN]")
+            for name, word in zip(FORCES, ("across", "down"), strict=True)
+            if name in dataset
+        ),
     ]
     signs = " and ".join(map(str, dataset["direction"].values))
     return Description(

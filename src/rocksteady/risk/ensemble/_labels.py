@@ -55,7 +55,8 @@ def labelled(
 
     bodies, records, names = things
     words = {output.name: output.attributes for output in OUTPUTS}
-    words |= {name: dict(attributes) for name, attributes in qualification.OUTPUTS.items()}
+    own = {**qualification.OUTPUTS, **qualification.FORCES}
+    words |= {name: dict(attributes) for name, attributes in own.items()}
     words["uplift_time_s"] = {"units": "s", "long_name": "time of the first uplift"}
     ratios = np.stack([band.ratios(block) for block in bodies])
     intensity = levels.intensity

@@ -7,14 +7,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.simulate import simulate
+from rocksteady.dynamics.history.lowering import mass_centres, weight_kn
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.tops import overhang, top_displacement
+from rocksteady.model.equations import chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import length, quantity
 from rocksteady.seismic.measures.free_sides import free_sides
+from rocksteady.seismic.spectra.batch import shaken_forces, sides_in_si
+from rocksteady.seismic.spectra.grounds import grounds_of
 
 if TYPE_CHECKING:
     import xarray
@@ -25,6 +28,14 @@ OUTPUTS: Final[Mapping[str, Mapping[str, str]]] = {
     "edge_speed_m_s": {"units": "m s-1", "long_name": "largest speed of the lifted lower edge"},
 }
 """Attributes of the variables of a dataset."""
+FORCES: Final[Mapping[str, Mapping[str, str]]] = {
+    f"base_force_{way}_kn": {
+        "units": "kN",
+        "long_name": f"largest {word} force on the base; nan of a fall or without uplift",
+    }
+    for way, word in (("across", "horizontal"), ("down", "vertical"))
+}
+"""Attributes of those that a dataset has where the masses of the blocks are known."""
 SHARE: Final = 0.84
 """Share of the runs that stand, of which a description has the largest values."""
 OF_STANDING: Final = f"in {100.0 * SHARE:.0f} % of the runs that stand"
@@ -64,12 +75,16 @@ def runs_near(runs: "xarray.Dataset", level: float) -> "xarray.Dataset":
 
 
 def most_of_standing(runs: "xarray.Dataset") -> dict[str, float | None]:
-    """Return the values that 84 % of the runs that stand do not exceed; None where none stands."""
+    """Return the values that 84 % of the runs that stand do not exceed; None where none stands.
+
+    Forces, where there are any, are those of the runs that rock and stand.
+    """
     stands = np.isfinite(runs["top_displacement_m"].values)
-    return {
-        key: float(np.quantile(runs[key].values[stands], SHARE)) if stands.any() else None
-        for key in OUTPUTS
-    }
+    values = {}
+    for key in (*OUTPUTS, *(key for key in FORCES if key in runs)):
+        known = runs[key].values[stands & np.isfinite(runs[key].values)]
+        values[key] = float(np.quantile(known, SHARE)) if len(known) else None
+    return values
 
 
 def standing_words(values: Mapping[str, float | None]) -> str:
@@ -82,34 +97,44 @@ def standing_words(values: Mapping[str, float | None]) -> str:
 
 
 def forces_of_standing(
-    runs: "xarray.Dataset",
-    block: Block,
+    runs: Sequence["xarray.Dataset"],
+    blocks: Sequence[Block],
     motions: Sequence[Record | BaseMotion],
-    mass_kg: float | None,
-) -> tuple[float, float] | None:
-    """Return the horizontal and vertical force on the base of most runs [kN].
+    masses_kg: Sequence[float | None],
+) -> list[tuple[float, float] | None]:
+    """Return the horizontal and vertical force on the base of most runs of each block [kN].
 
     84 % of the runs that rock and stand do not exceed them; None where there is none, or no mass.
 
     Parameters
     ----------
     runs
-        Those of the block at one level, whose factors are taken.
-    block, mass_kg
-        The block and its mass [kg].
+        Of each block those at one level, whose factors are taken.
+    blocks, masses_kg
+        The blocks and their masses [kg].
     motions
-        The records, each run once.
+        The records, each run once with each block.
     """
-    if mass_kg is None:
-        return None
-    forces, scales = [], runs["scale"].isel(block=0).values.tolist()
-    for motion, scale in zip(motions, scales, strict=True):
-        base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
-        run = simulate(block, base.scaled(scale))
-        parts = run.base_force_kn(mass_kg)
-        if parts is not None and run.status is not Status.OVERTURNED:
-            forces.append(parts)
-    if not forces:
-        return None
-    across, down = np.quantile(forces, SHARE, axis=0).tolist()
-    return across, down
+    heavy = [place for place, mass in enumerate(masses_kg) if mass is not None]
+    found: list[tuple[float, float] | None] = [None] * len(blocks)
+    if not heavy:
+        return found
+    grounds = grounds_of(motions)
+    model = chosen_model(None, blocks[0], grounds[0].record)
+    bodies = [blocks[place] for place in heavy]
+    number, ground = np.divmod(np.arange(len(heavy) * len(grounds)), len(grounds))
+    forces = shaken_forces(
+        grounds,
+        ground=ground,
+        scale=np.concatenate([runs[place]["scale"].isel(block=0).values for place in heavy]),
+        sides=np.stack([sides_in_si(block, model) for block in bodies])[number],
+        gravity=np.array([block.gravity for block in bodies])[number],
+        centres=np.stack([mass_centres(block) for block in bodies])[number],
+    )
+    for each, place in enumerate(heavy):
+        rocked = forces[(number == each) & np.isfinite(forces[:, 0])]
+        if len(rocked):
+            weight = weight_kn(blocks[place], masses_kg[place] or 0.0)
+            across, down = (weight * np.quantile(rocked, SHARE, axis=0)).tolist()
+            found[place] = across, down
+    return found

@@ -2,13 +2,16 @@
 
 import functools
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from rocksteady.arrays import Floats
+from rocksteady.dynamics.history.lowering import weight_kn
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import positive
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
@@ -16,13 +19,20 @@ from rocksteady.risk.ensemble._cases import Body, fates, ways_to_run, whole
 from rocksteady.risk.ensemble._labels import labelled, warnings_of
 from rocksteady.risk.ensemble._uplift import uplift_times
 from rocksteady.risk.ensemble.levels import Levels
-from rocksteady.risk.ensemble.qualification import qualification_of
+from rocksteady.risk.ensemble.qualification import FORCES, qualification_of
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel
-from rocksteady.seismic.spectra.grounds import check_grounds, extremes_of, grounds_of, names_of
+from rocksteady.seismic.spectra.grounds import (
+    check_grounds,
+    extremes_of,
+    grounds_of,
+    is_single_number,
+    names_of,
+)
 from rocksteady.seismic.spectra.many import DIRECTIONS, blocks_of, chosen
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.run import Execution
 
@@ -41,6 +51,7 @@ def run_ensemble(
     restitution: RestitutionBand | None = None,
     reverse: bool | Literal["both"] = "both",
     vertical: bool | Literal["both"] = "both",
+    mass_kg: float | Sequence[float] | None = None,
     model: Model | None = None,
     run: Execution | None = None,
 ) -> "xarray.Dataset":
@@ -67,6 +78,10 @@ def run_ensemble(
         "both" (default) for runs with and without the vertical components, where there are any;
         True or False for one of the two.  A record without one has the same run twice.  Components
         act with the sign of their files, upwards positive, reversed horizontal records too.
+    mass_kg
+        Mass of the block, of a frame that of columns and cap together, or one for each block [kg];
+        default none.  With it the largest forces on the base are found, which takes some five times
+        as long.
     model
         `Nonlinear()` (default) or `Linear()`.
     run
@@ -78,15 +93,17 @@ def run_ensemble(
         ``status`` (with flags), ``peak_angle`` (|theta|/alpha), ``impacts``, ``top_displacement_m``
         and ``clearance_m`` (as of a `Trajectory`, of the worse side, nan of a fall),
         ``edge_speed_m_s`` (of the lifted lower edge, up to a fall) and ``uplift_time_s`` (nan
-        without uplift), over ``block``, ``record``, ``direction``, ``vertical``, ``draw`` and
-        ``level``.  Coordinates are ``scale``, the factor of the accelerations, ``restitution``,
-        ``alpha`` and ``p``, and ``im_NAME`` for each measure of the records as they are.
+        without uplift), with a mass ``base_force_across_kn`` and ``base_force_down_kn`` (as
+        `Trajectory.base_force_kn`, nan of a fall and without uplift), over ``block``, ``record``,
+        ``direction``, ``vertical``, ``draw`` and ``level``.  Coordinates are ``scale``, the factor
+        of the accelerations, ``restitution``, ``alpha`` and ``p``, and ``im_NAME`` for each measure
+        of the records as they are.
 
     Raises
     ------
     InputError, ModelError
-        If an argument is outside its range, vertical motion is wanted and there is none, or the
-        linear model meets one.
+        If an argument is outside its range, vertical motion is wanted and there is none, the
+        linear model meets one, or there are not as many masses as blocks.
 
     Examples
     --------
@@ -112,6 +129,7 @@ def run_ensemble(
         restitution=band,
         reverse=reverse,
         vertical=vertical,
+        mass_kg=mass_kg,
         model=model,
         run=run,
     )
@@ -126,6 +144,7 @@ def run_each(
     restitution: RestitutionBand,
     reverse: bool | Literal["both"] = "both",
     vertical: bool | Literal["both"] = "both",
+    mass_kg: float | Sequence[float] | None = None,
     model: Model | None = None,
     run: Execution | None = None,
 ) -> list["xarray.Dataset"]:
@@ -133,7 +152,7 @@ def run_each(
 
     Parameters
     ----------
-    blocks, motions, restitution, reverse, vertical, model, run
+    blocks, motions, restitution, reverse, vertical, mass_kg, model, run
         As for `run_ensemble`.
     levels
         Levels of each block, of one measure and equally many; or the levels of all blocks, which
@@ -149,6 +168,7 @@ def run_each(
     names = names_of(records)
     for block in blocks:
         restitution.ratios(block)  # refused before anything runs
+    weights = _weights(blocks, mass_kg)
     directions = chosen(reverse, DIRECTIONS)
     lifts = _lifts(vertical, grounds)
     parts = [slice(place, place + len(blocks) // len(levels)) for place in range(len(levels))]
@@ -183,6 +203,14 @@ def run_each(
             name="draw", values=np.arange(restitution.draws), long_name="value of the restitution"
         ),
     )
+    more: dict[str, Any] = {} if alike else {"levels": at}
+    outputs = [*OUTPUTS]
+    if weights is not None:
+        more["weights_kn"] = weights
+        outputs += [
+            Output(name=name, long_name=words["long_name"], units=words["units"])
+            for name, words in FORCES.items()
+        ]
     load_kernel(equations)
     swept = evaluate(
         functools.partial(
@@ -191,10 +219,10 @@ def run_each(
             band=restitution,
             mirrored_from=directions[0] if len(several) > 1 else None,
             model=equations,
-            **({} if alike else {"levels": at}),
+            **more,
         ),
         Grid(axes=axes),
-        OUTPUTS,
+        outputs,
         run=run,
         numbered="cell",
         attributes={"model": equations.name, "measure": levels[0].key},
@@ -229,6 +257,28 @@ def run_each(
             )
         )
     return ensembles
+
+
+def _weights(blocks: Sequence[Block], mass_kg: float | Sequence[float] | None) -> Floats | None:
+    """Return the weights of blocks [kN], where their masses are given."""
+    if mass_kg is None:
+        return None
+    masses = np.atleast_1d(np.asarray(mass_kg)).tolist()
+    masses *= len(blocks) if is_single_number(mass_kg) else 1
+    if len(masses) != len(blocks):
+        raise InputError(
+            "mass_kg",
+            mass_kg,
+            f"there must be one mass for all blocks, or {len(blocks)}, one for each",
+            "give a mass in kg for each block",
+        )
+    hint = "give the mass in kg"
+    return np.array(
+        [
+            weight_kn(block, positive("mass_kg", mass, hint=hint))
+            for block, mass in zip(blocks, masses, strict=True)
+        ]
+    )
 
 
 def _lifts(value: object, grounds: Sequence[GroundShaking]) -> tuple[str, ...]:

@@ -119,6 +119,7 @@ def compute_fragility(
     restitution: RestitutionBand | None = None,
     reverse: bool | Literal["both"] = "both",
     vertical: bool | Literal["both"] = "both",
+    mass_kg: float | Sequence[float] | None = None,
     fitting: FitOptions | None = None,
     run: Execution | None = None,
 ) -> Fragility:
@@ -128,7 +129,7 @@ def compute_fragility(
 
     Parameters
     ----------
-    blocks, motions, levels, restitution, reverse, vertical, run
+    blocks, motions, levels, restitution, reverse, vertical, mass_kg, run
         As for `run_ensemble`; several blocks are pooled.
     fitting
         As for `fit_fragility`.
@@ -168,6 +169,7 @@ def compute_fragility(
         restitution=restitution,
         reverse=reverse,
         vertical=vertical,
+        mass_kg=mass_kg,
         run=run,
     )
     fragility = fit_fragility(ensemble, fitting=fitting)

@@ -6,7 +6,7 @@ vertical motion in its columns of the table.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Literal, NamedTuple
@@ -20,6 +20,7 @@ from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
 from rocksteady.dynamics.history.simulate import FLIGHT_LIMIT
 from rocksteady.errors import InputError
+from rocksteady.kernels.batch.forces import record_forces
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core import tables
 from rocksteady.kernels.core.queue import LEFT_OVER
@@ -120,6 +121,57 @@ def shaken_fates(
     count = len(scale)
     status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
     tops = np.full((count, tables.PEAK_COLUMNS), np.nan)
+    for cells, table, blocks in _by_table(grounds, ground, scale, sides, gravity):
+        fates = _room(len(cells), tables.PEAK_COLUMNS if peaks else 0)
+        run_cells(record_fates, table, blocks, FLIGHT_LIMIT, fates)
+        status[cells], impacts[cells] = fates.status, fates.impacts
+        if peaks:
+            tops[cells] = fates.peaks
+        left = fates.status == LEFT_OVER
+        if left.any():  # what a device has no room for
+            fates = _room(int(left.sum()), tables.PEAK_COLUMNS)
+            record_fates(table, Blocks(*(each[left] for each in blocks)), FLIGHT_LIMIT, fates)
+            status[cells[left]], impacts[cells[left]], tops[cells[left]] = fates
+    return Fared(status, impacts, tops[:, tables.PEAK_ANGLE], tops[:, tables.PEAK_SPEED])
+
+
+def shaken_forces(
+    grounds: Sequence[GroundShaking],
+    *,
+    ground: Integers,
+    scale: Floats,
+    sides: Floats,
+    gravity: Floats,
+    centres: Floats,
+) -> Floats:
+    """Return the largest force on the base over the weight, across and down, shape (cells, 2).
+
+    Both are those of `rocksteady.histories.Trajectory.forces_per_weight` of a single run, and nan
+    where the block falls or never rocks.
+
+    Parameters
+    ----------
+    grounds, ground, scale, sides, gravity
+        As for `shaken_fates`.
+    centres
+        Of the blocks, as from `dynamics.history.lowering.mass_centres`, shape (cells, 2, 2).
+    """
+    forces = np.empty((len(scale), 2))
+    for cells, table, blocks in _by_table(grounds, ground, scale, sides, gravity):
+        largest = np.empty((len(cells), 2))
+        record_forces(table, blocks, centres[cells], FLIGHT_LIMIT, largest)
+        forces[cells] = largest
+    return forces
+
+
+def _by_table(
+    grounds: Sequence[GroundShaking],
+    ground: Integers,
+    scale: Floats,
+    sides: Floats,
+    gravity: Floats,
+) -> Iterator[tuple[Integers, Floats, Blocks]]:
+    """Yield the numbers of cells that share a table, the table, and their blocks."""
     side_rows = sides.copy()
     side_rows[:, :, tables.LEAN] /= scale[:, np.newaxis]
     elastic = (np.abs(sides[:, :, tables.RESTITUTION]) == 1.0).all(axis=1)
@@ -133,19 +185,7 @@ def shaken_fates(
         if shaking.vertical is not None:
             table = table.copy()
             table[:, tables.LIFT :] *= scale[cells[0]]
-        fates = _room(len(cells), tables.PEAK_COLUMNS if peaks else 0)
-        blocks = Blocks(side_rows[cells], afterwards[cells])
-        run_cells(record_fates, table, blocks, FLIGHT_LIMIT, fates)
-        status[cells], impacts[cells] = fates.status, fates.impacts
-        if peaks:
-            tops[cells] = fates.peaks
-        left = cells[fates.status == LEFT_OVER]
-        if len(left):  # what a device has no room for
-            fates = _room(len(left), tables.PEAK_COLUMNS)
-            blocks = Blocks(side_rows[left], afterwards[left])
-            record_fates(table, blocks, FLIGHT_LIMIT, fates)
-            status[left], impacts[left], tops[left] = fates
-    return Fared(status, impacts, tops[:, tables.PEAK_ANGLE], tops[:, tables.PEAK_SPEED])
+        yield cells, table, Blocks(side_rows[cells], afterwards[cells])
 
 
 def _room(count: int, columns: int) -> PeakFates:

@@ -6,8 +6,8 @@ from typing import Any
 from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.results.numbers import chance, interval, number
 from rocksteady.risk.assess.caveats import CAVEATS
-from rocksteady.risk.assess.objects_table import FORCES, ObjectsTable
-from rocksteady.risk.ensemble.qualification import OF_STANDING
+from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.risk.ensemble.qualification import FORCES, OF_STANDING
 from rocksteady.show.export.provenance import provenance
 from rocksteady.show.plots.risk.plan import floors_of, plot_plan
 from rocksteady.show.report import picture, render
@@ -52,7 +52,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
             if row["clearance_m"] is None
             else f"{1000.0 * row['clearance_m']:.0f}",
             "force": NOTHING
-            if row[FORCES[0]] is None
+            if row["base_force_down_kn"] is None
             else " / ".join(number(row[key]) for key in FORCES),
             "friction": NOTHING
             if row["friction_needed"] is None
@@ -74,7 +74,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
             if count
         ],
         "demand": facts["demand"].words,
-        "forces": any(row[FORCES[0]] is not None for row in rows),
+        "forces": any(row["base_force_down_kn"] is not None for row in rows),
         "notes": [greek(note) for note in description.notes if note not in CAVEATS],
         "orders": [{"key": key, "words": words} for key, words, _ in ORDERS],
         "provenance": provenance(manifest),

@@ -103,6 +103,7 @@ def fragility(
             levels=levels,
             restitution=band,
             reverse=False if ensemble.no_reverse else "both",
+            mass_kg=ensemble.mass_kg,
             fitting=fitting,
             run=shown,
         )
