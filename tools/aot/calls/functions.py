@@ -27,14 +27,17 @@ def record_functions(call: Recorder, count: int) -> None:
 
 
 def record_oscillators(call: Recorder, samples: int) -> None:
-    """Record the states of damped oscillators under a record."""
+    """Record the states of damped oscillators under a record, and their largest motion."""
     for damping in (0.0, 0.05):
         drawn = Drawn.by_name(f"oscillator, {damping}, {samples}")
         angle = drawn.between(0.05, 0.5)
         size = math.exp(-damping * angle)
         turn = (size * math.cos(angle), size * math.sin(angle))
         step = np.array([turn, *drawn.rng.normal(scale=0.01, size=(2, 2))])
-        call("fill_oscillator", drawn.rng.normal(size=samples), step, np.zeros((2, samples)))
+        record, states = drawn.rng.normal(size=samples), np.zeros((2, samples))
+        call("fill_oscillator", record, step, states)
+        h, rate = drawn.between(0.1, 1.0), (-damping, math.sqrt(1.0 - damping * damping))
+        call("fill_largest", record, drawn.rng.normal(size=(2, samples)), h, rate, np.zeros(3))
 
 
 def _numbers(drawn: Drawn, count: int) -> NDArray[np.float64]:
