@@ -9,7 +9,7 @@ import logging
 import time
 from typing import Any
 
-from rocksteady.kernels.batch import attractors, forces, harmonic, pulses, records, waiting
+from rocksteady.kernels.batch import attractors, base_forces, harmonic, pulses, records, waiting
 from rocksteady.kernels.core import clock, motions, tables
 from rocksteady.kernels.elementary import loops
 from rocksteady.kernels.lanes import driver, settling
@@ -43,7 +43,7 @@ _KERNELS: tuple[Any, ...] = (
     settling.lane_attractors,
     attractors.fill_clocks,
     records.record_fates,
-    forces.record_forces,
+    base_forces.record_forces,
     waiting.fill_hardest,
     pulses.pulse_fates,
     harmonic.harmonic_segment,

@@ -137,13 +137,13 @@ def fates(
 
     def shaken(cells: NDArray[np.bool_]) -> dict[str, Any]:
         """Return what shakes some cells."""
-        columns = {"ground": way, "scale": scale, "sides": sides, "gravity": gravity}
-        return {name: values[cells] for name, values in columns.items()}
+        given = {"ground": way, "scale": scale, "sides": sides, "gravity": gravity}
+        return {name: values[cells] for name, values in given.items()}
 
     ends = shaken_fates(shakings, **shaken(runs))
     status[runs], peaks[runs], impacts[runs] = ends.status, ends.peak_angle, ends.impacts
     speeds[runs] = ends.peak_velocity
-    found = dict(
+    columns: dict[str, NDArray[Any]] = dict(
         zip((output.name for output in OUTPUTS), (status, peaks, speeds, impacts), strict=True)
     )
     if weights_kn is not None:
@@ -151,8 +151,8 @@ def fates(
         centres = np.stack([mass_centres(each.block) for each in bodies])[body]
         forces = np.full((len(motion), 2), np.nan)
         forces[rocks] = shaken_forces(shakings, **shaken(rocks), centres=centres[rocks])
-        found |= dict(zip(FORCES, (forces * weights_kn[numbers, np.newaxis]).T, strict=True))
-    return found
+        columns |= dict(zip(FORCES, (forces * weights_kn[numbers, np.newaxis]).T, strict=True))
+    return columns
 
 
 def whole(

@@ -55,8 +55,8 @@ def labelled(
 
     bodies, records, names = things
     words = {output.name: output.attributes for output in OUTPUTS}
-    own = {**qualification.OUTPUTS, **qualification.FORCES}
-    words |= {name: dict(attributes) for name, attributes in own.items()}
+    for variables in (qualification.OUTPUTS, qualification.FORCES):
+        words |= {name: dict(attributes) for name, attributes in variables.items()}
     words["uplift_time_s"] = {"units": "s", "long_name": "time of the first uplift"}
     ratios = np.stack([band.ratios(block) for block in bodies])
     intensity = levels.intensity

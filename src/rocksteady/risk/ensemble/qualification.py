@@ -35,7 +35,7 @@ FORCES: Final[Mapping[str, Mapping[str, str]]] = {
     }
     for way, word in (("across", "horizontal"), ("down", "vertical"))
 }
-"""Attributes of those that a dataset has where the masses of the blocks are known."""
+"""Attributes of the variables that masses of the blocks add."""
 SHARE: Final = 0.84
 """Share of the runs that stand, of which a description has the largest values."""
 OF_STANDING: Final = f"in {100.0 * SHARE:.0f} % of the runs that stand"
@@ -109,16 +109,16 @@ def forces_of_standing(
     Parameters
     ----------
     runs
-        Of each block those at one level, whose factors are taken.
+        Runs of each block at one level, whose factors are taken.
     blocks, masses_kg
         The blocks and their masses [kg].
     motions
         The records, each run once with each block.
     """
     heavy = [place for place, mass in enumerate(masses_kg) if mass is not None]
-    found: list[tuple[float, float] | None] = [None] * len(blocks)
+    values: list[tuple[float, float] | None] = [None] * len(blocks)
     if not heavy:
-        return found
+        return values
     grounds = grounds_of(motions)
     model = chosen_model(None, blocks[0], grounds[0].record)
     bodies = [blocks[place] for place in heavy]
@@ -136,5 +136,5 @@ def forces_of_standing(
         if len(rocked):
             weight = weight_kn(blocks[place], masses_kg[place] or 0.0)
             across, down = (weight * np.quantile(rocked, SHARE, axis=0)).tolist()
-            found[place] = across, down
-    return found
+            values[place] = across, down
+    return values

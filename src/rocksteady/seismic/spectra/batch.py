@@ -20,7 +20,7 @@ from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
 from rocksteady.dynamics.history.simulate import FLIGHT_LIMIT
 from rocksteady.errors import InputError
-from rocksteady.kernels.batch.forces import record_forces
+from rocksteady.kernels.batch.base_forces import record_forces
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core import tables
 from rocksteady.kernels.core.queue import LEFT_OVER
@@ -154,7 +154,8 @@ def shaken_forces(
     grounds, ground, scale, sides, gravity
         As for `shaken_fates`.
     centres
-        Of the blocks, as from `dynamics.history.lowering.mass_centres`, shape (cells, 2, 2).
+        Mass centres of the blocks, as from `dynamics.history.lowering.mass_centres`, shape
+        (cells, 2, 2).
     """
     forces = np.empty((len(scale), 2))
     for cells, table, blocks in _by_table(grounds, ground, scale, sides, gravity):
