@@ -11,6 +11,7 @@ from .assess.two_numbers import FormulaAssessment as FormulaAssessment
 from .assess.two_numbers import assess_by_formula as assess_by_formula
 from .ensemble.levels import Levels as Levels
 from .ensemble.restitution_band import RestitutionBand as RestitutionBand
+from .ensemble.ways import Ways as Ways
 from .fits.bands import BandOptions as BandOptions
 from .fits.fragility_curve import FragilityCurve as FragilityCurve
 from .fits.fragility_curve import fit_curve as fit_curve

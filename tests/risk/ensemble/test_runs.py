@@ -25,7 +25,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.measures import compute_measure
 from rocksteady.model.equations import Linear
 from rocksteady.results.gridded import described
-from rocksteady.risk import Levels, RestitutionBand
+from rocksteady.risk import Levels, RestitutionBand, Ways
 from rocksteady.risk.ensemble.qualification import FORCES, SHARE
 from rocksteady.risk.ensemble.runs import run_each
 from rocksteady.sweeps import evaluate
@@ -250,7 +250,7 @@ def test_a_mirror_image_has_the_bits_of_its_run() -> None:
     levels = Levels("pga_per_uplift", LEVELS, beside=())
     band = RestitutionBand(draws=2)
     both = run_ensemble(SYMMETRIC, MOTIONS, levels=levels, restitution=band)
-    one = run_ensemble(SYMMETRIC, MOTIONS, levels=levels, restitution=band, reverse=True)
+    one = run_ensemble(SYMMETRIC, MOTIONS, levels=levels, restitution=band, ways=Ways(reverse=True))
     assert both.attrs["runs"] == one.attrs["runs"] == 4 * 3 * 2
     for name in NAMES:
         np.testing.assert_array_equal(both[name].sel(direction=["reversed"]), one[name])
@@ -271,7 +271,7 @@ def test_plain_factors_are_the_runs_of_simulate_many() -> None:
         MOTIONS,
         levels=Levels("scale", factors, beside=()),
         restitution=RestitutionBand(draws=1),
-        vertical=True,
+        ways=Ways(vertical=True),
     )
     other = simulate_many(BLOCKS, MOTIONS, scales=factors, reverse="both")
     for name in ("status", "peak_angle", "impacts"):
@@ -372,11 +372,11 @@ def test_warnings_count_what_they_warn_of() -> None:
 
 def test_vertical_motion_needs_a_record_and_full_equations() -> None:
     with pytest.raises(InputError, match="no motion has a vertical component"):
-        run_ensemble(SYMMETRIC, SUITE, vertical=True)
+        run_ensemble(SYMMETRIC, SUITE, ways=Ways(vertical=True))
     with pytest.raises(ModelError, match="vertical"):
         run_ensemble(SYMMETRIC, MOTIONS, model=Linear())
     flat = run_ensemble(
-        SYMMETRIC, MOTIONS, model=Linear(), vertical=False, levels=Levels(levels=[1.0])
+        SYMMETRIC, MOTIONS, model=Linear(), ways=Ways(vertical=False), levels=Levels(levels=[1.0])
     )
     assert flat.attrs["model"] == "linear"
     assert flat.vertical.values.tolist() == ["without"]

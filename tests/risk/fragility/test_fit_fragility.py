@@ -24,6 +24,7 @@ from rocksteady.risk import (
     FragilityCurve,
     Levels,
     RestitutionBand,
+    Ways,
     fit_curve,
     fit_fragility,
 )
@@ -255,7 +256,7 @@ def test_mirror_images_do_not_move_a_curve() -> None:
     levels, band = Levels(levels=LEVELS, beside=()), RestitutionBand(draws=1)
     both, one = (
         compute_fragility(
-            BLOCK, SUITE, levels=levels, restitution=band, reverse=reverse, fitting=PLAIN
+            BLOCK, SUITE, levels=levels, restitution=band, ways=Ways(reverse=reverse), fitting=PLAIN
         )
         for reverse in ("both", False)
     )

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
     from rocksteady.risk.ensemble.levels import Levels
     from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+    from rocksteady.risk.ensemble.ways import Ways
     from rocksteady.seismic.measures.scalar import Measure
 
 ensemble_flag = Panel("Ensemble")
@@ -209,6 +210,13 @@ class EnsembleFlags:
     seed: int = ensemble_flag(
         "--seed N", "Set the seed of the scatter and of the bands.", default=0
     )
+
+    @property
+    def ways(self) -> "Ways":
+        """Signs of the records."""
+        from rocksteady.risk.ensemble.ways import Ways
+
+        return Ways(reverse=False if self.no_reverse else "both")
 
     def levels_asked(self) -> "Levels":
         """Return the levels.

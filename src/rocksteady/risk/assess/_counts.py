@@ -15,6 +15,7 @@ from rocksteady.outcomes import Status
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
+from rocksteady.risk.ensemble.ways import Ways
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve, fit_two_stages
 from rocksteady.seismic.measures.scalar import VELOCITIES, Measure
@@ -155,7 +156,7 @@ def run_at(
         list(motions),
         levels=Levels(measure, list(levels), beside=()),
         restitution=restitution,
-        vertical=vertical,
+        ways=Ways(vertical=vertical),
         run=run,
     )
     return count_runs(ensemble, blocks)

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_each
+from rocksteady.risk.ensemble.ways import Ways
 from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.risk.fragility.fit_fragility import fit_fragility
 from rocksteady.risk.fragility.fitting import FitOptions
@@ -202,7 +203,7 @@ def _run_objects(
     levels: Sequence[Levels],
     bands: Sequence[RestitutionBand],
     *,
-    vertical: bool | Literal["both"] = "both",
+    ways: Ways | None = None,
     run: Execution | None = None,
 ) -> list["xarray.Dataset"]:
     """Return the ensemble of each object, of all on one floor and of one restitution in a sweep."""
@@ -218,7 +219,7 @@ def _run_objects(
             motions[places[0]],
             levels=[levels[place] for place in places],
             restitution=bands[places[0]],
-            vertical=vertical,
+            ways=ways,
             run=sweep_run,
         )
         ensembles |= dict(zip(places, made, strict=True))
@@ -253,10 +254,9 @@ def count_at_demand(
     """Return the runs of each object at its demand, without vertical motion, counted."""
     at = [Levels(each.measure, [each.value], beside=()) for each in levels]
     bands = [band_of(each, most=MOST_DRAWS) for each in objects]
+    ensembles = _run_objects(objects, motions, at, bands, ways=Ways(vertical=False), run=run)
     counted = []
-    for described, ensemble in zip(
-        objects, _run_objects(objects, motions, at, bands, vertical=False, run=run), strict=True
-    ):
+    for described, ensemble in zip(objects, ensembles, strict=True):
         (counts,) = count_runs(ensemble, [described.block])
         lifted, trials = int(counts.lifted.sum()), int(counts.trials.sum())
         counted.append(AtDemand(*counts.totals(0), lifted, trials, counts.share_band(0)))

@@ -2,7 +2,7 @@
 
 import functools
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from rocksteady.risk.ensemble._uplift import uplift_times
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.qualification import FORCES, qualification_of
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+from rocksteady.risk.ensemble.ways import Ways
 from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel
 from rocksteady.seismic.spectra.grounds import (
     check_grounds,
@@ -49,8 +50,7 @@ def run_ensemble(
     *,
     levels: Levels | None = None,
     restitution: RestitutionBand | None = None,
-    reverse: bool | Literal["both"] = "both",
-    vertical: bool | Literal["both"] = "both",
+    ways: Ways | None = None,
     mass_kg: float | Sequence[float] | None = None,
     model: Model | None = None,
     run: Execution | None = None,
@@ -72,12 +72,8 @@ def run_ensemble(
         The levels, and what they are in; default `Levels()`.
     restitution
         The band of restitutions; default `RestitutionBand()`.
-    reverse
-        "both" (default) for the records as they are and reversed, True or False for one of the two.
-    vertical
-        "both" (default) for runs with and without the vertical components, where there are any;
-        True or False for one of the two.  A record without one has the same run twice.  Components
-        act with the sign of their files, upwards positive, reversed horizontal records too.
+    ways
+        Signs of the records, and whether vertical components act; default `Ways()`.
     mass_kg
         Mass of the block, of a frame that of columns and cap together, or one for each block [kg];
         default none.  With it the largest forces on the base are found, which takes some five times
@@ -127,8 +123,7 @@ def run_ensemble(
         motions,
         levels=[wanted],
         restitution=band,
-        reverse=reverse,
-        vertical=vertical,
+        ways=ways,
         mass_kg=mass_kg,
         model=model,
         run=run,
@@ -142,8 +137,7 @@ def run_each(
     *,
     levels: Sequence[Levels],
     restitution: RestitutionBand,
-    reverse: bool | Literal["both"] = "both",
-    vertical: bool | Literal["both"] = "both",
+    ways: Ways | None = None,
     mass_kg: float | Sequence[float] | None = None,
     model: Model | None = None,
     run: Execution | None = None,
@@ -152,7 +146,7 @@ def run_each(
 
     Parameters
     ----------
-    blocks, motions, restitution, reverse, vertical, mass_kg, model, run
+    blocks, motions, restitution, ways, mass_kg, model, run
         As for `run_ensemble`.
     levels
         Levels of each block, of one measure and equally many; or the levels of all blocks, which
@@ -169,8 +163,9 @@ def run_each(
     for block in blocks:
         restitution.ratios(block)  # refused before anything runs
     weights = _weights(blocks, mass_kg)
-    directions = chosen(reverse, DIRECTIONS)
-    lifts = _lifts(vertical, grounds)
+    asked = Ways() if ways is None else ways
+    directions = chosen(asked.reverse, DIRECTIONS)
+    lifts = _lifts(asked.vertical, grounds)
     parts = [slice(place, place + len(blocks) // len(levels)) for place in range(len(levels))]
     rows = [each.levels_for(blocks[part]) for each, part in zip(levels, parts, strict=True)]
     at, alike = np.array(rows), len(set(rows)) == 1
@@ -181,14 +176,14 @@ def run_each(
     check_grounds(used, scale.max(axis=(0, 2)).tolist(), extremes_of(blocks), equations)
     # Of symmetric blocks alone one direction is the mirror image of the other.
     several = directions if not all(block.symmetric for block in blocks) else directions[:1]
-    ways = ways_to_run(grounds, several, lifts)
+    shakings = ways_to_run(grounds, several, lifts)
     # Draws run fastest: those of one block on one ground share its table and its scale.
     axes = (
         Axis(
             name="motion",
-            values=[way.name(names[way.record]) for way in ways],
+            values=[way.name(names[way.record]) for way in shakings],
             long_name="ground motion",
-            items=ways,
+            items=shakings,
         ),
         Axis(
             name="block",
@@ -227,7 +222,7 @@ def run_each(
         numbered="cell",
         attributes={"model": equations.name, "measure": levels[0].key},
     )
-    arrays = whole(swept, ways, blocks, directions, lifts)
+    arrays = whole(swept, shakings, blocks, directions, lifts)
     speeds = arrays.pop("peak_velocity")
     arrays |= qualification_of(blocks, arrays["peak_angle"], speeds, arrays["status"])
     times = uplift_times(
@@ -239,7 +234,7 @@ def run_each(
     ensembles = []
     for each, row, part in zip(levels, at, parts, strict=True):
         members = blocks[part]
-        runs = sum(len(ways) // (len(several) if block.symmetric else 1) for block in members)
+        runs = sum(len(shakings) // (len(several) if block.symmetric else 1) for block in members)
         ensembles.append(
             labelled(
                 {name: values[part] for name, values in arrays.items()},

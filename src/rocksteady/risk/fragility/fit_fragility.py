@@ -5,7 +5,7 @@ import re
 import time
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from rocksteady.risk.ensemble.gates import uplift_of
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
+from rocksteady.risk.ensemble.ways import Ways
 from rocksteady.risk.fits.fragility_curve import fit_curve
 from rocksteady.risk.fits.two_stages import fit_two_stages
 from rocksteady.risk.fits.vector_fit import VectorCurve, fit_vector
@@ -117,8 +118,7 @@ def compute_fragility(
     *,
     levels: Levels | None = None,
     restitution: RestitutionBand | None = None,
-    reverse: bool | Literal["both"] = "both",
-    vertical: bool | Literal["both"] = "both",
+    ways: Ways | None = None,
     mass_kg: float | Sequence[float] | None = None,
     fitting: FitOptions | None = None,
     run: Execution | None = None,
@@ -129,7 +129,7 @@ def compute_fragility(
 
     Parameters
     ----------
-    blocks, motions, levels, restitution, reverse, vertical, mass_kg, run
+    blocks, motions, levels, restitution, ways, mass_kg, run
         As for `run_ensemble`; several blocks are pooled.
     fitting
         As for `fit_fragility`.
@@ -167,8 +167,7 @@ def compute_fragility(
         motions,
         levels=levels,
         restitution=restitution,
-        reverse=reverse,
-        vertical=vertical,
+        ways=ways,
         mass_kg=mass_kg,
         run=run,
     )

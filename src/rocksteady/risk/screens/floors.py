@@ -67,9 +67,10 @@ def floor_accelerations(
     t1, z = building_period_s, height_ratio
     flexible, roof = min(1.0 / t1, 2.5), max(1.0 - (0.4 / t1) ** 2, 0.0)
     asce = np.full(periods.shape, 1.0 + flexible * z + roof * z**10)
-    en = np.maximum(3.0 * (1.0 + z) / (1.0 + (1.0 - periods / t1) ** 2) - 0.5, 1.0)
     a, b, most = NTC[(t1 >= 0.5) + (t1 > 1.0)]
-    low, high = (most / (1.0 + (most - 1.0) * (1.0 - periods / (c * t1)) ** 2) for c in (a, b))
+    with np.errstate(over="ignore"):  # infinite, a period is that of the limit
+        en = np.maximum(3.0 * (1.0 + z) / (1.0 + (1.0 - periods / t1) ** 2) - 0.5, 1.0)
+        low, high = (most / (1.0 + (most - 1.0) * (1.0 - periods / (c * t1)) ** 2) for c in (a, b))
     between = np.where(periods < a * t1, low, most)
     ntc = np.where(periods < b * t1, (1.0 + z) * between, np.maximum((1.0 + z) * high, 1.0))
     codes = {"ASCE 7-22": asce, "EN 1998-1": en, "NTC 2018": ntc}

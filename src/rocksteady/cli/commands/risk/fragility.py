@@ -102,7 +102,7 @@ def fragility(
             suite.motions,
             levels=levels,
             restitution=band,
-            reverse=False if ensemble.no_reverse else "both",
+            ways=ensemble.ways,
             mass_kg=ensemble.mass_kg,
             fitting=fitting,
             run=shown,
