@@ -69,9 +69,11 @@ export function makeApp(kernels, pool, first) {
   const late = new Set(); // put off from the last frame to this one
   /** @type {Map<Panel, Set<string>>} */
   const owed = new Map(); // keys changed since a panel was last updated
+  /** @type {WeakSet<Panel>} */
+  const met = new WeakSet(); // panels that have been updated: before that there is nothing to draw
   /** @type {Set<string>} */
   let unsettled = new Set();
-  let settling = true, dragging = false;
+  let settling = false, dragging = false;
   let frame = 0;
   let spoken = 0;
   /** @type {Panel | null} */
@@ -97,6 +99,7 @@ export function makeApp(kernels, pool, first) {
       const changed = owed.get(panel);
       if (!changed?.size) return;
       owed.delete(panel);
+      met.add(panel);
       updating = panel; // what it touches itself it knows
       guarded(app, panel, () => panel.update(app.state, { changed, settled }));
       updating = null;
@@ -108,6 +111,7 @@ export function makeApp(kernels, pool, first) {
       }
     },
     redraw(panel) {
+      if (!met.has(panel)) return;
       dirty.add(panel);
       request();
     },

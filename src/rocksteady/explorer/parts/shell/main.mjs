@@ -35,7 +35,7 @@ async function openPage() {
   app.motions = motionsPutIn(blockText('motions'));
   applyTheme(app);
   await turn();
-  await openPlaces(app, { story: () => makeStory(app), lab: () => openLab(app) });
+  await openPlaces(app, { story: () => makeStory(app, turn), lab: () => openLab(app) });
   darkSystem().addEventListener('change', () => applyTheme(app));
   let { look } = app.state;
   document.addEventListener('state', () => {
@@ -68,7 +68,7 @@ async function openLab(app) {
     ({ tab } = app.state);
   });
   showTab(app);
-  app.touch(...Object.keys(app.state)); // no panel knows the state yet
+  app.touch('history', ...Object.keys(app.state)); // no panel knows the state yet
   app.set({}, { push: false });
 }
 

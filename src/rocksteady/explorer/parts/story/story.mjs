@@ -1,9 +1,10 @@
 // The story: the landing, and six scenes of one idea each.
 
 /** @import { App } from '../shell/app.mjs' */
-import { element } from '../shell/app.mjs';
+import { STANDING, pushOn } from '../physics/push/pushed.mjs';
+import { element, sizeOf } from '../shell/app.mjs';
 import { STORY } from '../shell/state.mjs';
-import { makeLanding } from './landing.mjs';
+import { landingBlock, makeLanding } from './landing.mjs';
 import { makeCrowd } from './scenes/crowd.mjs';
 import { makeFates } from './scenes/fates.mjs';
 import { makeOrder } from './scenes/order.mjs';
@@ -21,8 +22,14 @@ const SEEN = 0.55; // part of a scene in the window from which the address names
 /**
  * Make the landing at once, and each scene when it comes near the window and there is time.
  * @param {App} app
+ * @param {() => Promise<void>} turn  lets the browser do what waits
  */
-export async function makeStory(app) {
+export async function makeStory(app, turn) {
+  // What the first frame needs, a part a turn: the page laid out, kernels compiled.
+  sizeOf(/** @type {HTMLCanvasElement} */ (element('stage')));
+  await turn();
+  pushOn(app.kernels, landingBlock(app.kernels), STANDING, new Float64Array(3));
+  await turn();
   makeLanding(app);
   const near = new IntersectionObserver((all) => {
     for (const { target, isIntersecting } of all) {

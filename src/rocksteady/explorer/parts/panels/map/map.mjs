@@ -124,6 +124,7 @@ export function makeMapPanel(app) {
     units = pageUnits(app, state);
     by = { w: units.frequency.factor, a: units.amplitude.factor };
     degrees = si() ? units.angle.factor : 0;
+    plane.update(state, settled);
     const { restitution } = given, seen = axes();
     const ratios = axisValues(app.kernels, { ...seen.x, count: CURVE_POINTS });
     curves = regionBoundaries(app.kernels, ratios, restitution);
@@ -131,7 +132,6 @@ export function makeMapPanel(app) {
     // In a moving window the numbers stay where they are.
     if (settled) places = regionPlaces(curves, seen, width > 1 ? height / width : 0.75);
     layerKey = '';
-    plane.update(state, settled);
   };
 
   /** Say how far the map is. */

@@ -71,7 +71,10 @@ export function makePlane(app, panelOf, options) {
       touched = true;
       app.set(options.moved(place), { settled, push });
     },
-    show: (to, settled) => void app.set(axesPatch(to), { settled }),
+    show(to, settled) {
+      app.set(axesPatch(to), { settled });
+      if (settled) app.bring(panelOf()); // its cells are asked for before other panels are updated
+    },
     reset() {
       const { x, y } = axes();
       app.set(Object.fromEntries([...x.keys, ...y.keys].map((key) => [key, FIELDS[key].value])));

@@ -93,16 +93,20 @@ function followFirst({ kernels, state }) {
 }
 
 /**
- * Have the browser compile, a part a turn, what the first view needs at once: on a plain motion.
+ * Have the browser compile, a part a turn, what the first view needs at once: on a plain motion;
+ * then follow that of the first view.
  * @param {App} app
  * @param {() => Promise<void>} turn
  */
-export async function warmUp({ kernels, state }, turn) {
+export async function warmUp(app, turn) {
+  const { kernels, state } = app;
   const given = caseOf(kernels, { ...defaultState(), model: equationsOf(state) });
   for (const follow of [historyOf, attractorOf]) {
     follow(kernels, given, { kind: 'rest' }, 1, FIRST_FLIGHTS);
     await turn();
   }
+  if (state.tab === 'explore' || state.tab === 'basins') followedOf(app, false);
+  await turn();
 }
 
 /**
