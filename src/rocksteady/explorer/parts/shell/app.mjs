@@ -51,6 +51,7 @@ import { defaultState, patched } from './state.mjs';
  */
 
 const SETTLED_MS = 8; // for the numbers of panels, and again for their pictures
+const FRESH_MS = 4; // from which the first picture of a panel waits for the next frame
 const DRAG_MS = 2; // from which a picture waits for the next frame while the point is dragged
 
 /**
@@ -197,7 +198,9 @@ export function makeApp(kernels, pool, first) {
     const first = waiting.filter((panel) => late.has(panel));
     let painted = 0;
     for (const panel of new Set([...first, ...waiting])) {
-      if (painted && performance.now() > limit) {
+      // The first picture, for which code is compiled, has a frame of its own.
+      const fresh = panel.draw && !panel.pen && !dragging;
+      if (fresh ? performance.now() - began > FRESH_MS : painted && performance.now() > limit) {
         late.add(panel);
         continue;
       }

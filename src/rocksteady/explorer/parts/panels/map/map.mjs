@@ -232,8 +232,14 @@ export function makeMapPanel(app) {
       }
       const ratio = pen.getTransform().a, { level } = plane.progress();
       const { width, height } = size;
+      if (!onto) { // the rest of the first picture in the next frame: its code is still compiled
+        onto = drawBelow(pen, size);
+        plane.drawCells(pen, onto, colouring());
+        app.redraw(panel);
+        return;
+      }
       const key = [width, height, ratio, app.theme.dark, level, shares.count].join();
-      if (key !== layerKey || !onto) {
+      if (key !== layerKey) {
         onto = drawBelow(blank(below, size, ratio), size);
         drawAbove(blank(above, size, ratio), onto);
         layerKey = key;
