@@ -1,6 +1,6 @@
 // Workers that run jobs: the most urgent first; of one key only the newest counts.
 
-/** @typedef {{ ask: (job: string, args: unknown, how?: { key?: string, priority?: number }) => Promise<any>, drop: (prefix: string) => void, size: number, waiting: (prefix: string) => number }} Pool */
+/** @typedef {{ ask: (job: string, args: unknown, how?: { key?: string, priority?: number, ahead?: boolean }) => Promise<any>, drop: (prefix: string) => void, size: number, waiting: (prefix: string) => number }} Pool */
 
 /**
  * @typedef {object} Asked
@@ -9,13 +9,15 @@
  * @property {unknown} args
  * @property {string} key
  * @property {number} priority
+ * @property {boolean} ahead  whether a worker may have it before it is through with one like it
  * @property {(result: any) => void} resolve
  * @property {(error: Error) => void} reject
  */
 
 /**
- * A worker, the job that it runs, and what ends it when that runs away.
- * @typedef {{ worker: Worker, asked: Asked | null, timer: number, answered: boolean }} Hand
+ * A worker, its jobs (that which it runs first, null where nobody waits for it), and what ends it
+ * when that runs away.
+ * @typedef {{ worker: Worker, sent: (Asked | null)[], timer: number, answered: boolean }} Hand
  */
 
 const LONGEST_JOB = 30; // seconds
@@ -42,7 +44,7 @@ export function makePool(module, program, here) {
   let turn = 0; // the timer of the next job on the page's own thread
   let told = false;
 
-  const running = () => [...hands].flatMap(({ asked }) => asked ?? []);
+  const running = () => [...hands].flatMap(({ sent }) => sent.flatMap((asked) => asked ?? []));
   /** @param {Asked} asked @param {any} result @param {string} [fault] */
   const finish = (asked, result, fault) => {
     if (fault === undefined) asked.resolve(result);
@@ -52,11 +54,20 @@ export function makePool(module, program, here) {
     while (queue.length && idle.length) {
       const asked = takenOf(queue);
       const hand = /** @type {Hand} */ (idle.pop());
-      hand.asked = asked;
       watch(hand, LONGEST_JOB);
-      hand.worker.postMessage({ id: asked.id, job: asked.job, args: asked.args });
+      send(hand, asked);
+    }
+    // While the page draws, no worker should wait for its next job.
+    for (const hand of hands) {
+      const one = hand.sent.length === 1 && hand.sent[0]?.ahead;
+      if (one && queue[mostUrgent(queue)]?.ahead) send(hand, takenOf(queue));
     }
     if (!hands.size && queue.length) turn ||= Number(setTimeout(nextHere));
+  };
+  /** @param {Hand} hand @param {Asked} asked */
+  const send = (hand, asked) => {
+    hand.sent.push(asked);
+    hand.worker.postMessage({ id: asked.id, job: asked.job, args: asked.args });
   };
   const nextHere = () => { // one a turn, so that the page answers in between
     turn = 0;
@@ -75,10 +86,11 @@ export function makePool(module, program, here) {
   const watch = (hand, seconds) => {
     clearTimeout(hand.timer);
     hand.timer = Number(setTimeout(() => {
-      const { asked } = hand;
+      const [asked, ...others] = hand.sent;
       end(hand);
       hire();
       if (asked) finish(asked, undefined, TOO_LONG);
+      queue.push(...others.flatMap((other) => other ?? []));
       next();
     }, 1000 * seconds));
   };
@@ -86,29 +98,30 @@ export function makePool(module, program, here) {
   const end = (hand) => {
     clearTimeout(hand.timer);
     hand.worker.terminate();
-    hand.asked = null;
     hands.delete(hand);
     idle = idle.filter((other) => other !== hand);
   };
   const hire = () => {
     const worker = new Worker(url);
     /** @type {Hand} */
-    const hand = { worker, asked: null, timer: 0, answered: false };
+    const hand = { worker, sent: [], timer: 0, answered: false };
     worker.onmessage = ({ data }) => {
       clearTimeout(hand.timer);
-      const { asked } = hand;
-      Object.assign(hand, { asked: null, answered: true });
-      idle.push(hand);
+      const asked = hand.sent.shift();
+      hand.answered = true;
+      if (hand.sent.length) watch(hand, hand.sent[0] ? LONGEST_JOB : LONGEST_DROPPED);
+      else idle.push(hand);
       if (asked) finish(asked, data.result, data.fault);
       next();
     };
     worker.onerror = (event) => {
       event.preventDefault();
-      const { asked, answered } = hand;
+      const { answered } = hand, [asked, ...others] = hand.sent;
       end(hand);
       if (answered) hire(); // else the browser does not let it start
       if (asked && answered) finish(asked, undefined, event.message);
       else if (asked) queue.push(asked);
+      queue.push(...others.flatMap((other) => other ?? []));
       next();
     };
     worker.postMessage({ module });
@@ -120,10 +133,12 @@ export function makePool(module, program, here) {
     const dropped = queue.filter(unwanted);
     if (dropped.length) queue = queue.filter((asked) => !unwanted(asked));
     for (const hand of hands) {
-      if (!hand.asked || !unwanted(hand.asked)) continue;
-      dropped.push(hand.asked);
-      hand.asked = null;
-      watch(hand, LONGEST_DROPPED);
+      hand.sent.forEach((asked, k) => {
+        if (!asked || !unwanted(asked)) return;
+        dropped.push(asked);
+        hand.sent[k] = null;
+        if (!k) watch(hand, LONGEST_DROPPED);
+      });
     }
     for (const asked of dropped) finish(asked, undefined);
   };
@@ -135,10 +150,10 @@ export function makePool(module, program, here) {
   }
   return {
     size: Math.max(1, hands.size),
-    ask(job, args, { key = '', priority = 0 } = {}) {
+    ask(job, args, { key = '', priority = 0, ahead = false } = {}) {
       if (key) forget((asked) => asked.key === key);
       return new Promise((resolve, reject) => {
-        queue.push({ id: ++count, job, args, key, priority, resolve, reject });
+        queue.push({ id: ++count, job, args, key, priority, ahead, resolve, reject });
         next();
       });
     },
@@ -148,9 +163,14 @@ export function makePool(module, program, here) {
   };
 }
 
-/** Take the most urgent request out of a queue. @param {Asked[]} queue */
-function takenOf(queue) {
+/** Return the place of the most urgent request in a queue. @param {Asked[]} queue */
+function mostUrgent(queue) {
   let best = 0;
   for (let k = 1; k < queue.length; k++) if (queue[k].priority < queue[best].priority) best = k;
-  return queue.splice(best, 1)[0];
+  return best;
+}
+
+/** Take the most urgent request out of a queue. @param {Asked[]} queue */
+function takenOf(queue) {
+  return queue.splice(mostUrgent(queue), 1)[0];
 }

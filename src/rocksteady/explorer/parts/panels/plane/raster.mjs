@@ -48,7 +48,7 @@ import { partOn } from './axis.mjs';
 
 const STEPS = [8, 4, 2, 1];
 const TILE_MS = 14; // of a job
-const FIRST_PRIORITY = -1;
+const FIRST_PRIORITY = -2; // of coarse cells: before what coexists at the point
 const LATER_PRIORITY = 50;
 
 /**
@@ -192,7 +192,8 @@ export function makeRaster(app, options, { changed, seen }) {
         : Float64Array.from(places, (at) => values[1][Math.floor(at / columns)]);
       const priority = (level === 0 ? FIRST_PRIORITY : LATER_PRIORITY) + far;
       const key = `${options.name}:${level}:${row}:${column}`;
-      app.pool.ask(job, args(xs, ys, nested), { key, priority }).then((found) => {
+      const how = { key, priority, ahead: level === 0 };
+      app.pool.ask(job, args(xs, ys, nested), how).then((found) => {
         if (found && mine === ticket) take(found, places, from, step);
       }, failed).catch(failed);
     }
