@@ -18,6 +18,8 @@ from rocksteady.explorer._trim import trimmed
 
 SHEETS = ("base.css", "style.css", "story.css")
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
+_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_SPACE = re.compile(r"\s*([{};,])\s*|\s+")
 
 
 def document(
@@ -101,9 +103,10 @@ def scene_document(scene: str, *, module: bytes) -> str:
 
 
 def _style(*names: str) -> str:
-    """Return the colours of both themes and some sheets."""
+    """Return the colours of both themes and some sheets, without comments and needless spaces."""
     sheets = [(PARTS / name).read_text(encoding="utf-8") for name in names]
-    return style_variables() + "".join(sheets)
+    text = _COMMENT.sub("", style_variables() + "".join(sheets))
+    return _SPACE.sub(lambda found: found[1] or " ", text)
 
 
 def _policy(code: str, style: str) -> str:

@@ -25,8 +25,10 @@ export function blockText(id) {
  * @param {string} text  base64 of gzip
  */
 async function unpacked(text) {
-  const letters = atob(text.trim()), bytes = new Uint8Array(letters.length);
-  for (let k = 0; k < letters.length; k += 1) bytes[k] = letters.charCodeAt(k);
+  /** @type {any} */
+  const { fromBase64 } = Uint8Array; // of browsers since 2025
+  const bytes = fromBase64?.call(Uint8Array, text)
+    ?? Uint8Array.from(atob(text.trim()), (letter) => letter.charCodeAt(0));
   const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
   return new Response(plain).arrayBuffer();
 }
