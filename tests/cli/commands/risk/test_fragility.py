@@ -105,6 +105,17 @@ def test_a_vertical_channel_is_run_with_its_station(tmp_path: Path) -> None:
     assert paired.json["runs"] == 2 * alone.json["runs"]
 
 
+def test_with_a_mass_the_runs_have_forces(folder: Path, tmp_path: Path) -> None:
+    """Of a block that rocks and stands, between its weight and twice that."""
+    table, given = tmp_path / "runs.csv", f"{FEW} --json --csv {tmp_path / 'runs.csv'}"
+    assert rocksteady(f"{given} --mass-kg 200 --records", folder).code == 0
+    with table.open(newline="") as lines:
+        down = [float(row["base_force_down_kn"]) for row in csv.DictReader(lines)]
+    known = [force for force in down if not math.isnan(force)]
+    assert known
+    assert all(0.9 * 200.0 < 1000.0 * force / 9.80665 < 2.0 * 200.0 for force in known)
+
+
 @pytest.mark.slow
 def test_runs_are_kept_continued_and_written(folder: Path, tmp_path: Path) -> None:
     names = ("runs.zarr", "runs.csv", "runs.nc", "curves.png")
@@ -197,6 +208,7 @@ def test_the_example_says_that_its_motions_are_synthetic() -> None:
         ("-r 0.9:x", "a band has two ends"),
         ("-r 0.9 --draws 3", "without --scatter"),
         ("--draws 0", "--draws = 0"),
+        ("--mass-kg -3", "--mass-kg = -3.0 is not valid: it must be a finite number above 0"),
         ("--scatter 2", "--scatter = 2"),
         ("--states fallen", "the states without a peak"),
         ("--states uplift,uplift", "each once"),
