@@ -138,23 +138,33 @@ def largest_forces(
         for kind in range(FORCES):
             if not tops[row, kind] <= largest[kind]:
                 largest[kind] = tops[row, kind]
-    for kind in range(FORCES):
-        least = largest[kind] * (1.0 - NEAR)
-        for row in range(len(rows)):
-            if tops[row, kind] < least or not largest[kind] < math.inf:
-                continue
-            duration, steps = lasting(tables, rows, row, last)
-            middle, step = times[row, kind], duration / steps
-            for _ in range(ROUNDS):
-                begin, step = max(middle - step, 0.0), step * (2.0 / (FINER - 1))
-                for k in range(FINER):
-                    index[k], since[k] = row, min(begin + k * step, duration)
-                fill_forces(tables, rows, index, since, centres, forces)
-                best = 0
-                for k in range(FINER):
-                    if forces[kind, k] > forces[kind, best]:
-                        best = k
-                largest[kind], middle = max(largest[kind], forces[kind, best]), since[best]
+    for row in range(len(rows)):
+        for kind in range(FORCES):
+            if not tops[row, kind] < largest[kind] * (1.0 - NEAR) and largest[kind] < math.inf:
+                finer = look_finer(tables, rows, row, last, centres, kind, times[row, kind])
+                largest[kind] = max(largest[kind], finer)
+
+
+@allocating
+def look_finer(
+    tables: Tables, rows: Floats, row: int, last: float, centres: Floats, kind: int, middle: float
+) -> float:
+    """Return the largest force of a kind about a time since the start of a row; 0 at rest."""
+    index, since, forces = np.empty(FINER, np.int64), np.empty(FINER), np.empty((FORCES, FINER))
+    largest = 0.0
+    if rows[row, columns.ROW_SIDE] == 0.0:
+        return largest
+    duration, steps = lasting(tables, rows, row, last)
+    step = duration / steps
+    for _ in range(ROUNDS):
+        begin, step = max(middle - step, 0.0), step * (2.0 / (FINER - 1))
+        for k in range(FINER):
+            index[k], since[k] = row, min(begin + k * step, duration)
+        fill_forces(tables, rows, index, since, centres, forces)
+        for k in range(FINER):
+            if forces[kind, k] > largest:
+                largest, middle = forces[kind, k], since[k]
+    return largest
 
 
 @compiled
