@@ -24,7 +24,8 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import impact_friction
 from rocksteady.model.blocks.tops import overhang, top_displacement
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.model.checks.validation import finite, positive
+from rocksteady.model.checks.bounds import MASS
+from rocksteady.model.checks.validation import finite
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Still
@@ -312,7 +313,7 @@ class Physical:
         Raises
         ------
         InputError
-            If the mass is not positive.
+            If the mass is not above 0 and at most 1e9 kg.
         ModelError
             If the block has no size, or the base motion no end or impulses.
 
@@ -324,7 +325,7 @@ class Physical:
         >>> print("{:.1f} and {:.1f} kN".format(*simulate(block, pulse).base_force_kn(1000.0)))
         3.5 and 10.0 kN
         """
-        mass = positive("mass_kg", mass_kg, hint="give the mass in kg")
+        mass = MASS("mass_kg", mass_kg)
         block, parts = self._shaken_block, self.forces_per_weight
         if block is None:
             raise ModelError(

@@ -62,6 +62,7 @@ GYRATION: Final = length("give sqrt(I_c/M) in metres")
 RADIUS: Final = length("give the distance from pivot to mass centre in metres")
 P: Final = Bounds(1e-6, 1e6, "[]", "give the frequency parameter sqrt(M g R / I_0) in rad/s")
 GRAVITY: Final = Bounds(1e-50, 1e50, "[]", "give the acceleration of gravity in m/s^2")
+MASS: Final = Bounds(0.0, 1e9, "(]", "give the mass in kg")
 RESTITUTION: Final = Bounds(
     0.0,
     1.0,

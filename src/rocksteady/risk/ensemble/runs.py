@@ -11,7 +11,7 @@ from rocksteady.dynamics.history.lowering import weight_kn
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import positive
+from rocksteady.model.checks.bounds import MASS
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
@@ -267,10 +267,9 @@ def _weights(blocks: Sequence[Block], mass_kg: float | Sequence[float] | None) -
             f"there must be one mass for all blocks, or {len(blocks)}, one for each",
             "give a mass in kg for each block",
         )
-    hint = "give the mass in kg"
     return np.array(
         [
-            weight_kn(block, positive("mass_kg", mass, hint=hint))
+            weight_kn(block, MASS("mass_kg", mass))
             for block, mass in zip(blocks, masses, strict=True)
         ]
     )

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.housner_forms import form_of_text
 from rocksteady.model.blocks.sizes import METRES, TALL
+from rocksteady.model.checks.bounds import MASS
 from rocksteady.model.checks.validation import in_range, whole_number
 from rocksteady.risk.assess.described.schema import (
     TABLES,
@@ -27,7 +28,7 @@ FEWEST_REPLICATES = 100
 BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
     "offset_m": (-TALL, TALL, "[]", "give how far right of the middle it is, in metres"),
     "inertia_kg_m2": (0.0, 1e15, "(]", "give the moment of inertia about the mass centre"),
-    "mass_kg": (0.0, 1e9, "(]", "give the mass in kg"),
+    "mass_kg": MASS,
     "alpha_rad": (0.0, 0.5 * math.pi, "()", "give the angle in radians; alpha_deg takes degrees"),
     "alpha_deg": (0.0, 90.0, "()", "give the angle in degrees; alpha_rad takes radians"),
     "p_rad_s": (0.3, 100.0, "[]", "give the frequency parameter sqrt(M g R / I_0) in rad/s"),
