@@ -106,7 +106,7 @@ def _style(*names: str) -> str:
     """Return the colours of both themes and some sheets, without comments and needless spaces."""
     sheets = [(PARTS / name).read_text(encoding="utf-8") for name in names]
     text = _COMMENT.sub("", style_variables() + "".join(sheets))
-    return _SPACE.sub(lambda found: found[1] or " ", text)
+    return _SPACE.sub(lambda space: space[1] or " ", text)
 
 
 def _policy(code: str, style: str) -> str:

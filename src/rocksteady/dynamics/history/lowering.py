@@ -133,7 +133,7 @@ def mass_centres(block: Block) -> Floats:
     lever = 1.0 if block.cap is None else block.cap.lever
     sides = block.positive, block.negative
     return np.array(
-        [(each.alpha, lever * each.radius * each.p**2 / block.gravity) for each in sides]
+        [(each.alpha, lever * each.radius * (each.p * each.p) / block.gravity) for each in sides]
     )
 
 

@@ -122,7 +122,8 @@ def forces_of_standing(
     grounds = grounds_of(motions)
     model = chosen_model(None, blocks[0], grounds[0].record)
     bodies = [blocks[place] for place in heavy]
-    number, ground = np.divmod(np.arange(len(heavy) * len(grounds)), len(grounds))
+    number = np.repeat(np.arange(len(heavy)), len(grounds))
+    ground = np.tile(np.arange(len(grounds)), len(heavy))
     forces = shaken_forces(
         grounds,
         ground=ground,
