@@ -126,6 +126,7 @@ def test_a_fall_on_a_still_base_keeps_its_energy() -> None:
     assert fall is not None
     energy = 0.5 * fall.rate**2 + np.cos(STOCKY.alpha - fall.theta)
     np.testing.assert_allclose(energy[:-1], energy[0], rtol=1e-9)
+    assert energy[-1] == pytest.approx(energy[0], rel=1e-5), "the rate on landing is between two"
 
 
 def after_its_end(run: Trajectory, motion: Motion) -> Trajectory:

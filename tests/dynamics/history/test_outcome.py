@@ -47,6 +47,7 @@ PIECES = (
 )
 STOCKY = Block.from_p(alpha=0.4, p=2.0, restitution=0.8)
 SKEWED = Block.asymmetric(left=0.3, right=0.4, height=1.0, restitution=0.8)
+UNEVEN = Block.asymmetric(left=0.2, right=0.8, height=1.0, restitution=0.8)
 SHAKEN = Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=0.3)
 UP = Piecewise(pieces=(Segment(duration=3.0, constant=0.2, slope=-0.1),))
 MOTIONS: dict[str, tuple[Block | DimensionlessBlock, Motion | BaseMotion, Model]] = {
@@ -56,6 +57,7 @@ MOTIONS: dict[str, tuple[Block | DimensionlessBlock, Motion | BaseMotion, Model]
     "still": (BARE, Still(), Linear()),
     "full harmonic": (STOCKY, SHAKEN, Nonlinear()),
     "full asymmetric": (SKEWED, SHAKEN, Nonlinear()),
+    "full, of unlike rates": (UNEVEN, SHAKEN, Nonlinear()),
     "full piecewise": (STOCKY, Piecewise(pieces=PIECES), Nonlinear()),
     "full vertical": (STOCKY, BaseMotion(Piecewise(pieces=PIECES), UP), Nonlinear()),
     "full still": (STOCKY, Still(), Nonlinear()),
