@@ -31,6 +31,13 @@ def test_a_polynomial_is_taken_off_and_noted(baseline: str, order: int) -> None:
     assert "fitted by least squares, taken off" in found.processing[0]
 
 
+@every("baseline", ["linear", "polynomial:2", "polynomial:10"])
+def test_a_record_is_at_most_a_polynomial_through_its_samples(baseline: str) -> None:
+    values = np.array([0.3, -1.0])
+    found = correct_baseline(recording(values), baseline).record.acceleration_m_s2
+    np.testing.assert_allclose(found, 0.0, atol=1e-15)
+
+
 def test_none_is_none_and_nothing_else_is_known() -> None:
     one = recording(samples(100))
     assert correct_baseline(one, "none") is one

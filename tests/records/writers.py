@@ -193,7 +193,7 @@ def smc(
     """Return an SMC file of values in cm/s^2."""
     missing, blank = -32768, 1.7e38
     whole = np.full(48, missing)
-    whole[:8] = [missing, 1989, 291, 0, 4, 5, 250, 111]
+    whole[:8] = [missing, 1989, 291, 17, 4, 5, 250, 111]
     whole[[12, 13, 15, 16]] = [*angles, comments, len(values)]
     real = np.full(50, blank)
     real[1] = blank if rate is None else rate
@@ -205,7 +205,7 @@ def smc(
         first,
         "*",
         "HUT1",
-        "     1989  10  18    0004 Somewhere, CA",
+        "     1989  10  18    1704 Somewhere, CA",
         "Moment Mag=      7.1",
         "station = Hut, 1295 Shafter        component=    360",
         "epicentral dist =     89.0       pk     =    104.4",

@@ -71,6 +71,7 @@ def test_what_is_not_understood_as_a_whole_is_refused(tmp_path: Path, name: str)
         *[("t (10^-3 s)", 1e-3), ("t/ms", 1e-3), ("time_ms", 1e-3), ("time (\u00b5s)", 1e-6)],
         *[("time hours", 3600.0), ("ms", 1e-3), ("t", 1.0), ("time since start", 1.0)],
         *[("elapsed time (s)", 1.0), ("Elapsed (ms)", 1e-3), ("elapsed_time_ms", 1e-3)],
+        *[("Seconds (s)", 1.0), ("sec [sec]", 1.0)],
     ],
 )
 def test_units_of_time(tmp_path: Path, name: str, step: float) -> None:

@@ -54,6 +54,17 @@ def read(tmp_path: Path, text: str, **given: object) -> tuple[Recording, ...]:
     return read_recordings(path, **given)  # type: ignore[arg-type]
 
 
+@every("at", [300, 700])
+@every(("apart", "doubted"), [(0, False), (2, False), (3, True), (50, True)])
+def test_the_time_of_a_peak_is_right_to_some_samples(at: int, apart: int, doubted: bool) -> None:
+    """Two, and one more every 500: alike before the peak and after it."""
+    values = 0.1 * samples(1000, peak=1.0)
+    values[at] = -1.0
+    reach = apart + at // 500 if apart else 0
+    for stated in (at - reach, at + reach):
+        assert bool(consistency.timing(values, 0.01, peak_at=0.01 * stated)) == doubted
+
+
 @every("name", FILES)
 def test_whole_files_are_not_doubted(tmp_path: Path, name: str) -> None:
     assert [one.warnings for one in read(tmp_path, FILES[name])] == [()]

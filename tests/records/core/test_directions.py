@@ -149,6 +149,15 @@ def test_the_name_of_a_file_that_states_nothing(tmp_path: Path, end: str) -> Non
     assert first.record.acceleration_m_s2[3] == 3.0
 
 
+@every(("end", "component"), [("-DWN", "DWN"), ("-up", "UP"), ("-DWN", "vert"), ("-UD", "DWN")])
+def test_a_name_that_agrees_with_the_header_is_not_doubted(
+    tmp_path: Path, end: str, component: str
+) -> None:
+    path = tmp_path / f"HUT{end}.AT2"
+    path.write_text(at2(samples(), component=component))
+    assert read_recordings(path)[0].warnings == ()
+
+
 def test_the_header_goes_before_the_name_of_the_file(tmp_path: Path) -> None:
     for end, component, sign, words in (
         ("-up", "DWN", -1.0, "name states upwards, and its header downwards (DWN)"),

@@ -248,6 +248,21 @@ def test_a_table_of_a_writer(tmp_path: Path) -> None:
     assert (found.format, found.record.dt_s) == ("csv", 0.004)
 
 
+@every(
+    ("text", "name"),
+    [
+        ("1.0 -2.5\n0.5 0.25\n", "columns"),
+        ("acc (g)\n1.0\n-2.5\n0.5\n", "columns"),
+        ("1.0;-2.5\n0.5;0.25\n", "csv"),
+        ("ax ay\n1.0 -2.5\n0.5 0.25\n", "csv"),
+        ("ax,ay\n1.0,-2.5\n0.5,0.25\n", "csv"),
+    ],
+)
+def test_names_of_columns_or_a_separator_make_a_csv(tmp_path: Path, text: str, name: str) -> None:
+    found = read(tmp_path, text, units="g", dt_s=0.01)
+    assert {each.format for each in found} == {name}
+
+
 def test_columns_named_by_their_directions(tmp_path: Path) -> None:
     text = "Time(s),EW (cm/s/s),NS,UD\n0,1,2,3\n0.01,2,3,4\n0.02,-1,2,3\n"
     found = read(tmp_path, text)

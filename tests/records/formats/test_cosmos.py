@@ -51,6 +51,22 @@ def test_cosmos_takes_the_interval_that_fits_the_duration(tmp_path: Path) -> Non
         read(tmp_path, none)
 
 
+@every("marker", [None, -999.0, -1.0])
+def test_cosmos_values_that_are_unknown(tmp_path: Path, marker: float | None) -> None:
+    """A header states the number that stands for them; where it states none it is -999."""
+    text = cosmos_channel(CM, dt_ms=-999.0, raw_dt=0.01).replace(f"{4.4:13.6f}", f"{-999.0:13.6f}")
+    text = text.replace(f"{CM[np.abs(CM).argmax()]:13.6f}", f"{-999.0:13.6f}")
+    line = next(line for line in text.splitlines() if line.startswith("Values used"))
+    if marker is None:
+        text = text.replace(line, "-")
+    else:
+        text = text.replace(f"{-999.0:13.6f}", f"{marker:13.6f}")
+        text = text.replace(line, f"{line.partition(':')[0]}: {marker:.0f}, {marker}")
+    (found,) = read(tmp_path, text, dt_s=0.01)
+    assert found.start_time == datetime(2005, 6, 16, 20, 53, tzinfo=UTC)
+    assert found.warnings == ()
+
+
 def test_cosmos_of_several_channels_and_quantities(tmp_path: Path) -> None:
     text = "".join(
         cosmos_channel(factor * CM, azimuth=azimuth, quantity=quantity, channel=at)
@@ -75,6 +91,16 @@ def test_cosmos_levels_and_counts(tmp_path: Path) -> None:
     assert both[0].event == both[1].event
     with pytest.raises(RecordFileError, match="instrument's counts"):
         read(tmp_path, cosmos_channel(CM, first="Raw acceleration counts", units="counts (50)"))
+
+
+@every(("code", "unit"), [(2, "g"), (4, "cm/sec2"), (7, "in/sec2"), (10, "gal"), (11, "mg")])
+def test_cosmos_units_with_their_code(tmp_path: Path, code: int, unit: str) -> None:
+    """A code without its unit is a contradiction."""
+    (found,) = read(tmp_path, cosmos_channel(CM / 981.0, units=f"{unit}({code:02d})"))
+    (plain,) = read(tmp_path, cosmos_channel(CM / 981.0, units=unit))
+    assert found.record == plain.record
+    with pytest.raises(RecordFileError, match="is none of acceleration; give units"):
+        read(tmp_path, cosmos_channel(CM, units=f"mm/sec2({code:02d})"))
 
 
 @every("units", ["g(04)", "cm/sec2 x 10(04)", "cm/sec(04)", "V(03)"])

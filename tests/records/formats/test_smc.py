@@ -18,7 +18,7 @@ def test_smc(tmp_path: Path) -> None:
     assert (found.format, found.units_in_file, found.record.dt_s) == ("smc", "cm/s^2", 0.005)
     assert (found.orientation, found.azimuth_deg) == ("horizontal", 0.0)
     assert (found.station, found.event) == ("Hut, 1295 Shafter", "Somewhere, CA")
-    assert found.start_time == datetime(1989, 10, 18, 0, 4, 5, 250000, tzinfo=UTC)
+    assert found.start_time == datetime(1989, 10, 18, 17, 4, 5, 250000, tzinfo=UTC)
     assert found.warnings == ()
 
 
