@@ -1,5 +1,6 @@
 """Descriptions of basins and of erosion, from small windows."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -179,6 +180,21 @@ def test_the_drops_are_those_of_the_method() -> None:
             assert f"falls below 0.5 between A = {drop.low:.4f} and {drop.high:.4f}" in line
             assert drop.describe().to_dict()["low"] == drop.low
     assert any(drop is not None for drop in found.drops.values())
+
+
+def test_the_answer_states_what_is_left_at_the_last_amplitude() -> None:
+    window = np.linspace(-1.2, 1.2, 13)
+    motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    given: dict[str, Any] = {"angles": window, "velocities": window, "cycles": 20}
+    found = compute_erosion(BARE, motion, [0.3, 0.6, 1.0], **given)
+    answer = found.describe().answer
+    assert answer is not None
+    said = re.fullmatch(
+        r"([\d.]+) % of the area, ([\d.]+) % of the radius", dict(answer.facts)["left at A = 1"]
+    )
+    assert said is not None
+    left = [100.0 * float(each[-1]) for each in (found.global_integrity, found.integrity_factor)]
+    assert [float(each) for each in said.groups()] == pytest.approx(left, abs=0.5)
 
 
 def test_the_nonlinear_model_has_no_tangency_in_closed_form() -> None:

@@ -231,3 +231,13 @@ def test_a_start_at_an_end_of_the_range_is_that_end_and_stands_once(
     at_start = [point for point in first.points if point.frequency_ratio == 2.0]
     assert [point.type.value for point in at_start] == ["end-of-range"]
     assert {first.points[0].type, first.points[-1].type} == {at_start[0].type}
+
+
+def test_a_start_inside_the_range_is_a_point_of_its_branch() -> None:
+    start = symmetric_start(2.0, 2.0, 0.8)
+    for parameter, value in (("amplitude", 2.0), ("restitution", 0.8)):
+        within = (0.99 * value, 1.01 * value)
+        first, *_ = find_branches([start], parameter, within, max_period=1)
+        (here,) = (point for point in first.points if point.arclength == 0.0)
+        assert getattr(here, parameter) == value
+        assert here.chain.repeats(chain_of(start), 1e-12)

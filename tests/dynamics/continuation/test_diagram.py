@@ -9,6 +9,7 @@ import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, find_attractor, find_bifurcations
 from rocksteady.branches import BifurcationDiagram, BranchOptions
+from rocksteady.dynamics.continuation.find_bifurcations import _range_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import symmetry_breaking_frequencies
 from tests.every import every
@@ -154,6 +155,13 @@ def test_sweeps_go_both_ways_and_keep_what_single_motions_settle_to() -> None:
             for each in sweep.attractors[at : at + run["values"]]:
                 assert (each.kind.value, each.period) == (run["kind"], run["period"])
             at += run["values"]
+
+
+@every(("values", "ends"), [([2.0, 1.9], (1.9, 2.0)), ([1.95], (0.975, 3.9)), (1, (0.975, 3.9))])
+def test_the_range_is_that_of_some_values_or_a_factor_of_two(values: Any, ends: Any) -> None:
+    found, steps = _range_of(BARE, MOTION, "frequency_ratio", None, values)
+    assert found == ends
+    assert steps.tolist() == (sorted(values) if isinstance(values, list) else [ends[0]])
 
 
 def test_a_sweep_begins_at_rest_where_there_is_no_steady_state() -> None:

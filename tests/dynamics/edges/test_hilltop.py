@@ -93,6 +93,7 @@ def test_its_trajectory_stays_where_a_run_would_leave() -> None:
     run = saddle.trajectory()
     times = run.times(40)
     angle = run(times).angle
+    assert times[-1] == pytest.approx(TURN / 0.25, rel=1e-14)
     expected = -1.0 - 0.2 / (1.0 + 0.0625) * np.sin(0.25 * times)
     assert angle == pytest.approx(expected, abs=1e-12)
     assert "Hilltop saddle on the negative side" in repr(saddle)

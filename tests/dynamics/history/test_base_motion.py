@@ -1,16 +1,54 @@
 """Values of a base motion: its largest ones, of which one is exact and one a bound."""
 
+import math
+
 import numpy as np
 import pytest
+from scipy.integrate import cumulative_simpson
 
 from rocksteady import Piecewise
 from rocksteady.dynamics.history.base_motion import (
     base_acceleration,
+    course_from_rest,
     largest_acceleration,
     peak_acceleration,
+    swinging_course,
 )
 from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.motions import Segment
+from rocksteady.model.motions.segments import Motion
+from rocksteady.motions import FourierSeries, Segment
+from tests.every import every
+
+WAVES = FourierSeries(
+    amplitude=0.7, frequency_ratio=3.0, phase=0.4, harmonics=((1, 1.0, 0.3), (2, 0.6, 1.0))
+)
+PIECES = (
+    Segment(duration=1.0, slope=1.0),
+    Segment(duration=1.5, constant=1.0, slope=-0.8, amplitude=0.4, frequency=20.0),
+    Segment(duration=2.0, constant=0.3, amplitude=0.5, frequency=4.0, phase=2.0),
+)
+
+
+@every("motion", [Piecewise(pieces=PIECES), WAVES])
+def test_velocity_and_displacement_are_integrals_of_the_acceleration(motion: Motion) -> None:
+    table = segment_table(motion)
+    at = np.linspace(0.0, 4.0, 8001)
+    force = base_acceleration(table, at)
+    for course in (course_from_rest, swinging_course)[: 2 if motion is WAVES else 1]:
+        velocity, displacement = course(table, at)
+        for values, slope in ((velocity, force), (displacement, velocity)):
+            if course is course_from_rest:
+                assert values[0] == 0.0
+            gained = cumulative_simpson(slope, x=at, initial=0.0)
+            # A jump of the acceleration between two places costs a part of their distance.
+            np.testing.assert_allclose(values - values[0], gained, atol=5e-4)
+
+
+def test_shaking_that_goes_on_swings_about_nothing() -> None:
+    period = np.linspace(0.0, 2.0 * math.pi / WAVES.frequency_ratio, 100, endpoint=False)
+    for values in swinging_course(segment_table(WAVES), period):
+        assert np.abs(values).max() > 0.01
+        assert values.mean() == pytest.approx(0.0, abs=1e-15)
 
 
 def test_the_largest_acceleration_is_that_of_lines_and_a_bound_of_sinusoids() -> None:

@@ -18,6 +18,7 @@ from rocksteady import (
     find_attractor,
     find_orbits,
 )
+from rocksteady.dynamics.orbits.search import _same
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import steady_states
 from rocksteady.histories import ImpactState
@@ -252,6 +253,23 @@ def test_no_orbit_is_given_twice(many: tuple[Orbit, ...]) -> None:
                     continue
                 for state in (*other.states, *other.mirrored.states):
                     assert apart(one.states[0], state) > 1e-6
+
+
+@every(("turned", "same"), [(1e-9, True), (-1e-9, True), (0.01, False), (-0.01, False)])
+def test_orbits_are_compared_round_the_circle_of_phases(
+    turned: float, same: bool, many: tuple[Orbit, ...]
+) -> None:
+    """Nothing but the comparison is asked for: where impacts come at phase 0 rounding decides."""
+    (orbit, *_) = (each for each in many if each.admissible)
+
+    def moved(begin: float) -> Orbit:
+        away = begin - orbit.states[0].phase
+        states = (replace(each, phase=(each.phase + away) % math.tau) for each in orbit.states)
+        return replace(orbit, states=tuple(states))
+
+    for begin in (0.0, 3.0):
+        for one, other in ((begin, begin + turned), (begin + turned, begin)):
+            assert _same(moved(one), moved(other)) == same
 
 
 def test_no_orbit_is_another_gone_round_twice(many: tuple[Orbit, ...]) -> None:

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rocksteady.dynamics.steady.regions import REGIONS
 from rocksteady.errors import InputError
 from rocksteady.formulas import (
     heteroclinic_amplitude,
@@ -64,6 +65,23 @@ def test_every_region_occurs_in_figure_4a() -> None:
         np.linspace(0.0, 12.0, 61)[:, np.newaxis], np.linspace(0.5, 14.0, 28), 0.5, order=3
     ).region
     assert set(np.unique(found).tolist()) == {1, 2, 3, 4, 5}
+
+
+def test_the_words_of_a_region_are_those_of_its_solutions() -> None:
+    states = steady_states(
+        np.linspace(0.0, 12.0, 61)[:, np.newaxis], np.linspace(0.5, 14.0, 28), 0.5, order=3
+    )
+    assert set(REGIONS) == {1, 2, 3, 4, 5}
+    for region, words in REGIONS.items():
+        here = states.region == region
+        if region == 4:
+            assert words == "no symmetric solution"
+            assert np.isnan(states.phase[:, here]).all()
+            continue
+        in_phase = states.in_phase[:, here].sum(axis=0)
+        assert (in_phase == (2 if "two in-phase" in words else 1)).all()
+        negative = (states.phase[:, here] < 0.0).sum(axis=0)
+        assert (negative == (1 if "negative phase" in words else 0)).all()
 
 
 @given(logarithmic(0.1, 100.0), st.floats(0.05, 0.999), orders)
