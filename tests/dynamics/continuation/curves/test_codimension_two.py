@@ -6,14 +6,20 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.optimize import root
 
 from rocksteady import DimensionlessBlock, Harmonic, find_bifurcation_curves
 from rocksteady.branches import BifurcationCurves, BranchPoint, CurveOptions
+from rocksteady.dynamics.continuation.chains.chain import Chain
+from rocksteady.dynamics.continuation.curves import _curve_starts
+from rocksteady.dynamics.continuation.curves._codimension_two import flip_type, graze_type
+from rocksteady.dynamics.continuation.curves._curve_starts import departures
 from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.kernels.orbits.chains import LANDING
 from tests.dynamics.continuation.branches import random_start
 from tests.dynamics.continuation.curves.fifty_digits import solved_again
 from tests.dynamics.continuation.curves.twice import curves_listed_twice, points_listed_twice
+from tests.every import every
 
 PLANE = ("frequency_ratio", "amplitude")
 HILLTOP = ((1.2, 3.2), (1.0, 6.0))
@@ -121,6 +127,52 @@ def test_the_breaking_graze_of_the_subharmonic_motion() -> None:
         ("grazing", True),
         ("symmetry-breaking", True),
     ]
+
+
+GRAZING_FLIPS = {
+    "half of an orbit": (0.8, [0], 3, (9.23, 11.56), [2.462]),
+    "the first arc": (0.87, [0, 3], 6, (3.752, 5.133), [3.391, 1.588]),
+    "the last arc": (0.87, [0, 3], 6, (3.752, 5.133), [1.588, 3.391]),
+}
+
+
+def flip_that_grazes(name: str) -> Chain:
+    """Return a chain whose multiplier is -1 while an arc touches the floor."""
+    restitution, turns, half_cycles, near, phases = GRAZING_FLIPS[name]
+
+    def chain_of(unknowns: np.ndarray) -> Chain:
+        return Chain(
+            parameters=np.array([*unknowns[:2], restitution]),
+            turns=np.array(turns),
+            phases=unknowns[2:],
+            half_cycles=half_cycles,
+        )
+
+    def conditions(unknowns: np.ndarray) -> list[float]:
+        chain = chain_of(unknowns)
+        return [*chain.errors, np.nanmin(chain.shape[:, 1]), chain.determinant(-1.0)]
+
+    found = root(conditions, [*near, *phases], tol=1e-13)
+    assert np.abs(found.fun).max() < 1e-12
+    return chain_of(found.x)
+
+
+@every("name", GRAZING_FLIPS)
+def test_the_graze_of_what_branches_off_begins_along_its_tangent(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    flip = flip_that_grazes(name)
+    amplitude, frequency, _ = flip.parameters.tolist()
+    within = np.array([[frequency - 1.0, frequency + 1.0], [amplitude - 3.0, amplitude + 3.0]])
+    monkeypatch.setattr(_curve_starts, "FIRST_STEPS", (1e-3,))
+    ((begun,),) = (
+        each
+        for each in departures(graze_type(flip_type(flip)), flip, (1, 0), within, 0.02)
+        if each and each[0].begin.solution.chain.impacts == 2 * flip.impacts
+    )
+    chord = begun.begin.place - begun.family.place_of(flip.doubled())
+    # The step is put right across its direction: it is longer by the cosine of what it is off by.
+    assert np.linalg.norm(chord) == pytest.approx(1e-3, rel=1e-5)
 
 
 @cache

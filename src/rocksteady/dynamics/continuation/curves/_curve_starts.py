@@ -163,35 +163,29 @@ def _branched_graze(
     lies beside it by as much as keeps one of its two halves at the floor.  The other half is above.
     """
     flips, lines = curve_through(flip_type(half), half, active, ranges, step)
-    row, merged = grazed(half)
-    begin = None if merged else _start(flips, lines, half)
+    begin = None if grazed(half)[1] else _start(flips, lines, half)
     if begin is None:
         return []
-    count = half.impacts
-    xi = half.null_direction(-1.0) / flips.phase_scale
-
-    def height(parameters: Floats) -> float:
-        moved = flips.chain_at(parameters)
-        return np.nan if moved is None else float(moved.shape[row, 1])
-
-    shift = BESIDE
-    rate = (
-        height(begin.place + shift * begin.tangent) - height(begin.place - shift * begin.tangent)
-    ) / (2.0 * shift)
-    aside = np.concatenate([xi, [0.0, 0.0]])
-    bend = (height(begin.place + shift * aside) - height(begin.place - shift * aside)) / (
-        2.0 * shift
-    )
-    if not np.isfinite([rate, bend]).all() or bend == 0.0:
-        return []
-    beside = -rate / bend * xi
     twice = half.doubled()
     family, curve = curve_through(PointType.GRAZING, twice, active, ranges, step)
-    first = grazed(twice)[0]
-    sign = 1.0 if first < count else -1.0  # which half stays at the floor
-    phases = begin.tangent[:count] / np.sqrt(2.0)
-    beside = sign * beside / np.sqrt(2.0)
-    tangent = np.concatenate([phases + beside, phases - beside, begin.tangent[count:]])
+    place, arc = family.place_of(family.chain), grazed(family.chain)[0]
+    # Phases in the units of the longer chain, of which an arc may begin in one half and end in the
+    # other.
+    phases = begin.tangent[: half.impacts] / np.sqrt(2.0)
+    along = np.concatenate([phases, phases, begin.tangent[half.impacts :]])
+    xi = half.null_direction(-1.0)
+    aside = np.concatenate([xi, -xi, np.zeros(len(active))]) / family.phase_scale
+
+    def slope(direction: Floats) -> float:
+        """Return how the height of the arc changes in a direction."""
+        ends = [family.chain_at(place + sign * BESIDE * direction) for sign in (1.0, -1.0)]
+        high, low = (np.nan if end is None else float(end.shape[arc, 1]) for end in ends)
+        return (high - low) / (2.0 * BESIDE)
+
+    rate, bend = slope(along), slope(aside)
+    if not np.isfinite([rate, bend]).all() or bend == 0.0:
+        return []
+    tangent = along - rate / bend * aside
     return _singular(PointType.GRAZING, family, curve, tangent, (1.0, -1.0))
 
 
