@@ -189,9 +189,9 @@ def test_the_answer_states_what_is_left_at_the_last_amplitude() -> None:
     found = compute_erosion(BARE, motion, [0.3, 0.6, 1.0], **given)
     answer = found.describe().answer
     assert answer is not None
-    said = re.fullmatch(
-        r"([\d.]+) % of the area, ([\d.]+) % of the radius", dict(answer.facts)["left at A = 1"]
-    )
+    words = dict(answer.facts)["left at A = 1"]
+    assert isinstance(words, str)
+    said = re.fullmatch(r"([\d.]+) % of the area, ([\d.]+) % of the radius", words)
     assert said is not None
     left = [100.0 * float(each[-1]) for each in (found.global_integrity, found.integrity_factor)]
     assert [float(each) for each in said.groups()] == pytest.approx(left, abs=0.5)

@@ -144,7 +144,9 @@ def test_forces_of_a_mass_are_those_of_each_time_history() -> None:
         got = [float(cell[name]) for name in FORCES]
         assert got == pytest.approx(forces, rel=1e-9 * run.growth, nan_ok=True)
     assert finite > 10
-    (row,) = described(found.isel(level=[1])).tables[0].rows
+    description = described(found.isel(level=[1]))
+    assert description is not None
+    (row,) = description.tables[0].rows
     known = found["base_force_down_kn"].isel(level=1).values
     assert row["base_force_down_kn"] == np.quantile(known[np.isfinite(known)], SHARE)
     heavier = run_ensemble(blocks[0], motions, mass_kg=240.0, **settings)
