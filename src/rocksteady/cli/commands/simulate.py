@@ -81,11 +81,7 @@ def simulate(
         "a pulse and under a record); impacts are always rows.",
         default=100,
     ),
-    mass_kg: float | None = options.block_flag(
-        "--mass-kg KG",
-        "Set the mass of the block, or of columns and cap of a frame together, for the largest "
-        "force on its base.",
-    ),
+    mass_kg: float | None = options.mass_flag(),
     model: str | None = options.model(),
     tolerance: float | None = options.tolerance(),
 ) -> None:

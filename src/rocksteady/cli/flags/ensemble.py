@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
-from rocksteady.cli.flags.options import Panel
+from rocksteady.cli.flags.options import Panel, mass_flag
 from rocksteady.cli.flags.parsing import axis, decimal, number, restitution_from
 from rocksteady.cli.flags.record_files import FLOOR_FLAGS, ReadingFlags
 from rocksteady.errors import InputError
@@ -199,11 +199,7 @@ class EnsembleFlags:
         "Let the restitution scatter from impact to impact with this standard deviation.",
         default=0.0,
     )
-    mass_kg: float | None = ensemble_flag(
-        "--mass-kg KG",
-        "Set the mass of the block, of a frame that of columns and cap together: the runs of --csv "
-        "and --netcdf then have the largest force on the base.",
-    )
+    mass_kg: float | None = mass_flag()
     no_reverse: bool = ensemble_flag(
         "--no-reverse", "Run the records as recorded only; by default reversed too.", default=False
     )

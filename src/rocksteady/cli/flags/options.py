@@ -76,6 +76,12 @@ block_flag = Panel("Block")
 motion_flag = Panel("Base motion")
 start_flag = Panel("Start and length")
 output_flag = Panel("Output")
+mass_flag = partial(
+    block_flag,
+    "--mass-kg KG",
+    "Set the mass of the block, or of columns and cap of a frame together, for the largest "
+    "force on its base.",
+)
 
 NAMESAKES = (
     "one_sided phase oscillations cycles start side kick max_period max_impacts max_branches "

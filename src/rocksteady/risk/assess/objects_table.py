@@ -295,7 +295,7 @@ def assess_objects(
             near[place] = runs_near(runs, level.of(measure, each.block))
             row |= most_of_standing(near[place])
         rows.append(row | _kept(each, row))
-    for places in _alike(shaken, near):
+    for places in _by_floor(shaken, near):
         forces = forces_of_standing(
             [near[place] for place in places],
             [asked[place].block for place in places],
@@ -331,7 +331,7 @@ def _asked(
     return described.with_peaks(pga_g=pga_g, pgv_m_s=pgv_m_s)
 
 
-def _alike(
+def _by_floor(
     motions: Sequence[Sequence[Record | BaseMotion]], places: Iterable[int]
 ) -> list[list[int]]:
     """Return the numbers of the objects that stand on each floor."""
