@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady.kernels.nonlinear import series
+from rocksteady.kernels.nonlinear import _expansion, series
 from rocksteady.kernels.nonlinear._variation import COLUMNS, ROWS, STATE, advance, begin
 from rocksteady.kernels.nonlinear.drive import Drive, Instant
 from rocksteady.kernels.orbits.return_map import IMPACT, Section, next_passage
@@ -95,7 +95,7 @@ def test_what_stood_in_the_working_space_changes_no_derivative() -> None:
             begin(course)
             at = Instant(0.0, angle, speed, math.sin(turned), math.cos(turned), False)
             for reach in (0.3, 0.02):
-                degree, step = series.expand(drive, at, reach, 1e-15, work)
+                degree, step = _expansion.expand(drive, at, reach, 1e-15, work)
                 advance(drive, work, degree, step, course)
                 short += degree < series.TERMS - 1
             states.append(course[STATE, :4].tobytes())

@@ -10,7 +10,7 @@ from flint import fmpz_poly
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
-from rocksteady.kernels.nonlinear._short import DEGREE
+from rocksteady.kernels.nonlinear._expansion import DEGREE, expand
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest, last_rise
 from rocksteady.kernels.nonlinear.drive import Drive, Instant, hardest_pull
 from rocksteady.kernels.nonlinear.series import (
@@ -18,7 +18,6 @@ from rocksteady.kernels.nonlinear.series import (
     TERMS,
     WORK_ROWS,
     angle_at,
-    expand,
     third_bound,
 )
 from tests.every import every

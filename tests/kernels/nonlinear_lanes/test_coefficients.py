@@ -6,10 +6,10 @@ import numba
 import numpy as np
 import pytest
 
+from rocksteady.kernels.nonlinear._expansion import expand as expand_one
 from rocksteady.kernels.nonlinear.drive import Drive, Instant
 from rocksteady.kernels.nonlinear.series import ANGLE as Y
 from rocksteady.kernels.nonlinear.series import WORK_ROWS
-from rocksteady.kernels.nonlinear.series import expand as expand_one
 from rocksteady.kernels.nonlinear_lanes._coefficients import expand
 from rocksteady.kernels.nonlinear_lanes._ends import finish
 from rocksteady.kernels.nonlinear_lanes._layout import (

@@ -17,6 +17,8 @@ QUARTER_REST = 2.563344151594519e-12  # pi/2 less its first 36 bits
 SIXTH = -1.66666666666666324348e-01
 NEAR = 2e5
 """Largest angle that is reduced in three parts."""
+SMALL_ANGLE = 0.785
+"""Largest angle of `small_sinc_cos`, a little below pi/4."""
 TINY = 2.0**-27
 
 
@@ -107,7 +109,7 @@ def sincos_short(angle: float) -> tuple[float, float]:
 
 @inlined
 def small_sinc_cos(angle: float) -> tuple[float, float]:
-    """Return sin(angle)/angle and the cosine for |angle| <= pi/4, which is not checked."""
+    """Return sin(angle)/angle and the cosine for |angle| <= SMALL_ANGLE, which is not checked."""
     z = angle * angle
     sinc = 1.0 + z * (SIXTH + z * _sine_series(z))
     return sinc, 1.0 - z * (0.5 - z * _cosine_series(z))

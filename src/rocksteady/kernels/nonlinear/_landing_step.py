@@ -11,7 +11,7 @@ from rocksteady.kernels.core.typed import TRUE
 from rocksteady.kernels.linear.short import DOUBT, ITERATIONS, LANDS, NO_LANDING, Landing
 from rocksteady.kernels.linear.zeros import Search, looked_at, place_in
 from rocksteady.kernels.machine_code.compilation import compiled
-from rocksteady.kernels.nonlinear._middle import Course, bends_after, state_after
+from rocksteady.kernels.nonlinear._expansion import Course, bends_after, state_after
 from rocksteady.kernels.nonlinear._zeros import stays_above
 from rocksteady.kernels.nonlinear.series import root_of_parabola
 

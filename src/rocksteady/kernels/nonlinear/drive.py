@@ -57,6 +57,16 @@ class Instant(NamedTuple):
     lifting: bool  # off from rest just now, so that it does not sink, whatever rounding says
 
 
+class StepDrive(NamedTuple):
+    """What drives a side at the start of a step without a sinusoid, linear in time."""
+
+    alpha: float
+    shaking: float  # h and h'
+    shaking_slope: float
+    weight: float  # 1 + l and l'
+    weight_slope: float
+
+
 class SteppedFlight(NamedTuple):
     """A flight in steps, in the units of its side."""
 

@@ -8,11 +8,12 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.nonlinear._expansion import expand
 from rocksteady.kernels.nonlinear._variation import advance, begin
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest
 from rocksteady.kernels.nonlinear.drive import Drive, Instant, SteppedFlight, hardest_pull
 from rocksteady.kernels.nonlinear.proofs import HALF_PI, falls_on_still_base
-from rocksteady.kernels.nonlinear.series import ANGLE, angle_at, expand, third_bound
+from rocksteady.kernels.nonlinear.series import ANGLE, angle_at, third_bound
 
 LONGEST_STEP = 1e12
 """Of a block that stands upright to the last bit."""

@@ -10,10 +10,11 @@ from typing import NamedTuple
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
+from rocksteady.kernels.nonlinear._expansion import expand
 from rocksteady.kernels.nonlinear._zeros import largest, last_rise
 from rocksteady.kernels.nonlinear.drive import Instant, SteppedFlight
 from rocksteady.kernels.nonlinear.flight import is_stuck, phase_at, reach_of
-from rocksteady.kernels.nonlinear.series import angle_at, expand, make_work, third_bound
+from rocksteady.kernels.nonlinear.series import angle_at, make_work, third_bound
 
 LONG = 1.0
 """Side time from which on a flight is searched for its peaks."""

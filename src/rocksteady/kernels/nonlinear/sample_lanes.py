@@ -4,13 +4,12 @@ Fields of a lane are offsets into one flat array.
 """
 
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.elementary.circular import small_sinc_cos
+from rocksteady.kernels.elementary.circular import SMALL_ANGLE, small_sinc_cos
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.width import side_by_side
-from rocksteady.kernels.nonlinear._middle import bounds_over, course_from, state_after
-from rocksteady.kernels.nonlinear._short import SMALL, StepDrive
+from rocksteady.kernels.nonlinear._expansion import bounds_over, course_from, state_after
 from rocksteady.kernels.nonlinear._zeros import stays_above
-from rocksteady.kernels.nonlinear.drive import WEIGHTLESS
+from rocksteady.kernels.nonlinear.drive import WEIGHTLESS, StepDrive
 
 # 16 or fewer lanes would be unrolled and stay scalar.
 LANES = side_by_side(32)
@@ -68,7 +67,7 @@ def step_lanes(lanes: Floats) -> None:
         passes = (
             exact
             & above
-            & (abs(tilt) < SMALL)
+            & (abs(tilt) < SMALL_ANGLE)
             & (min(weight, weight + lift_slope * span) > WEIGHTLESS)
             & (highest < lanes[FLAT + j])
             & (later_y <= 1.0)

@@ -27,8 +27,7 @@ from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.short import DOUBT, LANDS, NO_LANDING
 from rocksteady.kernels.machine_code.compilation import compiled
-from rocksteady.kernels.nonlinear._landing_step import first_landing
-from rocksteady.kernels.nonlinear._middle import (
+from rocksteady.kernels.nonlinear._expansion import (
     DEGREE,
     bounds_over,
     fill_course,
@@ -36,9 +35,9 @@ from rocksteady.kernels.nonlinear._middle import (
     state_after,
     step_to_landing,
 )
-from rocksteady.kernels.nonlinear._short import StepDrive
+from rocksteady.kernels.nonlinear._landing_step import first_landing
 from rocksteady.kernels.nonlinear._zeros import MARGIN, largest, stays_above
-from rocksteady.kernels.nonlinear.drive import WEIGHTLESS, Drive, Instant
+from rocksteady.kernels.nonlinear.drive import WEIGHTLESS, Drive, Instant, StepDrive
 from rocksteady.kernels.nonlinear.flight import reach_of
 from rocksteady.kernels.nonlinear.proofs import HALF_PI, point_of_no_return
 from rocksteady.kernels.nonlinear.series import ANGLE, angle_at, expand_series, third_bound

@@ -22,12 +22,10 @@ import math
 import numpy as np
 
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.core.typed import TRUE
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.elementary.exponential import exp_clamped
 from rocksteady.kernels.elementary.logarithm import LN2, LOG2_DOUBT, low_log2
 from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
-from rocksteady.kernels.nonlinear._short import DEGREE, StepDrive, fill_short, short_step
 from rocksteady.kernels.nonlinear.drive import Drive, Instant
 
 TERMS = 24
@@ -89,34 +87,6 @@ def root_of_parabola(above: float, velocity: float, bend: float, falling: bool) 
         if far > 0.0:
             return 2.0 * abs(above) / far
     return math.inf
-
-
-@compiled
-def expand(
-    drive: Drive, at: Instant, reach: float, left_out: float, work: Floats
-) -> tuple[int, float]:
-    """Fill the coefficients of y by a short step where one does, or else by the series.
-
-    Parameters and results are those of `expand_series`, which fills all rows.
-    """
-    if drive.alpha == 0.0:
-        return expand_linear(drive, at, reach, left_out, work)
-    time, angle, velocity, _, _, _ = at
-    if drive.frequency == 0.0:
-        shaking = drive.constant + drive.slope * time
-        weight = 1.0 + drive.lift + drive.lift_slope * time
-        driven = StepDrive(drive.alpha, shaking, drive.slope, weight, drive.lift_slope)
-        step = reach
-        for _ in range(2):
-            short = short_step(driven, at, step, left_out)
-            if short.exact:
-                fill_short(short, angle, velocity, work)
-                return DEGREE, step
-            # A shorter one, up to the next zero, may be exact; not to a zero at the start itself.
-            step = BEYOND * root_of_parabola(angle, velocity, 2.0 * short.second, TRUE)
-            if not 0.0 < step < reach:
-                break
-    return expand_series(drive, at, reach, left_out, work)
 
 
 @compiled

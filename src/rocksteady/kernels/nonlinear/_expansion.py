@@ -1,20 +1,26 @@
-"""Steps of degree 10 of a nonlinear flight without a sinusoid: longer than the short ones.
+"""The step that a nonlinear flight takes: of degree 10 where that does, or else the long series.
 
-With S and C of `rocksteady.kernels.nonlinear.series` each coefficient follows from those before it.
-Sums are written out, the products that are known last at their end, so that no processor waits for
-more than it must.  The step of length t is exact where a_10 t^10 and a_9 t^11, of its last
-coefficients, are negligible, as in the series.
+Without a sinusoid, as between two samples of a record, each coefficient follows from those before
+it, with S and C of `rocksteady.kernels.nonlinear.series`.  Sums are written out, the products that
+are known last at their end, so that no processor waits for more than it must.  The step of length
+t is exact where a_10 t^10 and a_9 t^11, of its last coefficients, are negligible, as in the series.
 """
 
+import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import TRUE
-from rocksteady.kernels.elementary.circular import sincos_near, small_sinc_cos
+from rocksteady.kernels.elementary.circular import SMALL_ANGLE, sincos_near, small_sinc_cos
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.nonlinear._short import SMALL, StepDrive
-from rocksteady.kernels.nonlinear.drive import Instant
-from rocksteady.kernels.nonlinear.series import ANGLE, BEYOND, root_of_parabola
+from rocksteady.kernels.nonlinear.drive import Drive, Instant, StepDrive
+from rocksteady.kernels.nonlinear.series import (
+    ANGLE,
+    BEYOND,
+    expand_linear,
+    expand_series,
+    root_of_parabola,
+)
 
 DEGREE = 10
 
@@ -37,10 +43,17 @@ class Course(NamedTuple):
 def middle_step(drive: StepDrive, at: Instant, step: float, left_out: float) -> tuple[Course, bool]:
     """Return the coefficients of a step, and whether they are enough.
 
-    The parameters are those of `rocksteady.kernels.nonlinear._short.short_step`.
+    Parameters
+    ----------
+    drive, at
+        What drives the side at the start of the step, and its state there.
+    step
+        Length of the step.
+    left_out
+        Part of the motion that a step may leave out.
     """
     tilt = drive.alpha * (1.0 - at.angle)
-    if abs(tilt) < SMALL:
+    if abs(tilt) < SMALL_ANGLE:
         sinc, cosine = small_sinc_cos(tilt)
         sine = sinc * (1.0 - at.angle)
     else:
@@ -126,7 +139,8 @@ def course_from(
         squared * step * abs(course.third),
     )
     last = squared * abs(course.ninth) + step * abs(course.tenth)
-    return course, fourths * fourths * step * last <= left_out * largest
+    allowed = left_out * largest
+    return course, (fourths * fourths * step * last <= allowed) & (allowed < math.inf)
 
 
 @compiled
@@ -188,3 +202,32 @@ def fill_course(course: Course, angle: float, velocity: float, work: Floats) -> 
     work[ANGLE, 2], work[ANGLE, 3], work[ANGLE, 4] = course.second, course.third, course.fourth
     work[ANGLE, 5], work[ANGLE, 6], work[ANGLE, 7] = course.fifth, course.sixth, course.seventh
     work[ANGLE, 8], work[ANGLE, 9], work[ANGLE, 10] = course.eighth, course.ninth, course.tenth
+
+
+@compiled
+def expand(
+    drive: Drive, at: Instant, reach: float, left_out: float, work: Floats
+) -> tuple[int, float]:
+    """Fill the coefficients of y by a step of degree 10 where one does, or else by the series.
+
+    Parameters and results are those of `rocksteady.kernels.nonlinear.series.expand_series`, which
+    fills all rows.
+    """
+    if drive.alpha == 0.0:
+        return expand_linear(drive, at, reach, left_out, work)
+    time, angle, velocity, _, _, _ = at
+    if drive.frequency == 0.0:
+        shaking = drive.constant + drive.slope * time
+        weight = 1.0 + drive.lift + drive.lift_slope * time
+        driven = StepDrive(drive.alpha, shaking, drive.slope, weight, drive.lift_slope)
+        step = reach
+        for _ in range(2):
+            course, exact = middle_step(driven, at, step, left_out)
+            if exact:
+                fill_course(course, angle, velocity, work)
+                return DEGREE, step
+            # A shorter one, up to the next zero, may be exact; not to a zero at the start itself.
+            step = BEYOND * root_of_parabola(angle, velocity, 2.0 * course.second, TRUE)
+            if not 0.0 < step < reach:
+                break
+    return expand_series(drive, at, reach, left_out, work)

@@ -1,22 +1,25 @@
-"""Steps of degree 10 against the long series, and landings in them against its search."""
+"""Steps of degree 10 against 50 digits and the long series, and landings against its search."""
 
 import math
+from typing import Any
 
+import mpmath
 import numpy as np
+import pytest
 
 from rocksteady.kernels.core.tables import FOUND
 from rocksteady.kernels.core.typed import FALSE
 from rocksteady.kernels.linear.short import DOUBT, LANDS
-from rocksteady.kernels.nonlinear._landing_step import first_landing
-from rocksteady.kernels.nonlinear._middle import (
+from rocksteady.kernels.nonlinear._expansion import (
     DEGREE,
+    Course,
     bounds_over,
     fill_course,
     middle_step,
     state_after,
 )
-from rocksteady.kernels.nonlinear._short import StepDrive
-from rocksteady.kernels.nonlinear.drive import Drive, Instant, SteppedFlight
+from rocksteady.kernels.nonlinear._landing_step import first_landing
+from rocksteady.kernels.nonlinear.drive import Drive, Instant, StepDrive, SteppedFlight
 from rocksteady.kernels.nonlinear.flight import fly
 from rocksteady.kernels.nonlinear.series import (
     ANGLE,
@@ -26,8 +29,117 @@ from rocksteady.kernels.nonlinear.series import (
     expand_series,
 )
 from tests.every import every
-from tests.kernels.nonlinear.test_short import TURNING_POINTS, drawn, spread
 from tests.strategies import sample_size
+
+TURNING_POINTS = [
+    (0.6, -0.0016, 1.66e-10),
+    (0.8, -0.003, 6.6e-6),
+    (0.057, -8.4, 7.3e-5),
+    (0.0077, -4.0, 2.3e-5),
+    (0.0186, 1.006, 8.3e-10),
+    (0.35, 0.3, 0.4),
+]
+"""Alpha, shaking and angle at which terms of an estimate vanish."""
+
+mp = mpmath.mp.clone()
+mp.dps = 50
+
+
+def spread(rng: np.random.Generator, low: float, high: float) -> float:
+    return float(math.exp(rng.uniform(math.log(low), math.log(high))))
+
+
+def drawn(rng: np.random.Generator) -> tuple[Drive, float, float]:
+    """Return a side's drive and a state; each part of them may be zero, tiny or large.
+
+    A block at a turning point, at the instant of uplift or on a base that keeps still is where an
+    estimate from the start of the step alone would be zero.
+    """
+
+    def part(low: float, high: float, none: float) -> float:
+        return 0.0 if rng.random() < none else float(rng.normal() * spread(rng, low, high))
+
+    alpha = spread(rng, 1e-3, 1.5)
+    weight = 1.0 if rng.random() < 0.5 else float(rng.uniform(0.01, 3.0))
+    lift_slope = part(0.01, 100.0, 0.5)
+    angle = 0.0 if rng.random() < 0.3 else min(spread(rng, 1e-10, 3.0), 1.57 / alpha)
+    shaking = part(1e-3, 30.0, 0.2)
+    if rng.random() < 0.1:  # a foot that is just about to lift
+        shaking = weight * math.tan(alpha) / alpha * (1.0 + 1e-9 * rng.normal())
+    drive = Drive(alpha, shaking, part(0.01, 300.0, 0.2), 0.0, 0.0, weight - 1.0, lift_slope)
+    return drive, angle, part(1e-8, 5.0, 0.1)
+
+
+def stepped(
+    drive: Drive, angle: float, velocity: float, h: float, left: float
+) -> tuple[Course, bool]:
+    driven = StepDrive(drive.alpha, drive.constant, drive.slope, 1.0 + drive.lift, drive.lift_slope)
+    return middle_step(driven, Instant(0.0, angle, velocity, 0.0, 1.0, FALSE), h, left)
+
+
+def exact_coefficients(drive: Drive, angle: float, velocity: float, count: int) -> list[Any]:
+    """Return Taylor coefficients of y by powers of series in 50 digits.
+
+    sin and cos are composed by their own Taylor series about the first angle, not by a recurrence
+    of products as the kernels do.
+    """
+    alpha, weight = mp.mpf(drive.alpha), 1 + mp.mpf(drive.lift)
+    base = mp.mpf(drive.alpha) * (1 - mp.mpf(angle))
+    y = [mp.mpf(angle), mp.mpf(velocity)]
+
+    def times(a: list[Any], b: list[Any]) -> list[Any]:
+        return [sum(a[j] * b[n - j] for j in range(n + 1)) for n in range(len(a))]
+
+    while len(y) < count:
+        size = len(y)
+        turned = [mp.mpf(0)] + [-alpha * term for term in y[1:]]
+        sine, cosine = [mp.mpf(0)] * size, [mp.mpf(0)] * size
+        power = [mp.mpf(1)] + [mp.mpf(0)] * (size - 1)
+        for k in range(size):
+            for n in range(size):
+                sine[n] += mp.sin(base + k * mp.pi / 2) * power[n] / mp.factorial(k)
+                cosine[n] += mp.cos(base + k * mp.pi / 2) * power[n] / mp.factorial(k)
+            power = times(power, turned)
+        n = size - 2
+        force = mp.mpf(drive.constant) * cosine[n] - weight * sine[n] / alpha
+        if n:
+            force += drive.slope * cosine[n - 1] - drive.lift_slope * sine[n - 1] / alpha
+        y.append(force / ((n + 1) * (n + 2)))
+    return y
+
+
+@every("seed", range(40))
+def test_coefficients_are_those_of_50_digits(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    drive, angle, velocity = drawn(rng)
+    exact = exact_coefficients(drive, angle, velocity, DEGREE + 1)
+    course, _ = stepped(drive, angle, velocity, 0.1, 0.0)
+    # What each is a sum of, with natural sizes of its parts, so that rounding has a measure.
+    size = 1.0 + drive.alpha * (abs(velocity) + abs(drive.constant)) + abs(drive.lift_slope)
+    rate = (1.0 + drive.lift + drive.alpha * abs(drive.constant)) ** 0.5
+    rate = max(rate, drive.alpha * abs(velocity), size ** (1 / 3))
+    pull = abs(drive.constant) + 2.0 + drive.lift + (abs(drive.slope) + size) / rate
+    scale = max(angle, abs(velocity) / rate, pull / rate**2)
+    for n in range(2, DEGREE + 1):
+        allowed = 3e-13 * scale * (2.0 * rate) ** n / math.factorial(n)
+        assert abs(course[n - 2] - exact[n]) <= max(allowed, 1e-15 * abs(exact[n])), n
+
+
+@every("given", [(1e200, 0.3, 0.1), (math.nan, 0.3, 0.1), (0.5, 0.3, math.nan), (1e35, 0.3, 1e80)])
+def test_what_overflows_or_is_no_number_is_refused(given: tuple[float, float, float]) -> None:
+    shaking, angle, velocity = given
+    drive = Drive(0.3, shaking, 1.0, 0.0, 0.0, 0.0, 0.0)
+    assert not stepped(drive, angle, velocity, 0.01, 1e-3)[1]
+
+
+def test_a_block_that_lifts_off_does_not_sink() -> None:
+    alpha = 0.3
+    level = math.tan(alpha) / alpha * (1.0 - 1e-15)
+    for lifting, least in ((True, 0.0), (False, -1e-14)):
+        at = Instant(0.0, 0.0, 0.0, 0.0, 1.0, lifting)
+        course, _ = middle_step(StepDrive(alpha, level, 2.0, 1.0, 0.0), at, 0.01, 1e-15)
+        assert least <= course.second <= 0.0
+        assert course.third == pytest.approx(2.0 * math.cos(alpha) / 6.0, rel=1e-15)
 
 
 def test_what_a_step_leaves_out_is_as_little_as_it_may() -> None:
