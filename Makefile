@@ -88,7 +88,7 @@ lint: .venv ## ruff: rules and format; code lines, and what has grown beyond eas
 
 .PHONY: types
 types: .venv ## mypy --strict over src and tests, and tsc over the page where there is one
-	$(BIN)/python -m mypy
+	$(BIN)/python -m mypy --num-workers $(WORKERS)
 	@$(BIN)/python -m tools.page
 
 .PHONY: layers

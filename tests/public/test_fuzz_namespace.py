@@ -26,6 +26,7 @@ from tests.outputs import unrendered
 from tests.public import junk
 from tests.public.calls import Call, calls, close_pictures, public_callables
 from tests.public.things import things
+from tests.show.assessment.pages import drawn_once
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore:Animation was deleted"),
@@ -218,7 +219,7 @@ def test_every_public_callable_has_a_valid_call() -> None:
 
 def test_every_valid_call_succeeds() -> None:
     wrong = {}
-    with unrendered():  # pages have tests of their own
+    with unrendered(), drawn_once():  # pages have tests of their own
         for label, call in calls().items():
             wrong[label] = foreign(call, {}, valid=label not in REFUSED_LATER)
             close_pictures()
