@@ -43,7 +43,9 @@ def motion_text(
     if isinstance(motion, BaseMotion):
         vertical, motion = motion.vertical, motion.horizontal
     if isinstance(motion, Record):
-        peak = quantity(in_g(motion.peak_acceleration_m_s2), "g")
+        peak = quantity(in_g(motion.reference.peak_acceleration_m_s2), "g")
+        if motion.ground:
+            peak += f", of the floor {quantity(in_g(motion.peak_acceleration_m_s2), 'g')}"
         words = f"{motion.name or 'a record'} (PGA {peak})"
     elif isinstance(motion, PeriodicMotion | Pulse):
         words = "harmonic shaking" if isinstance(motion, Harmonic) else "periodic shaking"

@@ -245,7 +245,7 @@ def test_the_answer_of_a_pulse_has_the_ends_of_its_windows() -> None:
     lines = answer(command)
     (row,) = rocksteady(f"{command} --json").json["windows"]
     (low, high), (above, _) = row["intervals"]
-    first = f"It falls first at A = {low:.3g}; above A = {above:.3g} it always falls"
+    first = f"It falls first at A = {low:.3g}; always from A = {above:.3g} to A = 20 ("
     assert " ".join(lines[:2]).startswith(first)
     assert f"falls A = {low:.3g}-{high:.3g}" in lines
     assert lines[-1] == f"next: rocksteady {command} --more"

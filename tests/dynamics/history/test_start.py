@@ -8,8 +8,20 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import DimensionlessBlock, Harmonic, Piecewise, Rest, State, Steady, Still
+from rocksteady import (
+    DimensionlessBlock,
+    Harmonic,
+    Linear,
+    Piecewise,
+    Rest,
+    State,
+    Status,
+    Steady,
+    Still,
+    simulate,
+)
 from rocksteady.dynamics.history.start import (
+    FARTHEST,
     LARGEST_KICK,
     Start,
     initial_march,
@@ -122,3 +134,25 @@ def test_a_bad_kick_is_refused_with_its_range(value: Any) -> None:
 def test_every_kick_in_the_range_is_a_number(value: float) -> None:
     assert Steady(kick=value).kick == value
     assert type(Steady(kick=value).kick) is float
+
+
+@every("size", [1e3, 1e9, FARTHEST])
+@every("excess", [-1.0, 1.0])
+def test_the_farthest_start_ends_as_the_closed_form_says(size: float, excess: float) -> None:
+    """On a still base u + u' - 1 grows as e^t: below 0 the block lands, and falls behind."""
+    start = State(angle=size, velocity=1.0 - size + excess)
+    run = simulate(BLOCK, Still(), start=start, model=Linear())
+    assert run.status is Status.OVERTURNED
+    landings = 0 if excess > 0.0 else 1
+    assert len(run.impacts) == landings
+    if landings:  # the energy of y = u - 1: y'^2 - y^2 is kept
+        y, v = size - 1.0, 1.0 - size + excess
+        landing = math.sqrt(1.0 + (v - y) * (v + y))
+        assert abs(run.impacts.velocity_before[0]) == pytest.approx(landing, rel=1e-3)
+
+
+@every("size", [1.01 * FARTHEST, 1e50])
+def test_a_start_beyond_the_farthest_is_refused(size: float) -> None:
+    for keys in ({"angle": size, "velocity": 0.0}, {"angle": 0.0, "velocity": -size}):
+        with pytest.raises(InputError, match=r"lie in \[-1000000000000, 1000000000000\]"):
+            State(**keys)

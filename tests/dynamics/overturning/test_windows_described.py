@@ -20,6 +20,7 @@ from rocksteady.formulas import overturning_amplitude
 from rocksteady.model.equations import Model
 from rocksteady.overturning import OverturningWindows
 from tests.descriptions import as_json, fits
+from tests.every import every
 
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 BARE = DimensionlessBlock(restitution=0.9)
@@ -121,3 +122,15 @@ def test_windows_of_any_kind_have_their_words() -> None:
     assert "3 narrower windows are left out, at no frequency more than 3e-05 wide" in words
     assert "At 1 of the frequencies there are so many windows" in words
     assert "stands throughout at omega/p = 2, 8." in words
+
+
+@every("highest", [1.5, 3.0, 9.0, 40.0])
+def test_an_answer_says_nothing_of_what_was_not_searched(highest: float) -> None:
+    for block in (BARE, LEANING):
+        found = windows_of(block, "one-sine", highest)
+        answer = found.describe().answer
+        assert answer is not None
+        for text in (answer.sentence, *(words for _, words in answer.facts)):
+            assert "above" not in text
+            if "always" in text or "it stands" in text:
+                assert f" to A = {highest:g}" in text or f"({highest:g}" in text or " g" in text

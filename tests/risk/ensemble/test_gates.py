@@ -5,8 +5,20 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady import Block, Record, compute_fragility, read_record, run_ensemble
+from rocksteady import (
+    BaseMotion,
+    Block,
+    Linear,
+    Nonlinear,
+    Record,
+    compute_fragility,
+    floor_motion,
+    read_record,
+    run_ensemble,
+)
+from rocksteady.export import LossComponent
 from rocksteady.risk import FitOptions, Levels, RestitutionBand, fit_curve, fit_fragility
+from rocksteady.risk.ensemble.gates import condition_of, lowest_gate
 from tests.records import FOLDER
 from tests.seismic.grounds import ground
 
@@ -157,3 +169,51 @@ def test_a_statue_in_pga_is_described_by_two_stages() -> None:
     assert two.misfit == pytest.approx(max(gaps), abs=1e-6)
     assert two.misfit < 0.12
     assert state.plain.misfit > 0.2
+
+
+BELOW_ALL = 0.98
+
+
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+@pytest.mark.parametrize("block", [BLOCK, OTHER, BLOCK.against_wall()])
+def test_no_run_lifts_up_to_the_lowest_gate(block: Block, model: Linear | Nonlinear) -> None:
+    band = RestitutionBand(draws=1)
+
+    def lifted(at: float) -> float:
+        levels = Levels("pga_g", [at], beside=())
+        runs = run_ensemble(block, SUITE, levels=levels, restitution=band, model=model)
+        assert lowest_gate(runs) == gate
+        words = "given PGA > g tan alpha" if model == Nonlinear() else "given PGA > g alpha"
+        assert condition_of(runs) == words
+        return float((runs["peak_angle"] > 0.0).mean())
+
+    levels = Levels("pga_g", [1.0], beside=())
+    gate = lowest_gate(run_ensemble(block, SUITE, levels=levels, restitution=band, model=model))
+    assert gate is not None
+    assert lifted(BELOW_ALL * gate) == 0.0
+    assert lifted(gate / BELOW_ALL) > 0.0
+
+
+def test_on_a_floor_or_with_vertical_motion_no_peak_of_the_ground_is_a_gate() -> None:
+    gate = math.tan(BLOCK.alpha)
+    floors = [floor_motion(each, frequencies_hz=2.0, shapes=1.4) for each in SUITE]
+    both = [BaseMotion(each, SUITE[0].scaled(0.2)) for each in SUITE]
+    for motions in (floors, both):
+        for measure in ("pga_g", "pgv_m_s"):
+            levels = Levels(measure, np.linspace(0.1, 1.0, 7))
+            found = compute_fragility(
+                BLOCK, motions, levels=levels, restitution=RestitutionBand(draws=1), fitting=PLAIN
+            )
+            runs = found.ensemble
+            assert (lowest_gate(runs), condition_of(runs)) == (None, "given uplift")
+            said = str(found.describe())
+            assert "given uplift" in said
+            assert "tan alpha" not in said
+            assert "lower PGA" not in said
+            assert LossComponent.from_fragility(found, "A").no_damage is None
+            if found.surface is not None:
+                along = LossComponent.from_fragility(found, "A", pgv_per_pga_s=0.1)
+                assert along.no_damage is None
+            if measure == "pga_g" and motions is floors:
+                lifts = found.state("uplift").points
+                assert any(count for level, _, count, *_ in lifts if level < gate)

@@ -234,3 +234,9 @@ def test_a_motion_counts_once_whatever_its_name_and_with_a_vertical_one() -> Non
     assert "there are 4 different records" in str(found.refusal)
     whole: list[Record | BaseMotion] = [*suite, BaseMotion(suite[0], suite[0].scaled(0.2))]
     assert run_facade(BARE, whole, pga_g=0.01).enough
+
+
+@every("facade", [BARE, LOADED, PARAPET])
+def test_the_restitution_of_the_runs_is_among_the_values(facade: Facade) -> None:
+    values = run_facade(facade, motions(2, 1.0)).to_dict()
+    assert values["restitution"] == facade.mechanism.block().restitution

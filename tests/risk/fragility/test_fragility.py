@@ -39,13 +39,21 @@ def stages(**keys: Any) -> TwoStageCurve:
     return replace(made, **keys)
 
 
+def ensemble_of(model: str) -> xarray.Dataset:
+    """Return what a description asks of an ensemble on the ground: no run of it."""
+    return xarray.Dataset(
+        coords={"vertical": ["without"], "block": [1], "alpha": ("block", [0.25])},
+        attrs={"model": model, "place": "ground"},
+    )
+
+
 def state(name: str = "overturned", plain: FragilityCurve | None = None, **keys: Any) -> Any:
     return StateFragility(state=DamageState(name), plain=plain or curve(), **keys)
 
 
 def fragility(*states: StateFragility, measure: str = "pgv_m_s", **keys: Any) -> Fragility:
     values: dict[str, Any] = {
-        "ensemble": xarray.Dataset(attrs={"model": "nonlinear"}),
+        "ensemble": ensemble_of("nonlinear"),
         "measure": Measure(measure),
         "states": states or (state(),),
         "ranking": (),
@@ -212,5 +220,5 @@ def test_states_and_equations_are_those_of_the_runs() -> None:
     with pytest.raises(InputError, match="the damage states are uplift, overturned"):
         made.state("fallen")
     assert isinstance(made.model, Nonlinear)
-    linear = fragility(ensemble=xarray.Dataset(attrs={"model": "linear"}))
+    linear = fragility(ensemble=ensemble_of("linear"))
     assert isinstance(linear.model, Linear)

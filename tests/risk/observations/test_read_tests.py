@@ -202,6 +202,7 @@ def test_a_fault_is_one_line_with_its_place(text: str | bytes, line: str, folder
         ("name,width_m,height_m\na,0.2 m,1\n", "objects.csv: line 2, width_m = '0.2 m'"),
         ("name,width_m,height_m\na,200,600\n", "write 0.6 for 600 mm"),
         ("name,widht_m,height_m\na,0.2,1\n", "did you mean width_m?"),
+        ("name,width_m,height_m,heigth\na,0.2,1,2\n", "did you mean height_m?"),
         ("name,width_m,height_m,base\na,0.2,1,1:0.6\n", "exchange the two"),
         ("", "objects.csv is empty"),
     ],

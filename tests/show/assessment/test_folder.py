@@ -18,6 +18,9 @@ from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.show.assessment import folder as module
 from rocksteady.show.assessment.folder import write_assessment
+from tests.every import every
+from tests.outputs import unrendered
+from tests.show.assessment.pages import drawn_once
 
 SUITE = make_synthetic_suite(11)
 FILES = [
@@ -222,3 +225,26 @@ def test_a_full_disk_is_reported_with_the_folder_of_the_answer(
         write_assessment(sliding, tmp_path / "answer")
     assert "partial-" not in str(refusal.value)
     assert not (tmp_path / "answer").exists()
+
+
+@every("states", [None, ["uplift", "overturned"], ["overturned"], ["uplift"]])
+def test_any_damage_states_make_a_folder_with_both_components(
+    states: list[str] | None, tmp_path: Path
+) -> None:
+    """Those of an object that names none are four, and the cut at a ratio of peaks has the last."""
+    given = described(0.5).values
+    options = {key: given["assessment"][key] for key in ("draws", "levels", "replicates")}
+    if states is not None:
+        options["damage_states"] = states
+    found = assess_object(DescribedObject(values=given | {"assessment": options}), SUITE)
+    out = tmp_path / "answer"
+    with unrendered(), drawn_once():
+        write_assessment(found, out)
+    assert names(out) == sorted([*FILES, "fragility-peaks.xml"])
+    with (out / "fragility.csv").open(encoding="utf-8", newline="") as stream:
+        rows = [row["ID"] for row in csv.DictReader(stream)]
+    assert rows == ["RS.Buste_3_Saal", "RS.Buste_3_Saal.peaks"]
+    for file, identifier in zip(("fragility.xml", "fragility-peaks.xml"), rows, strict=True):
+        root = ET.fromstring((out / file).read_text(encoding="utf-8"))
+        (function,) = root.iter("{http://openquake.org/xmlns/nrml/0.5}fragilityFunction")
+        assert function.attrib["id"] == identifier

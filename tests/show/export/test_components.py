@@ -61,7 +61,8 @@ def fragility(
                 "alpha": ("block", [ALPHA] * blocks),
                 "p": ("block", [P] * blocks),
                 "vertical": [vertical],
-            }
+            },
+            attrs={"model": "nonlinear", "place": "ground"},
         ),
         measure=measure,
         states=(

@@ -179,10 +179,10 @@ def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") 
         Column("significant_5_95_s", "D5-95 s"),
     ]
     strongest = sorted(measures, key=lambda each: -each.pga_g)
-    least, most = (number(each.pga_g) for each in (strongest[-1], strongest[0]))
+    ends = dict.fromkeys(number(each.pga_g) for each in (strongest[-1], strongest[0]))
     drifting = sum(each.drifts for each in measures)
     answer = Answer(
-        f"{plural(len(rows), 'record')} peak at {least} to {most} g.",
+        f"{plural(len(rows), 'record')} peak at {' to '.join(ends)} g.",
         [
             ("drift", f"{drifting} of {len(rows)} records drift" * (drifting > 0)),
             left_out(max(len(rows) - MOST_ANSWERED, 0), "weaker"),

@@ -7,12 +7,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
+from rocksteady.dynamics.history.start import FARTHEST
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.checks.validation import in_range
 from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.results.description import Fact
@@ -136,7 +137,7 @@ def window_axis(name: str, values: ArrayLike, long_name: str) -> Axis:
     """
     axis = Axis(name=name, values=values, long_name=long_name)
     for value in (axis.points.min(), axis.points.max()):
-        in_range(name, value, -LARGEST, LARGEST, "[]", hint="give a smaller window")
+        in_range(name, value, -FARTHEST, FARTHEST, "[]", hint="give a smaller window")
     steps = np.diff(axis.points)
     if not (steps.size and (steps > 0.0).all() and np.ptp(steps) <= 1e-6 * steps.mean()):
         raise InputError(

@@ -230,7 +230,9 @@ class BranchPoint(Result):
                 "point",
                 self.type.value,
                 "its solution passes through the floor or grazes it and is no motion",
-                "choose a point that is admissible",
+                "choose a point beside it"
+                if self.chain.admissible
+                else "choose a point that is admissible",
             )
         states = tuple(state_of(section) for section in sections)
         return Orbit(

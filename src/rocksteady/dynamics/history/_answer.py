@@ -40,7 +40,7 @@ def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
     friction = words.get("friction_needed")
     lifts = "" if run.uplift_g is None else quantity(run.uplift_g, "g")
     if run.pga_g is not None:
-        lifts += f"; {name_of(run.motion)} reaches {quantity(run.pga_g, 'g')}"
+        lifts += f"; {name_of(run.motion)} reaches {quantity(run.floor_pga_g or run.pga_g, 'g')}"
     facts = [
         ("largest tilt", "" if falls or not run.peak else tilt),
         ("lifts at", lifts),

@@ -160,9 +160,12 @@ def _demands(run: Described) -> Iterator[Fact]:
     """Yield what lifts the block, what the base does, and the friction it takes."""
     if run.uplift_g is None or run.pga_g is None:
         return
-    words = f"{quantity(run.uplift_g, 'g')}; the base reaches {quantity(run.pga_g, 'g')}"
+    reached = quantity(run.floor_pga_g or run.pga_g, "g")
+    words = f"{quantity(run.uplift_g, 'g')}; the base reaches {reached}"
     yield Fact("uplift_g", run.uplift_g, "uplift at", words)
     yield Fact("pga_g", run.pga_g)
+    if run.floor_pga_g is not None:
+        yield Fact("floor_pga_g", run.floor_pga_g)
     needed = run.friction_needed
     finite = None if needed is None or math.isinf(needed) else needed
     text = "" if needed is None else number(needed)

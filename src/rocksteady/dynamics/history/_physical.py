@@ -249,14 +249,21 @@ class Physical:
 
     @cached_property
     def pga_g(self) -> float | None:
-        """Largest horizontal acceleration of the base [g]; None where `uplift_g` is."""
+        """Largest horizontal acceleration of the ground [g]; None where `uplift_g` is."""
         block = self._shaken_block
         if block is None:
             return None
         if isinstance(self.motion, Record):
-            return self.motion.peak_acceleration_m_s2 / STANDARD_GRAVITY
+            return self.motion.reference.peak_acceleration_m_s2 / STANDARD_GRAVITY
         peak = base_motion.peak_acceleration(self.segments)
         return peak * (block.uplift_acceleration / STANDARD_GRAVITY)
+
+    @cached_property
+    def floor_pga_g(self) -> float | None:
+        """Largest horizontal acceleration of the floor of a building [g]; None on the ground."""
+        if isinstance(self.motion, Record) and self.motion.ground and self.pga_g is not None:
+            return self.motion.peak_acceleration_m_s2 / STANDARD_GRAVITY
+        return None
 
     @cached_property
     def friction_needed(self) -> float | None:

@@ -38,6 +38,8 @@ KICK = 1e-6
 """Default distance from an unstable orbit at which a block is set off."""
 LARGEST_KICK = 0.1
 """Further from an orbit its unstable direction means nothing."""
+FARTHEST = 1e12
+"""Largest angle and speed of a start: whether u + du/d(pt) is below 1 decides, to 1e-4 there."""
 
 
 def _turned(name: str, value: float) -> float:
@@ -70,11 +72,11 @@ class State:
     Raises
     ------
     InputError
-        If a number is not finite, or an angle or velocity beyond 1e50.
+        If a number is not finite, or an angle or velocity beyond 1e12.
     """
 
-    angle: Annotated[float, Bounds(-LARGEST, LARGEST, "[]", "give theta/alpha")]
-    velocity: Annotated[float, Bounds(-LARGEST, LARGEST, "[]", "give d(theta/alpha)/d(p t)")]
+    angle: Annotated[float, Bounds(-FARTHEST, FARTHEST, "[]", "give theta/alpha")]
+    velocity: Annotated[float, Bounds(-FARTHEST, FARTHEST, "[]", "give d(theta/alpha)/d(p t)")]
     phase: Annotated[float | None, _turned] = None
 
     @classmethod
@@ -153,7 +155,7 @@ class ImpactState:
 
     side: Annotated[int, side_value]
     phase: Annotated[float, _turned]
-    speed: Annotated[float, Bounds(0.0, LARGEST, "[]", "give |d(theta/alpha)/d(p t)|")]
+    speed: Annotated[float, Bounds(0.0, FARTHEST, "[]", "give |d(theta/alpha)/d(p t)|")]
 
     @property
     def mirrored(self) -> "ImpactState":

@@ -156,17 +156,19 @@ class WindowLists(Result):
         return words + "; narrower ones may be missing" * bool(self.unsettled.any())
 
     def _verdict(self, row: int, write: Callable[[float], str]) -> str:
-        """Return from which size on a block of one row falls, and from which on it always does."""
+        """Return from which size on a block of one row falls, and what it does up to the end."""
         first, end = float(self.first[row]), float(self._ends[row])
         least = ", the least searched" if first <= self.within[0] else ""
         last = (self.intervals(row) or [(first, end)])[-1]
-        if last[1] < end and number(last[1]) == number(end):
+        turn = last[1] if last[1] < end else last[0]  # beyond it nothing changes
+        if turn > first and number(turn) == number(end):
             return f"first at {write(first)}{least}"
+        to_end = f"to {write(end)}"  # where the search ends
         if last[1] < end:
-            return f"first at {write(first)}{least}; above {write(last[1])} it stands"
-        if last[0] == first:
-            return f"at {write(first)}{least}, and at all above"
-        return f"first at {write(first)}{least}; above {write(last[0])} it always falls"
+            return f"first at {write(first)}{least}; it stands from {write(turn)} {to_end}"
+        if turn == first:
+            return f"at {write(first)}{least}, and always up {to_end}"
+        return f"first at {write(first)}{least}; always from {write(turn)} {to_end}"
 
     def _widest(self, row: int, unit: float = 1.0) -> str:
         """Return the widest windows of one row that end before the search does."""

@@ -43,9 +43,10 @@ def answer_of_object(result: Any) -> Answer:
     verdict = f"{result.colour}, {result.verdict.partition(' ')[0]} {limit}"
     vertical = result.described.demand.vertical_words
     peaks = f"{at} with {vertical}" if vertical else at
-    lifts = quantity(result.facts.uplift_pga_g, "g")
-    if given.demand.pga_g is not None:
-        lifts += f", {number(result.facts.uplift_pga_g / given.demand.pga_g, 2)} of the demand"
+    lifts, shaken = quantity(result.facts.uplift_pga_g, "g"), result.described.demand.pga_g
+    if shaken is not None:
+        lifts += f", {number(result.facts.uplift_pga_g / shaken, 2)} of the demand"
+    lifts += " on its floor" * result.described.on_floor
     need = result.friction_needed
     friction = "" if need is None else f"{number(need)} for {result.friction_cause}"
     if result.basis is None:

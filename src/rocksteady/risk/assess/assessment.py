@@ -360,7 +360,10 @@ class Assessment(Result):
             unknown = self.described.given.demand.pga_g is None
             if self.fragility.measure.given_uplift and unknown:
                 lift = quantity(self.facts.uplift_pga_g, "g")
-                warnings.append(f"No PGA is given: the probability holds where it is above {lift}.")
+                peak = "that of the floor" if self.described.on_floor else "it"
+                warnings.append(
+                    f"No PGA is given: the probability holds where {peak} is above {lift}."
+                )
             warnings += [*self._shortened(self.fragility), self.beyond]
         if self.described.demand.vertical_at_peak_g:
             warnings.append(

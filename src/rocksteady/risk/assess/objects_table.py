@@ -51,7 +51,7 @@ from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.screens.friction import uplift_acceleration_g
 from rocksteady.seismic.measures.free_sides import first_side
-from rocksteady.seismic.measures.scalar import GIVEN, Measure
+from rocksteady.seismic.measures.scalar import Measure
 from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ if TYPE_CHECKING:
 METHOD = (
     "Each object is assessed as one of its own file: by the curve through its runs at all levels "
     "and restitutions, or, where no curve can be fitted, by the share of its runs at the demand; "
-    f"over PGV it is of the runs that lift, {GIVEN}."
+    "over PGV it is of the runs that lift."
 )
 ORDER = {"red": 0, "amber": 1, "grey": 2, "green": 3}
 """Place of a colour on the screen: an object without an answer comes before what is safe."""

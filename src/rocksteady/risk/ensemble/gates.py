@@ -1,4 +1,4 @@
-"""Gate of uplift, where it is known exactly: no run lifts up to it, and each lifts above it."""
+"""Gate of uplift: the peak acceleration of the ground up to which no run lifts."""
 
 from typing import TYPE_CHECKING
 
@@ -6,13 +6,35 @@ import numpy as np
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.seismic.measures.scalar import Measure
+from rocksteady.seismic.measures.scalar import GIVEN, Measure
 
 if TYPE_CHECKING:
     import xarray
 
+GIVEN_UPLIFT = "given uplift"
+"""Condition of a curve of the runs that lift, where no peak acceleration parts them."""
 SAME_GATE = 1e-9
 """Relative difference of gates that rounding makes."""
+
+
+def lowest_gate(ensemble: "xarray.Dataset") -> float | None:
+    """Return the peak acceleration of the ground [g] up to which no block lifts.
+
+    That of the weaker side, g tan(alpha), of the linear model g alpha.  A vertical motion moves it,
+    and a floor multiplies the acceleration by its own factor: None with either.
+    """
+    if "with" in ensemble["vertical"].values.tolist() or ensemble.attrs["place"] == "floor":
+        return None
+    sides = [side for side in ("alpha", "negative_alpha") if side in ensemble.coords]
+    alpha = min(float(ensemble[side].values.min()) for side in sides)
+    return alpha if ensemble.attrs["model"] != "nonlinear" else tan(alpha)
+
+
+def condition_of(ensemble: "xarray.Dataset") -> str:
+    """Return the condition of a curve of the runs that lift, in words."""
+    if lowest_gate(ensemble) is None:
+        return GIVEN_UPLIFT
+    return GIVEN if ensemble.attrs["model"] == "nonlinear" else GIVEN.replace("tan ", "")
 
 
 def uplift_of(
@@ -23,7 +45,7 @@ def uplift_of(
     lifted: Integers,
     trials: Integers,
 ) -> float | Integers:
-    """Return the gate of an ensemble where its runs agree with it, and the uplifts otherwise.
+    """Return the gate that all blocks have, where the runs agree with it, or else the uplifts.
 
     Parameters
     ----------
@@ -48,13 +70,10 @@ def uplift_of(
 def _gate_of(ensemble: "xarray.Dataset", measure: Measure) -> float | None:
     """Return the peak acceleration at which every block lifts; None without such a gate.
 
-    A symmetric block at rest lifts where |a| > g tan alpha, of the linear model where
-    |a| > g alpha.  A vertical motion moves the limit, and unequal sides have two.  A block against
-    a wall lifts by the peak of one sign alone, which the peak acceleration need not be.
+    Unequal sides have two.  A block against a wall lifts by the peak of one sign alone, which the
+    peak acceleration need not be.
     """
-    if measure.name not in ("pga_g", "pga_per_uplift"):
-        return None
-    if "with" in ensemble["vertical"].values.tolist():
+    if measure.name not in ("pga_g", "pga_per_uplift") or lowest_gate(ensemble) is None:
         return None
     if "one_sided" in ensemble.coords:
         return None

@@ -246,6 +246,7 @@ def run_each(
                 attributes={
                     **swept.attrs,
                     "kind": "rocking ensemble",
+                    "place": "floor" if any(each.ground for each in records) else "ground",
                     "runs": runs * at.shape[1] * restitution.draws,
                     "warnings": warnings_of(names, records, scale[part], arrays["status"][part]),
                 },

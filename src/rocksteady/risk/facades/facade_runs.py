@@ -141,7 +141,7 @@ class FacadeRuns(Result):
     def describe(self) -> Description:
         """Return the mean beside its limit, and a row for each record and each run."""
         mechanism = self.facade.mechanism
-        mean, beyond = self.mean_m, self.beyond
+        mean, beyond, ratio = self.mean_m, self.beyond, mechanism.block().restitution
         limit = f"d_{self.limit_state} = {length(self.limit_m)}"
         facts = [
             Fact("limit_state", self.limit_state, "limit state of the records"),
@@ -152,6 +152,7 @@ class FacadeRuns(Result):
             Fact("beyond", list(beyond), "records beyond d0", ", ".join(beyond) or "none"),
             Fact("satisfied", self.satisfied, "dynamic check", _verdict(self.satisfied)),
             Fact("base_factor", mechanism.base_factor, "factor of the base acceleration"),
+            Fact("restitution", ratio, "restitution", number(ratio)),
         ]
         rows, runs = list(self._by_record()), list(self._by_run())
         criterion = (

@@ -16,7 +16,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import plural
-from rocksteady.risk.ensemble.gates import uplift_of
+from rocksteady.risk.ensemble.gates import GIVEN_UPLIFT, condition_of, uplift_of
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
@@ -35,7 +35,7 @@ from rocksteady.risk.fragility.damage_states import UPLIFT, DamageState
 from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
-from rocksteady.seismic.measures.scalar import GIVEN, Measure
+from rocksteady.seismic.measures.scalar import Measure
 from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
@@ -278,9 +278,9 @@ def _warnings(labels: Labels, states: Sequence[StateFragility]) -> tuple[str, ..
             warnings.append(text)
     single = [each.state.name for each in states if each.two_stage and each.curve is each.plain]
     if any(each.given_uplift for each in states):
-        warnings.append(
-            f"The curves are of the runs that lift, {GIVEN}: at a lower PGA the probability is 0."
-        )
+        condition = condition_of(labels.ensemble)
+        below = ": at a lower PGA the probability is 0" * (condition != GIVEN_UPLIFT)
+        warnings.append(f"The curves are of the runs that lift, {condition}{below}.")
     if single:
         warnings.append(
             f"{', '.join(single)}: one curve, as two stages, uplift and failure given uplift, are "

@@ -13,6 +13,7 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEW_RECORDS, MOST_MISFIT, with_misfit
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
+from rocksteady.risk.ensemble.gates import GIVEN_UPLIFT, condition_of
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fits.vector_fit import VectorCurve
@@ -20,7 +21,7 @@ from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.fragility.efficiency import Efficiency
 from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.fragility.state_fragility import StateFragility
-from rocksteady.seismic.measures.scalar import GIVEN, Measure
+from rocksteady.seismic.measures.scalar import Measure
 
 if TYPE_CHECKING:
     import xarray
@@ -208,7 +209,7 @@ class Fragility(Result):
         curve, shape = last.curve, _shape(last)
         half = f"Half of them {_verb(last.state)} at {self._median_words(last)}"
         if not math.isnan(shape.beta):
-            half += f", beta {number(shape.beta)}" + (" given uplift" * (shape is not curve))
+            half += f", {self._beta_words()}"
         if shape.step is not None:
             half += ", a step: levels between them are not run"
         sentence, provisional = f"{half}.", ""
@@ -226,11 +227,13 @@ class Fragility(Result):
         few = f" (curves need {FEW_RECORDS})" if self.records < FEW_RECORDS else ""
         runs = f"{self.runs:,} runs, {plural(self.records, 'record')}{few}"
         large = f"records by up to {number(self.scale_factor_max)} x: check these"
+        condition = condition_of(self.ensemble)
+        given = "" if condition == GIVEN_UPLIFT else f", {condition}"
         facts = [
             ("provisional", provisional),
             ("fit", runs if math.isnan(curve.misfit) else points + runs),
             ("scaled", large if self.scale_factor_max > MOST_SCALED else ""),
-            ("holds", f"for blocks that lift, {GIVEN}" if last.given_uplift else ""),
+            ("holds", f"for blocks that lift{given}" if last.given_uplift else ""),
         ]
         rows = [
             (_verb(each.state).removeprefix("tilt "), f"half at {self._median_words(each)}")
@@ -249,6 +252,15 @@ class Fragility(Result):
             return words
         return f"{words} ({100.0 * bands.confidence:g} %: {number(band[0])} to {number(band[1])})"
 
+    def _beta_words(self) -> str:
+        """Return beta of the last damage state, and of what it is the deviation."""
+        last = self.states[-1]
+        shape, curve = _shape(last), last.curve
+        words = f"beta {number(shape.beta)}"
+        if isinstance(curve, TwoStageCurve) and curve.offset:
+            return f"{words} of the excess over uplift, {shape.measure[0]}"
+        return words if shape is curve else f"{words} given uplift"
+
     def _headline(self) -> str:
         """Return the answer in a line."""
         last = self.states[-1]
@@ -257,11 +269,8 @@ class Fragility(Result):
         answer = "no median" if math.isnan(median) else f"median {number(median)}{unit}"
         shape = _shape(last)
         if not math.isnan(shape.beta):
-            given = "" if shape is last.curve else " given uplift"
-            given = f", {GIVEN}" if last.given_uplift else given
-            if isinstance(last.curve, TwoStageCurve) and last.curve.offset:
-                given = f" of the excess over uplift, {shape.measure[0]}"
-            answer += f", beta {number(shape.beta)}{given}"
+            answer += f", {self._beta_words()}"
+            answer += f", {condition_of(self.ensemble)}" if last.given_uplift else ""
         return with_misfit(
             f"Fragility in {self.measure.label}: {last.state.name} {answer}; "
             f"{plural(self.records, 'record')}, {self.runs:,} runs",

@@ -69,7 +69,8 @@ def answer_rows(assessment: Assessment) -> list[dict[str, str]]:
     rows += [_row("Doubt", text) for text in assessment.doubts]
     if assessment.curve is not None:
         rows.append(_row("Median, half fall at", *_median_words(assessment)))
-    rows.append(_row("Lifts at", f"{quantity(assessment.facts.uplift_pga_g, 'g')} of PGA"))
+    peak = "peak floor acceleration" if assessment.described.on_floor else "PGA"
+    rows.append(_row("Lifts at", f"{quantity(assessment.facts.uplift_pga_g, 'g')} of {peak}"))
     rows.append(_row("Friction", *_friction_words(assessment)))
     if assessment.qualification and (words := standing_words(assessment.qualification)):
         rows.append(_row("Top moves", words))
@@ -183,13 +184,14 @@ def motion_rows(assessment: Assessment, manifest: Mapping[str, Any]) -> list[Row
     inputs: list[dict[str, Any]] = assessment.to_dict().get("inputs", [])
     hashes = [each.get("sha256", "") for each in manifest["records"]]
     known = len(hashes) == len(inputs)
+    of_ground = " of the ground" * assessment.described.on_floor
     return [
         {
             "motion": named(
                 each["name"], "quarter", quiet("with vertical" if each["vertical"] else None)
             ),
-            "PGA [g]": figure(number(each["pga_g"])),
-            "PGV [m/s]": figure(number(each["pgv_m_s"])),
+            f"PGA{of_ground} [g]": figure(number(each["pga_g"])),
+            f"PGV{of_ground} [m/s]": figure(number(each["pgv_m_s"])),
             "lasts": figure(f"{number(each['samples'] * each['dt_s'])} s"),
             "factors": figure(factors[place] if factors else ""),
             **({"SHA-256": digest(hashes[place][:16])} if known and hashes[place] else {}),

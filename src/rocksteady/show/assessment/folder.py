@@ -1,6 +1,7 @@
 """The folder of an assessment: runs, curves for loss tools, and what is needed to do it again."""
 
 import re
+import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -140,21 +141,24 @@ def _fill(
 def _write_curves(assessment: "Assessment", fragility: "Fragility", stage: Path) -> list[str]:
     """Write the curves that loss tools take; return what was left out and why."""
     described, peaks = assessment.described, assessment.described.given.demand
-    plain = re.sub(r"[^A-Za-z0-9_.]+", "_", described.name).strip("_.")
-    identifier = f"RS.{plain}"[:75]
+    latin = unicodedata.normalize("NFKD", described.name).encode("ascii", "ignore").decode()
+    plain = re.sub(r"[^A-Za-z0-9_.]+", "_", latin).strip("_.")
+    identifier = f"RS.{plain or 'object'}"[:75]
     asked: dict[str, Any] = {
         "floor": peaks.place == "floor",
         "description": assessment.facts.describe().headline,
     }
     try:
-        components = [LossComponent.from_fragility(fragility, identifier, **asked)]
+        component = LossComponent.from_fragility(fragility, identifier, **asked)
     except InputError as error:
         return [f"No fragility for loss tools: {error}"]
+    components = [component]
+    write_openquake(stage / "fragility.xml", components)
     if assessment.by_both_peaks is not None and peaks.pga_g and peaks.pgv_m_s:
         asked["pgv_per_pga_s"] = peaks.pgv_m_s / (STANDARD_GRAVITY * peaks.pga_g)
-        components.append(
-            LossComponent.from_fragility(fragility, f"{identifier[:69]}.peaks", **asked)
-        )
+        along = LossComponent.from_fragility(fragility, f"{identifier[:69]}.peaks", **asked)
+        # A model of OpenQuake has one list of damage states, and this component has the last alone.
+        write_openquake(stage / "fragility-peaks.xml", [along])
+        components.append(along)
     write_pelicun(stage / "fragility.csv", components)
-    write_openquake(stage / "fragility.xml", components)
-    return list(components[0].left_out)
+    return list(component.left_out)

@@ -17,12 +17,12 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 from rocksteady.results.doubts import misfit_words
 from rocksteady.results.numbers import number
+from rocksteady.risk.ensemble.gates import condition_of, lowest_gate
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
 from rocksteady.risk.hazard.hazard_measures import intensity_named
-from rocksteady.seismic.measures.scalar import GIVEN
 
 LossMeasure = Literal["pga_g", "pgv_m_s", "sa_g"]
 
@@ -263,7 +263,7 @@ class LossComponent:
         """
         if pgv_per_pga_s is not None:
             ratio = STANDARD_GRAVITY * positive("pgv_per_pga_s", pgv_per_pga_s, hint="give seconds")
-            gate = _gate_of(fragility)
+            gate = lowest_gate(fragility.ensemble)
             return cls(
                 identifier=identifier,
                 measure="pgv_m_s",
@@ -277,7 +277,7 @@ class LossComponent:
         left_out: list[str] = []
         conditional = any(each.given_uplift for each in fragility.states)
         for each in fragility.states:
-            made = _state_of(each, factor)
+            made = _state_of(each, factor, condition_of(fragility.ensemble))
             if conditional and not each.given_uplift:
                 made = "The other curves are of the runs that lift."
             if isinstance(made, LossState):
@@ -292,7 +292,7 @@ class LossComponent:
             states=tuple(states),
             period_s=_period_of(fragility) if measure == "sa_g" else None,
             floor=floor,
-            no_damage=_gate_of(fragility) if measure == "pga_g" else None,
+            no_damage=lowest_gate(fragility.ensemble) if measure == "pga_g" else None,
             description=description,
         )
         states = []
@@ -478,13 +478,6 @@ def _side_of(fragility: Fragility) -> tuple[float, float]:
     return alpha, p
 
 
-def _gate_of(fragility: Fragility) -> float | None:
-    """Return the uplift limit [g] where no run has a vertical motion, which moves it."""
-    if "with" in fragility.ensemble["vertical"].values.tolist():
-        return None
-    return math.tan(_side_of(fragility)[0])
-
-
 def _state_along(fragility: Fragility, ratio: float) -> LossState:
     """Return the last damage state over PGV where PGV [m/s] is a ratio of PGA [g]."""
     surface = fragility.surface
@@ -500,7 +493,7 @@ def _state_along(fragility: Fragility, ratio: float) -> LossState:
     return LossState(name=fragility.states[-1].state.name, median=median, beta=beta, note=note)
 
 
-def _state_of(fragility: StateFragility, factor: float) -> LossState | str:
+def _state_of(fragility: StateFragility, factor: float, condition: str) -> LossState | str:
     """Return a damage state in the unit of the export, or why there is no curve of it."""
     best = fragility.curve
     plain = best if isinstance(best, FragilityCurve) else best.plain
@@ -510,7 +503,7 @@ def _state_of(fragility: StateFragility, factor: float) -> LossState | str:
     kind = plain.family if plain.status == "fitted" else "step"
     if best is not plain:
         kind = "curve in two stages, uplift and failure given uplift"
-    of = f"the runs that lift, {GIVEN}" if fragility.given_uplift else "all runs"
+    of = f"the runs that lift, {condition}" if fragility.given_uplift else "all runs"
     note = (
         f"{kind.capitalize()}, of {of}, fitted to {plain.trials} runs with {plain.failures} in "
         f"this state; largest distance from the stripes {best.misfit:.3f}."

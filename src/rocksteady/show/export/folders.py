@@ -181,7 +181,8 @@ class OwnFolder(NamedTuple):
 
 
 ASSESSMENT = OwnFolder(
-    r"report\.html|answers\.csv|results\.csv|fragility\.(csv|json|xml)|run\.json", "an assessment"
+    r"report\.html|answers\.csv|results\.csv|fragility(\.(csv|json|xml)|-peaks\.xml)|run\.json",
+    "an assessment",
 )
 CALIBRATION = OwnFolder(
     r"report\.html|fit\.json|(posterior|predictions|parameters)\.csv", "a calibration"

@@ -208,12 +208,17 @@ def _header(names: Sequence[str], place: str, columns: Columns) -> list[str]:
 def _meant(name: str, known: Collection[str], names: Sequence[str]) -> str | None:
     """Return the column that a name which is not read seems to mean; None if it seems to mean none.
 
-    Besides names that look alike, those with the letters of a column in another order, and names
-    that begin with the quantity of a column which the table does not have: "gain [%]", "peak_deg".
+    Besides names that look alike, those with the letters of a column or of its quantity in another
+    order, "heigth", and names that begin with the quantity of a column which the table does not
+    have: "gain [%]", "peak_deg".
     """
     word = name.lower()
     near = difflib.get_close_matches(word, known, n=1, cutoff=NEAR)
     quantity = re.split(r"[^a-z0-9]", word, maxsplit=1)[0]
     near += [each for each in known if sorted(each) == sorted(word)]
-    near += [each for each in known if each not in names and each.partition("_")[0] == quantity]
+    for each in known:
+        measured = each.partition("_")[0]
+        turned = measured != quantity and sorted(measured) == sorted(quantity)
+        if turned or (measured == quantity and each not in names):
+            near.append(each)
     return near[0] if word and near else None

@@ -244,7 +244,7 @@ ENGLISH: Final[dict[str, str]] = {
     "method_4": (
         "No run goes beyond d₀, and the mean over 7 records or more of the largest displacements "
         "is at most d_SLV or d_SLC (C8.7.1.2.1.9)†. Between impacts a run solves "
-        "θ″ = −p² [sin(θ₀ − θ) + λ (a/g) cos(θ₀ − θ)] with p² = g √(M² + K²)/(I FC), λ = FC D/K, "
+        "θ″ = −p² [sin(θ₀ − θ) − λ (a/g) cos(θ₀ − θ)] with p² = g √(M² + K²)/(I FC), λ = FC D/K, "
         "K = ΣPz, and d = d₀ θ/θ₀: a rigid block, not an oscillator. What ends and holds is left "
         "out from the beginning; what ends and does not hold acts throughout."
     ),

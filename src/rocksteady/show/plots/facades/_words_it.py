@@ -250,7 +250,7 @@ ITALIAN: Final[dict[str, str]] = {
     "method_4": (
         "Nessuna analisi supera d₀, e la media su almeno 7 accelerogrammi degli spostamenti "
         "massimi non supera d_SLV o d_SLC (C8.7.1.2.1.9)†. Tra un urto e l'altro si risolve "
-        "θ″ = −p² [sin(θ₀ − θ) + λ (a/g) cos(θ₀ − θ)] con p² = g √(M² + K²)/(I FC), λ = FC D/K, "
+        "θ″ = −p² [sin(θ₀ − θ) − λ (a/g) cos(θ₀ − θ)] con p² = g √(M² + K²)/(I FC), λ = FC D/K, "
         "K = ΣPz, e d = d₀ θ/θ₀: un blocco rigido, non un oscillatore. Le azioni che cessano e "
         "trattengono sono escluse dall'inizio; quelle che cessano e non trattengono agiscono "
         "sempre."

@@ -14,11 +14,11 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.confidence import CONFIDENCE, share_interval
 from rocksteady.results.doubts import marked
 from rocksteady.results.numbers import number, plural
+from rocksteady.risk.ensemble.gates import condition_of
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.risk.fragility.fragility import Fragility
-from rocksteady.seismic.measures.scalar import GIVEN
 from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style.layout import (
     axes_or_new,
@@ -248,7 +248,7 @@ def _states_of(fragility: Fragility | Curve) -> list[Drawn]:
             name=each.state.name,
             best=each.curve,
             plain=each.plain if isinstance(each.curve, TwoStageCurve) else each.curve,
-            given=GIVEN if each.given_uplift else "",
+            given=condition_of(fragility.ensemble) if each.given_uplift else "",
         )
         for each in fragility.states
     ]
