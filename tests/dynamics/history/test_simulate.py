@@ -195,7 +195,7 @@ def test_a_block_balanced_on_its_edge_neither_falls_nor_returns(side: float) -> 
     assert held.status is Status.AT_REST
 
 
-@every("velocity", [1.0 + 1e-12, 2.0, 1e8, 1e20])
+@every("velocity", [1.0 + 1e-12, 2.0, 1e8, 1e12])
 def test_a_fast_start_overturns_however_fast(velocity: float) -> None:
     run = simulate(BARE, Still(), start=State(angle=0.0, velocity=velocity))
     assert run.status is Status.OVERTURNED

@@ -15,7 +15,7 @@ from rocksteady.studies.atlas import study as module
 from rocksteady.studies.atlas.analysis.from_rest import FATES
 from rocksteady.studies.atlas.study import PICTURES, SCHEMA, TABLES, atlas, plane_of, steps
 from tests.outputs import unrendered
-from tests.studies.atlas.small import small, smallest, tiny
+from tests.studies.atlas.small import AMPLITUDES, FREQUENCY_RATIOS, small, smallest, tiny
 
 mpl.use("Agg")
 
@@ -74,7 +74,7 @@ def test_the_json_holds_the_key_numbers(saved: Path) -> None:
     assert next(iter(values)) == "schema"
     assert values["schema"] == SCHEMA == "rocksteady/atlas/1"
     assert values["restitution"] == 0.8
-    assert values["cells"] == {"amplitude": 8, "frequency_ratio": 10}
+    assert values["cells"] == {"amplitude": len(AMPLITUDES), "frequency_ratio": len(FREQUENCY_RATIOS)}
     assert set(values["figures"]) | set(values["tables"]) == FILES - {"atlas.json", "atlas.html"}
     assert math.fsum(values["coexistence"]["shares"].values()) == pytest.approx(1.0)
     assert values["coexistence"]["most"] == small().found.motions.max()
@@ -84,7 +84,7 @@ def test_the_json_holds_the_key_numbers(saved: Path) -> None:
 
 def test_the_tables_are_the_results(saved: Path) -> None:
     cells = table(saved / "coexistence.csv")
-    assert len(cells) == 8 * 10
+    assert len(cells) == len(AMPLITUDES) * len(FREQUENCY_RATIOS)
     found = small().found
     assert [int(cell["motions"]) for cell in cells] == found.motions.ravel().tolist()
     for cell in cells:
@@ -97,7 +97,7 @@ def test_the_tables_are_the_results(saved: Path) -> None:
     shares = np.array([int(c["phases_overturned"]) / int(c["phases"]) for c in fates])
     np.testing.assert_allclose(shares, small().rest.overturned.ravel())
     bands = table(saved / "bands.csv")
-    assert len(bands) == 3 * 10
+    assert len(bands) == 3 * len(FREQUENCY_RATIOS)
     for row in bands:
         ends = [float(row[name]) for name in list(row)[2:]]
         assert ends == sorted(ends) or math.isnan(ends[0])

@@ -158,7 +158,7 @@ def _write_curves(assessment: "Assessment", fragility: "Fragility", stage: Path)
         asked["pgv_per_pga_s"] = peaks.pgv_m_s / (STANDARD_GRAVITY * peaks.pga_g)
         along = LossComponent.from_fragility(fragility, f"{identifier[:69]}.peaks", **asked)
         # A model of OpenQuake has one list of damage states, and this component has the last alone.
-        write_openquake(stage / "fragility-peaks.xml", [along])
+        write_openquake(stage / "fragility_peaks.xml", [along])
         components.append(along)
     write_pelicun(stage / "fragility.csv", components)
     return list(component.left_out)

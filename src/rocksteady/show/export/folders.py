@@ -181,7 +181,7 @@ class OwnFolder(NamedTuple):
 
 
 ASSESSMENT = OwnFolder(
-    r"report\.html|answers\.csv|results\.csv|fragility(\.(csv|json|xml)|-peaks\.xml)|run\.json",
+    r"report\.html|answers\.csv|results\.csv|fragility\.(csv|json|xml)|fragility_peaks\.xml|run\.json",
     "an assessment",
 )
 CALIBRATION = OwnFolder(

@@ -209,7 +209,7 @@ def _meant(name: str, known: Collection[str], names: Sequence[str]) -> str | Non
     """Return the column that a name which is not read seems to mean; None if it seems to mean none.
 
     Besides names that look alike, those with the letters of a column or of its quantity in another
-    order, "heigth", and names that begin with the quantity of a column which the table does not
+    order, and names that begin with the quantity of a column which the table does not
     have: "gain [%]", "peak_deg".
     """
     word = name.lower()
