@@ -51,18 +51,20 @@ def test_most_of_the_plane_is_decided_with_few_boxes() -> None:
 
 def test_the_file_holds_the_tree_and_a_false_letter_is_refused() -> None:
     region = small(1)
-    again = region_from(json.loads(region.to_json()))
+    again = region_from(region.to_json())
     assert again is not None
     assert again.tree == region.tree
-    assert again.check(None) == "holds"
+    claimed = sum(letter not in "05" for letter in region.tree)
+    assert again.check(None) == f"holds: all {claimed:,} boxes checked"
+    assert again.check(10) == f"holds: 10 of {claimed:,} boxes checked"
     place = region.tree.index("2")
     false = replace(region, tree=region.tree[:place] + "3" + region.tree[place + 1 :])
     assert false.check(None).startswith("refused")
     values = json.loads(region.to_json())
-    assert region_from(values | {"tree": "AAAA"}) is None
+    assert region_from(json.dumps(values | {"tree": "AAAA"})) is None
     cut = base64.b64encode(zlib.compress(region.tree[:-1].encode())).decode()
-    assert region_from(values | {"tree": cut}) is None
-    assert region_from(values | {"format": "other"}) is None
+    assert region_from(json.dumps(values | {"tree": cut})) is None
+    assert region_from(json.dumps(values | {"format": "other"})) is None
     for given in ({"path": 5}, {"path": "02"}, {"letter": np.int8(2)}, {"letter": "6"}):
         with pytest.raises(InputError, match=f"{next(iter(given))} = .* it is written with"):
             region.box_json(**({"path": "01", "letter": "2"} | given))

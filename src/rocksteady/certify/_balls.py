@@ -8,14 +8,19 @@ import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from fractions import Fraction
+from threading import RLock
 
 from flint import arb, ctx, fmpq
 
 from rocksteady.certify import base_checker
 from rocksteady.errors import InputError
+from rocksteady.model.checks.validation import finite
 
 BITS = (64, 128, 256, 512, 1024, 2048, 4096)
 """Precisions of a proof, each tried where the one before leaves the claim undecided."""
+
+LOCK = RLock()
+"""Held by the thread that has set the precision."""
 
 Stated = tuple[str, ...]
 """A number of a claim: its decimal text, and that of its double where it is another number."""
@@ -23,13 +28,17 @@ Stated = tuple[str, ...]
 
 @contextmanager
 def precision(bits: int) -> Iterator[None]:
-    """Compute with a number of bits, and with the former number afterwards."""
-    before, cap = ctx.prec, ctx.cap
-    ctx.prec = bits
-    try:
-        yield
-    finally:
-        ctx.prec, ctx.cap = before, cap
+    """Compute with a number of bits, one thread at a time, and with the former number afterwards.
+
+    The number of bits of python-flint is that of all threads.
+    """
+    with LOCK:
+        before, cap = ctx.prec, ctx.cap
+        ctx.prec = bits
+        try:
+            yield
+        finally:
+            ctx.prec, ctx.cap = before, cap
 
 
 def stated(name: str, value: str | float | Fraction) -> Stated:
@@ -47,14 +56,13 @@ def stated(name: str, value: str | float | Fraction) -> Stated:
     >>> stated("amplitude", 2.5), len(stated("amplitude", "0.8"))
     (('2.5',), 2)
     """
+    hint = "give a decimal, as 2.65"
+    text = str(value) if isinstance(value, str | Fraction) else repr(finite(name, value, hint=hint))
     try:
-        text = str(value) if isinstance(value, str | Fraction) else repr(float(value))
         written = base_checker.exact(text)
         double = Fraction(float(written))
-    except (TypeError, ValueError, OverflowError, ZeroDivisionError):
-        raise InputError(
-            name, value, "it must be a finite number", "give a decimal, as 2.65"
-        ) from None
+    except (ValueError, OverflowError):
+        raise InputError(name, value, "it must be a finite number", hint) from None
     return (text,) if written == double else (text, decimal_of(double))
 
 

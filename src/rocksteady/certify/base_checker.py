@@ -1,6 +1,7 @@
 """Check certificates of a rocking block, with this file alone.
 
-Usage: python checker.py [--arithmetic iv] FILE...   Exit code 0 holds, 1 refused, 3 undecided.
+Usage: python checker.py [--arithmetic iv] [--samples FILE] FILE...   Exit code 0 holds, 1 refused,
+3 undecided.
 
 Needs Python with python-flint (Arb), or with mpmath (iv, its intervals). Believes no number of
 a certificate but the parameters of the claim: what else stands there is tested.
@@ -12,16 +13,20 @@ y = 1 - b sin(p + W t) - (1 - b sin p) sh(T - t)/sh T - (1 + b sin q) sh t/sh T.
 A K below computes with intervals.
 """
 
+import argparse
 import json
+import re
 import sys
 from fractions import Fraction
 from types import SimpleNamespace as K
 
 
 def exact(t):
-    """Return a number or its text as a fraction; a text of too many digits is no number."""
-    short = not isinstance(t, str) or (len(t) < 9999 and len(t.lower().partition("e")[2]) < 6)
-    return Fraction(t if short else "of too many digits")
+    """Return a number, or the text of one, as a fraction; a text of too many digits is none."""
+    written = r"[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d{1,4})?|[-+]?\d+/[1-9]\d*"
+    if isinstance(t, str) and not (len(t) < 9999 and re.fullmatch(written, t, re.ASCII)):
+        raise ValueError(f"{t[:30]!r} is no decimal")
+    return Fraction(t)
 
 
 def arb(bits):
@@ -37,8 +42,9 @@ def arb(bits):
 
 def iv(bits):
     """Return the arithmetic of mpmath."""
-    from mpmath import iv
+    from mpmath.ctx_iv import MPIntervalContext
 
+    iv = MPIntervalContext()
     iv.prec, f = bits, iv.mpf
     k = K(pi=+iv.pi, exp=iv.exp, sin_cos=lambda x: (iv.sin(x), iv.cos(x)), sqrt=iv.sqrt)
     k.num, k.mid = lambda t: f(exact(t).numerator) / exact(t).denominator, lambda x: f(x.mid.a)
@@ -85,33 +91,88 @@ def above(K, W, b, phases, T, tail, depth):
                 todo += [(K.hull(m, hi), False, left - 1), (K.hull(lo, m), first, left - 1)]
 
 
+def between(K, t):
+    """Return all numbers between those of a list."""
+    return K.hull(K.num(min(t, key=exact)), K.num(max(t, key=exact)))
+
+
 def numbers(K, model):
     """Return A, W, r and b of a claim, each between its decimals."""
-    given = (model[name] for name in ("amplitude", "frequency_ratio", "restitution"))
-    A, W, r = (K.hull(K.num(min(t, key=exact)), K.num(max(t, key=exact))) for t in given)
-    need(True, not positive(A, W, r) or positive(r - 1), "the parameters are invalid")
+    A, W, r = (between(K, model[k]) for k in ("amplitude", "frequency_ratio", "restitution"))
     return A, W, r, A / (1 + W * W)
 
 
-KINDS = {}
+number = lambda t: type(t) is str and exact(t) is not None
+above_0, share = lambda t: number(t) and exact(t) > 0, lambda t: above_0(t) and exact(t) <= 1
+whole, odd = lambda n: type(n) is int and n >= 0, lambda n: whole(n) and n % 2 == 1 and n < 9999
+MODEL = {"amplitude": [above_0], "frequency_ratio": [above_0], "restitution": [share]}
+FIXED = {k: MODEL[k] for k in ("frequency_ratio", "restitution")}
+KINDS = []
 
 
-def check(text, arithmetic):
+def kind(name, test, **form):
+    """Let certificates of a kind be read in a form, and tested."""
+    head = {"format": "rocking-certificate/1", "kind": name, "bits": whole}
+    KINDS.append((head | form, test))
+
+
+def fits(v, form):
+    """Return whether a value has a form: a test, a constant, one of several, a list, or keys."""
+    if isinstance(form, tuple):
+        return any(fits(v, each) for each in form)
+    if isinstance(form, dict):
+        return type(v) is dict and v.keys() == form.keys() and all(fits(v[k], form[k]) for k in v)
+    if isinstance(form, list):  # of any number, or of a number that is given
+        many = type(v) is list and len(v) in (form[1:] or (len(v) or -1,))
+        return many and all(fits(x, form[0]) for x in v)
+    return form(v) if callable(form) else type(v) is type(form) and v == form
+
+
+def once(pairs):
+    """Return an object of JSON, of which no key is repeated."""
+    need(True, len(dict(pairs)) < len(pairs), "a key is repeated")
+    return dict(pairs)
+
+
+def read(text):
+    """Return a certificate and its test; it has the keys of its kind, no other, in their forms."""
+    c = json.loads(text, object_pairs_hook=once)
+    for form, test in KINDS:
+        if type(c) is dict and c.keys() == form.keys() and c["kind"] == form["kind"]:
+            for k in form:
+                need(
+                    True, not fits(c[k], form[k]), f"{k} is {str(c[k])[:40]}, which is not its form"
+                )
+            return c, test
+    raise ValueError("it has no kind that is checked here, or not the keys of its kind")
+
+
+def check(text, arithmetic, samples=()):
     """Return "holds", or why a certificate is refused or undecided."""
     try:
-        c = json.loads(text)
-        test = {"rocking-certificate/1": KINDS}[c["format"]][c["kind"]]
-        test(arithmetic(min(4096, 64 + abs(c["bits"]))), c)
+        c, test = read(text)
+        need(True, samples and "sha256" not in c, "it takes no samples")
+        test(arithmetic(min(8192, 64 + c["bits"])), c | {"accelerations": samples})
         return "holds"
     except ArithmeticError as unknown:
         return f"undecided: {unknown}"
-    except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as wrong:
+    except (
+        *(ValueError, LookupError, TypeError, AttributeError, RuntimeError, AssertionError),
+    ) as wrong:
         return f"refused: {wrong}"
 
 
 if __name__ == "__main__":
-    names, codes = [name for name in sys.argv[1:] if name not in ("--arithmetic", "iv")], {0}
-    for name in names:
-        print(name, verdict := check(open(name).read(), iv if "iv" in sys.argv else arb))
-        codes.add({"h": 0, "r": 1, "u": 3}[verdict[0]])
+    flags, codes = argparse.ArgumentParser(), []
+    flags.add_argument("--arithmetic", choices=("arb", "iv"), default="arb")
+    flags.add_argument("--samples")
+    flags.add_argument("files", nargs="+")
+    given = flags.parse_args()
+    samples = [float(x) for x in open(given.samples).read().split()] if given.samples else ()
+    for name in given.files:
+        text = open(name, "rb").read()
+        verdict = check(text, {"arb": arb, "iv": iv}[given.arithmetic], samples)
+        claim = read(text)[0] if verdict == "holds" else {}
+        print(name, verdict, *(f"{k} {v}" for k, v in claim.items() if len(str(v)) < 300))
+        codes.append({"h": 0, "r": 1, "u": 3}[verdict[0]])
     sys.exit(1 if 1 in codes else max(codes))

@@ -1,6 +1,7 @@
 """Certificates: what is proved, with the numbers from which a program of its own checks it."""
 
 import json
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -27,6 +28,8 @@ BitCount = Annotated[int, Whole(32, 2**16, "give the bits at which a proof gives
 NAMES = ("amplitude", "frequency_ratio", "restitution")
 """Names of the numbers of harmonic shaking, in the order of `flight.Shaking`."""
 SYMBOLS = dict(zip(NAMES, ("A", "W", "restitution"), strict=True))
+LONG = r"(\.0*\d{15})\d{6,}$"
+"""Decimals of which the last are left out in words."""
 
 Numbers = dict[str, Stated]
 
@@ -135,9 +138,12 @@ def place(model: Mapping[str, Stated]) -> str:
     """Return the parameters of a claim in words."""
     words = []
     for name, texts in model.items():
-        low, high = min(texts, key=Fraction), max(texts, key=Fraction)
-        wide = Fraction(high) - Fraction(low) > Fraction(high) / 10**9
-        shown = f"{texts[0]} to {texts[len(texts) // 2]}" if wide else texts[0]
+        low, high = min(map(Fraction, texts)), max(map(Fraction, texts))
+        ends = [
+            min((text for text in texts if abs(Fraction(text) - end) <= high / 10**9), key=len)
+            for end in ((low, high) if high - low > high / 10**9 else (Fraction(texts[0]),))
+        ]
+        shown = " to ".join(re.sub(LONG, r"\1...", end) for end in ends)
         words.append(f"{SYMBOLS.get(name, name)} = {shown}")
     return ", ".join(words)
 

@@ -2,7 +2,16 @@
 
 from itertools import combinations, product
 
-from rocksteady.certify.base_checker import KINDS, need, numbers, positive
+from rocksteady.certify.base_checker import (
+    MODEL,
+    above_0,
+    kind,
+    need,
+    number,
+    numbers,
+    odd,
+    positive,
+)
 from rocksteady.certify.checker import boxes, flight, impact, inside
 
 
@@ -82,4 +91,6 @@ def homoclinic(K, c):
     entropy(K, c, lambda z: z + z**N - 1)
 
 
-KINDS["chaos"] = lambda K, c: (homoclinic if "frames" in c else hilltops)(K, c)
+BOXES = {"phases": [number], "radius": above_0, "least_half_periods": odd}
+for test, form in ((hilltops, BOXES), (homoclinic, {"frames": [[number, 6]]})):
+    kind("chaos", test, model=MODEL, claim={"entropy_per_period": above_0}, **form)

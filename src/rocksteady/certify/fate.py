@@ -1,8 +1,6 @@
 """Fate of one run proved: a block at rest falls, or stands, under a pulse or a record."""
 
 import hashlib
-import math
-from dataclasses import replace
 from fractions import Fraction
 from typing import Annotated, Any
 
@@ -67,16 +65,7 @@ def pulse_content(pulse: Pulse) -> dict[str, Any]:
     ModelError
         If it is sampled, or its phase has no closed form.
     """
-    unit = replace(pulse, amplitude=1.0, frequency_ratio=1.0).segments()
-    pieces = [
-        [
-            _quarters(each.duration),
-            *(each.constant, each.slope * each.duration, each.amplitude, each.frequency),
-            _quarters(each.phase),
-        ]
-        for each in unit[:3]
-    ]
-    if len(unit) > 2 or any(None in piece for piece in pieces):
+    if pulse.shape not in fate_checker.PULSES:
         raise ModelError(
             "motion",
             Words(f"is a {pulse.shape} pulse"),
@@ -85,16 +74,8 @@ def pulse_content(pulse: Pulse) -> dict[str, Any]:
         )
     return {
         "pulse": pulse.shape,
-        "pieces": [
-            [str(Fraction(round(2 * x), 2)) for x in piece if x is not None] for piece in pieces
-        ],
+        "pieces": fate_checker.pieces(pulse.shape, pulse.reverse),
     }
-
-
-def _quarters(angle: float) -> float | None:
-    """Return an angle in quarters of a turn; None if it is no whole number of them."""
-    quarters = round(2.0 * angle / math.pi)
-    return quarters if abs(angle - 0.5 * math.pi * quarters) < 1e-12 else None
 
 
 @checked

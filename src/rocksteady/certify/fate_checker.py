@@ -1,12 +1,9 @@
-"""Check certificates of the fate of a rocking block, with this file alone.
+"""Check certificates of the fate of a rocking block.
 
-Usage: python fate_checker.py [--arithmetic iv] CERTIFICATE [SAMPLES]   Exit code 0 holds, 1
-refused, 3 undecided.
-
-Needs Python with python-flint (Arb), or with mpmath (iv, its intervals). SAMPLES of a record
-are its accelerations in m/s^2, one number a line; a certificate has the SHA-256 of their doubles.
-A pulse stands in its certificate, in pieces: duration in quarters of the period, c, d times the
-duration, A, W over the frequency and the phase in quarters of a turn, both over the amplitude.
+A record's samples are its accelerations in m/s^2, one number a line; a certificate has the SHA-256
+of their doubles. A pulse is known by its name and its pieces: duration in quarters of the period,
+c, d times the duration, A, W over the frequency and the phase in quarters of a turn, c, d and A
+over the amplitude.
 
 A block at rest on a moving base lifts where the acceleration a, over alpha g, leaves [-1, 1]. Seen
 from its side s, y'' = y - 1 + s a with y >= 0; at y = 0 it changes sides and keeps r of its speed.
@@ -16,51 +13,39 @@ A flight is (time in the span, side, y + y', y - y', whether y is 0, whether it 
 """
 
 import hashlib
-import json
 import struct
-import sys
-from fractions import Fraction
 from itertools import pairwise
-from types import SimpleNamespace as K
+
+from rocksteady.certify.base_checker import (
+    FIXED,
+    MODEL,
+    above_0,
+    arb,
+    between,
+    check,
+    iv,
+    kind,
+    need,
+    positive,
+    share,
+    whole,
+)
+
+PULSES = {
+    "rectangle": ("2 1 0 0 0 0", "2 -1 0 0 0 0"),
+    "half-sine": ("2 0 0 1 1 0", "2 0 0 1 1 2"),
+    "versed-sine": ("2 1/2 0 1/2 2 -1", "2 -1/2 0 1/2 2 1"),
+    "triangle": ("1 0 1 0 0 0, 1 1 -1 0 0 0", "1 0 -1 0 0 0, 1 -1 1 0 0 0"),
+    "decaying-ramp": ("2 1 -1 0 0 0", "2 -1 1 0 0 0"),
+    "one-sine": ("4 0 0 1 1 0", "4 0 0 1 1 2"),
+    "one-cosine": ("4 0 0 1 1 1", "4 0 0 1 1 -1"),
+}
+"""The pieces of each pulse, and of the reversed one."""
 
 
-def exact(t):
-    """Return a number or its text as a fraction; a text of too many digits is no number."""
-    short = not isinstance(t, str) or (len(t) < 9999 and len(t.lower().partition("e")[2]) < 6)
-    return Fraction(t if short else "of too many digits")
-
-
-def arb(bits):
-    """Return the arithmetic of python-flint."""
-    from flint import arb, ctx, fmpq
-
-    ctx.prec, k = bits, K(pi=arb.pi(), sin_cos=arb.sin_cos, exp=arb.exp, sqrt=arb.sqrt)
-    k.num, k.mid = lambda t: arb(fmpq(*exact(t).as_integer_ratio())), lambda x: arb(x.mid())
-    k.hull, k.ends = lambda a, b: arb(a).union(arb(b)), lambda x: (arb(x.lower()), arb(x.upper()))
-    return k
-
-
-def iv(bits):
-    """Return the arithmetic of mpmath."""
-    from mpmath import iv
-
-    iv.prec, f = bits, iv.mpf
-    k = K(pi=+iv.pi, sin_cos=lambda x: (iv.sin(x), iv.cos(x)), exp=iv.exp, sqrt=iv.sqrt)
-    k.num = lambda t: f(exact(t).numerator) / exact(t).denominator
-    k.hull = lambda a, b: f([min(f(a).a, f(b).a), max(f(a).b, f(b).b)])
-    k.ends, k.mid = lambda x: (f(x.a), f(x.b)), lambda x: f(x.mid.a)
-    return k
-
-
-def positive(*values):
-    """Return whether all of each interval is."""
-    return all(bool(getattr(x, "a", x) > 0) for x in values)
-
-
-def need(ok):
-    """Go on where a test is decided."""
-    if not ok:
-        raise ArithmeticError("more bits are needed")
+def pieces(name, reverse):
+    """Return the pieces of a pulse."""
+    return [piece.split() for piece in PULSES[name][reverse].split(", ")]
 
 
 def base(K, span, t):
@@ -196,8 +181,9 @@ def fate(K, spans, r):
     zero, impacts = K.num(0), 0
     ahead, growth = [zero], K.exp(spans[0][0])
     for span in reversed(spans):
-        ends = [K.ends(abs(base(K, span, x)[0]))[1] for x in (zero, span[0])]
-        ahead.append(max(ahead[-1], *ends) if span[3] is None else K.num(10**9))
+        still, wave = (*span[:3], None, None, None), abs(zero if span[3] is None else span[3])
+        ends = [K.ends(abs(base(K, still, x)[0]) + wave)[1] for x in (zero, span[0])]
+        ahead.append(max(ahead[-1], *ends))
     i, f = uplift(K, spans, 0, zero)
     while f:
         if i == len(spans):  # the base stands still: y + y' - 1 grows, or energy is kept
@@ -224,7 +210,7 @@ def fate(K, spans, r):
 
 def run(K, c, samples, model):
     """Return the fate of a certificate's block under its motion, for the numbers of a model."""
-    n = {k: K.hull(K.num(min(t, key=exact)), K.num(max(t, key=exact))) for k, t in model.items()}
+    n = {k: between(K, t) for k, t in model.items()}
     if "sha256" in c:
         a, D = [K.num(x) / (n["alpha"] * n["gravity"]) for x in samples], n["p"] * n["dt_s"]
         lines = pairwise(a)
@@ -237,29 +223,25 @@ def run(K, c, samples, model):
     return fate(K, spans, n["restitution"])
 
 
-def check(text, arithmetic, samples=()):
-    """Return "holds", or why a certificate is refused or undecided."""
-    try:
-        c = json.loads(text)
-        digest = hashlib.sha256(struct.pack(f"<{len(samples)}d", *samples)).hexdigest()
-        if (c["format"], c["kind"], c.get("sha256", digest)) != (
-            "rocking-certificate/1",
-            "fate",
-            digest,
-        ):
-            return "refused: it is no fate, or one of other samples"
-        models = [c["model"] | {"amplitude": [A]} for A in c.get("between", ())] or [c["model"]]
-        K = arithmetic(min(8192, c["bits"] + 64))
-        fates = [run(K, c, samples, model)[0] for model in models]
-        return "holds" if fates == c["claim"]["outcomes"] else f"refused: it {' and '.join(fates)}"
-    except ArithmeticError as unknown:
-        return f"undecided: {unknown}"
-    except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as wrong:
-        return f"refused: {wrong}"
+def claimed(K, c):
+    """Check the fate, or both fates of amplitudes between which it changes."""
+    given = c["accelerations"]
+    if "sha256" in c:
+        digest = hashlib.sha256(struct.pack(f"<{len(given)}d", *given)).hexdigest()
+        other = (c["samples"], c["sha256"]) != (len(given), digest)
+        need(True, other, "it is one of other samples")
+    else:
+        both = [pieces(c["pulse"], reverse) for reverse in (False, True)]
+        need(True, c["pieces"] not in both, "its pieces are not those of the pulse")
+    models = [c["model"] | {"amplitude": [A]} for A in c.get("between", ())] or [c["model"]]
+    fates = [run(K, c, given, model)[0] for model in models]
+    need(True, fates != c["claim"]["outcomes"], f"it {' and '.join(fates)}")
+    need(True, fates[1:] == fates[:1], "the fate does not change")
 
 
-if __name__ == "__main__":
-    names = [name for name in sys.argv[1:] if name not in ("--arithmetic", "iv")]
-    numbers = [float(x) for x in open(names[1]).read().split()] if names[1:] else ()
-    print(verdict := check(open(names[0]).read(), iv if "iv" in sys.argv else arb, numbers))
-    sys.exit({"h": 0, "r": 1, "u": 3}[verdict[0]])
+FATE, LIST, TEXT = ("falls", "stands"), lambda v: type(v) is list, lambda v: type(v) is str
+PULSE, RECORD = {"pulse": tuple(PULSES), "pieces": LIST}, {"samples": whole, "sha256": TEXT}
+SI = {k: [above_0] for k in ("alpha", "p", "gravity", "dt_s")} | {"restitution": [share]}
+kind("fate", claimed, model=MODEL, claim={"outcomes": [FATE, 1]}, **PULSE)
+kind("fate", claimed, model=SI, claim={"outcomes": [FATE, 1]}, **RECORD)
+kind("fate", claimed, model=FIXED, claim={"outcomes": [FATE, 2]}, between=[above_0, 2], **PULSE)

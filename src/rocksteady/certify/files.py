@@ -1,31 +1,38 @@
 """Files of certificates checked, by the programs that check them alone."""
 
+import inspect
 import json
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib import import_module
-from importlib.resources import files
 from os import PathLike
 from pathlib import Path
+from typing import Any
 
-from rocksteady.certify import base_checker, fate_checker
+from rocksteady.certify import (
+    base_checker,
+    chaos_checker,
+    checker,
+    fate_checker,
+    point_checker,
+    region_checker,
+)
 from rocksteady.certify._balls import precision
-from rocksteady.certify.certificate import FORMAT
-from rocksteady.certify.region import Arithmetic, Leaves, region_from
+from rocksteady.certify.certificate import FORMAT, NAMES, place
+from rocksteady.certify.region import WORDS, Arithmetic, Leaves, region_from
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 
-BASE = "base_checker"
 PROGRAMS = {
-    "orbit": (BASE, "checker"),
-    "chaos": (BASE, "checker", "chaos_checker"),
-    "point": (BASE, "checker", "point_checker"),
-    "region": (BASE, "region_checker"),
-    "fate": ("fate_checker",),
+    "orbit": (base_checker, checker),
+    "chaos": (base_checker, checker, chaos_checker),
+    "point": (base_checker, checker, point_checker),
+    "region": (base_checker, region_checker),
+    "fate": (base_checker, fate_checker),
 }
 """Modules of which the program that checks a kind alone is made."""
 HOLDS, REFUSED, UNDECIDED = "holds", "refused", "undecided"
@@ -44,11 +51,17 @@ class CheckedCertificate(Result):
         "holds", "refused" or "undecided".
     reason
         Why it does not hold; empty where it does.
+    claim
+        What is proved, by the numbers that were read; empty where it does not hold.
+    boxes
+        How many boxes of a region were checked; empty of other kinds.
     """
 
     kind: str
     verdict: str
     reason: str
+    claim: str = ""
+    boxes: str = ""
 
     @property
     def holds(self) -> bool:
@@ -58,12 +71,15 @@ class CheckedCertificate(Result):
     def describe(self) -> Description:
         """Return the verdict and the reason."""
         headline = f"the certificate {'holds' if self.holds else f'is {self.verdict}'}: {self.kind}"
-        sentence = f"{headline}; {self.reason}" if self.reason else headline
+        further = "; ".join(filter(None, (self.reason or self.claim, self.boxes)))
+        sentence = f"{headline}; {further}" if further else headline
         facts = [
             Fact("holds", self.holds, "holds"),
             Fact("kind", self.kind, "kind"),
             Fact("verdict", self.verdict, "verdict"),
             Fact("reason", self.reason, "reason" if self.reason else ""),
+            Fact("claim", self.claim, "claim" if self.claim else ""),
+            Fact("boxes_checked", self.boxes, "boxes" if self.boxes else ""),
         ]
         return Description(headline, facts, answer=Answer(sentence[:1].upper() + sentence[1:]))
 
@@ -122,20 +138,46 @@ def check_certificate(
             "check it with the version that wrote it",
         )
     with precision(64):
-        if kind == "region" and "tree" in values:
-            region = region_from(values)
-            refusal = "refused: it is no region"
-            answer = refusal if region is None else region.check(leaves, arithmetic)
-        elif kind == "fate":
-            answer = fate_checker.check(
-                text, getattr(fate_checker, arithmetic), list(accelerations_m_s2)
-            )
+        region = region_from(text)
+        if region is not None:
+            answer = region.check(leaves, arithmetic)
         else:
-            for name in PROGRAMS.get(kind, ()):
-                import_module(f"rocksteady.certify.{name}")
-            answer = base_checker.check(text, getattr(base_checker, arithmetic))
+            proof = getattr(base_checker, arithmetic)
+            answer = base_checker.check(text, proof, list(accelerations_m_s2))
     verdict, _, reason = answer.partition(": ")
-    return CheckedCertificate(kind=kind, verdict=verdict, reason=reason)
+    if verdict != HOLDS:
+        return CheckedCertificate(kind=kind, verdict=verdict, reason=reason)
+    claim = _claim(values) if region is None else region.describe().headline
+    return CheckedCertificate(kind=kind, verdict=verdict, reason="", claim=claim, boxes=reason)
+
+
+def _claim(values: dict[str, Any]) -> str:
+    """Return what a certificate claims, from what its check has read."""
+    claim, model, kind = values["claim"], values["model"], values["kind"]
+    if kind == "chaos":
+        return f"entropy of {claim['entropy_per_period']} per period or more: {place(model)}"
+    if kind == "fate":
+        what = f"{values['pulse']} pulse" if "pulse" in values else "record"
+        ends = [f" at A = {end}" for end in values.get("between", ())] or [""]
+        fates = [f"{each}{end}" for each, end in zip(claim["outcomes"], ends, strict=True)]
+        return f"the block {' and '.join(fates)}: {what}, {place(model)}"
+    if kind == "region":
+        box = [values["amplitude"], values["frequency_ratio"]]
+        for k, half in enumerate(values["path"]):
+            low, high = box[k % 2]
+            middle = (low + high) / 2
+            box[k % 2] = [middle, high] if half == "1" else [low, middle]
+        texts = {name: tuple(map(str, pair)) for name, pair in zip(NAMES, box, strict=False)}
+        return f"{WORDS[claim['letter']]} on all of {place(texts | model)}"
+    flights = len(values["half_periods"])
+    impacts = plural(flights * (1 + flights % 2), "impact")
+    if kind == "orbit":
+        return f"one {claim['stability']} motion of {impacts}: {place(model)}"
+    name = {1: "symmetry breaking", 0: "period doubling"}[flights % 2]
+    what = "fold" if claim["sign"] == 1 else f"{claim['criticality']} {name}"
+    side = "larger" if claim["opens"] > 0 else "smaller"
+    at = f"A = {values['amplitude']} within {values['radii'][-1]}"
+    return f"one {what} of {impacts}, open to {side} A, at {at}: {place(model)}"
 
 
 def program(kind: str) -> str:
@@ -146,8 +188,7 @@ def program(kind: str) -> str:
     kind
         "orbit", "point", "fate", "region" or "chaos".
     """
-    here = files("rocksteady.certify")
-    first, *further = (here.joinpath(f"{x}.py").read_text(encoding="utf-8") for x in PROGRAMS[kind])
+    first, *further = map(inspect.getsource, PROGRAMS[kind])
     body, start, end = first.partition('if __name__ == "__main__":')
     imports = re.compile(r"^from rocksteady[^\n(]*(\([^)]*\))?\n", re.MULTILINE)
     added = "".join(f"{imports.sub('', text)}\n\n" for text in further)

@@ -2,8 +2,8 @@
 
 from types import SimpleNamespace as K
 
-from rocksteady.certify.base_checker import KINDS, need, numbers, positive
-from rocksteady.certify.checker import boxes, chain, flight, impact, krawczyk, solved
+from rocksteady.certify.base_checker import FIXED, above_0, kind, need, numbers, positive
+from rocksteady.certify.checker import CHAIN, boxes, chain, flight, impact, krawczyk, solved
 
 
 def terms(x):
@@ -87,8 +87,7 @@ def point(L, c):
     trace by A, along the orbit from which it begins, is below 0: there that orbit is unstable.
     """
     n, s, signs, ends = c["half_periods"], c["claim"]["sign"], [], []
-    need(True, s not in (1, -1), "it is no multiplier")
-    _, W, r, _ = numbers(L, {**c["model"], "amplitude": "1"})
+    _, W, r, _ = numbers(L, {**c["model"], "amplitude": ["1"]})
     X, m = boxes(L, [*c["phases"], c["amplitude"]], c["radii"]), len(n)
     for value in (X[0], *L.ends(X[0])):
 
@@ -115,4 +114,6 @@ def point(L, c):
         need(True, result != c["claim"]["criticality"], f"it is {result}")
 
 
-KINDS["point"] = point
+AT_1, AT_MINUS_1 = {"sign": 1, "opens": (1, -1)}, {"sign": -1, "opens": (1, -1)}
+AT_MINUS_1["criticality"] = "supercritical", "subcritical"
+kind("point", point, model=FIXED, amplitude=above_0, claim=(AT_1, AT_MINUS_1), **CHAIN)

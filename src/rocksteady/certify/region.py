@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from random import SystemRandom
 from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
@@ -21,7 +22,7 @@ from rocksteady.certify.certificate import FORMAT
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Whole
-from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.checks.validation import finite, whole_number
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
@@ -230,7 +231,7 @@ class ProvedRegion(Result):
 
     @checked
     def check(self, leaves: Leaves = 1000, arithmetic: Arithmetic = "arb") -> str:
-        """Return "holds" if boxes drawn at random, or all, are proved again by the program alone.
+        """Return whether boxes drawn at random, or all, are proved again by the program alone.
 
         Parameters
         ----------
@@ -242,25 +243,27 @@ class ProvedRegion(Result):
         Returns
         -------
         str
-            Otherwise "refused" or "undecided", and why.
+            "holds" and how many of the boxes were checked; otherwise "refused" or "undecided", and
+            why.
         """
         values = json.loads(self.to_json())
         rows = [each for each in region_checker.leaves(values) if each[1] != UNDECIDED]
-        if leaves is not None and leaves < len(rows):
-            chosen = np.random.default_rng(len(rows)).choice(len(rows), leaves, replace=False)
-            rows = [rows[k] for k in chosen]
-        for path, letter in rows:
-            answer = base_checker.check(
-                self.box_json(path, letter), getattr(base_checker, arithmetic)
-            )
-            if answer != "holds":
-                return str(answer)
-        return "holds"
+        most = len(rows) if leaves is None else min(leaves, len(rows))
+        # no file can know which boxes the operating system draws
+        with precision(BITS):
+            for path, letter in SystemRandom().sample(rows, most):
+                answer = base_checker.check(
+                    self.box_json(path, letter), getattr(base_checker, arithmetic)
+                )
+                if answer != "holds":
+                    return str(answer)
+        part = f"{most:,} of {len(rows):,}" if most < len(rows) else f"all {most:,}"
+        return f"holds: {part} boxes checked"
 
     def describe(self) -> Description:
         """Return the shares of the area, and the ranges."""
         (low, high), (slow, fast) = self.amplitude, self.frequency_ratio
-        ranges = f"A {low:g} to {high:g}, W {slow:g} to {fast:g}"
+        ranges = f"A {low:.15g} to {high:.15g}, W {slow:.15g} to {fast:.15g}"
         what = f"order {self.order}, branch 1, restitution {self.restitution[0]}"
         headline = f"proved on {100.0 * self.decided:.2f} % of {ranges}: {what}"
         parts = [(words, f"{100.0 * share:.2f} %") for words, share in self.shares.items()]
@@ -313,7 +316,8 @@ def certify_region(
     >>> region.decided > 0.99, region.shares["no solution"]
     (True, 0.0)
     """
-    for name, (low, high) in (("amplitude", amplitude), ("frequency_ratio", frequency_ratio)):
+    for name, ends in (("amplitude", amplitude), ("frequency_ratio", frequency_ratio)):
+        low, high = (finite(name, end, hint="give its ends, as (0.3, 6)") for end in ends)
         if not 0.0 < low < high < 1e6:
             raise InputError(
                 name, (low, high), "it must be a range above 0", "give its ends, as (0.3, 6)"
@@ -347,17 +351,18 @@ def certify_region(
     )
 
 
-def region_from(values: dict[str, Any]) -> ProvedRegion | None:
-    """Return the region of a certificate's file; None if the file holds none."""
+def region_from(text: str) -> ProvedRegion | None:
+    """Return the region of the text of a certificate's file; None if it is no region of a tree."""
     try:
-        (low, high), (slow, fast) = values["amplitude"], values["frequency_ratio"]
-        region = ProvedRegion(
-            amplitude=(float(low), float(high)),
-            frequency_ratio=(float(slow), float(fast)),
-            restitution=tuple(map(str, values["model"]["restitution"])),
-            order=int(values["order"]),
-            tree=region_checker.tree_of(values),
-        )
-        return region if values["format"] == FORMAT and region.order % 2 == 1 else None
-    except (ValueError, TypeError, LookupError):
+        values, _ = base_checker.read(text)
+        region_checker.leaves(values)
+    except (ValueError, LookupError):
         return None
+    (low, high), (slow, fast) = values["amplitude"], values["frequency_ratio"]
+    return ProvedRegion(
+        amplitude=(low, high),
+        frequency_ratio=(slow, fast),
+        restitution=tuple(values["model"]["restitution"]),
+        order=values["order"],
+        tree=region_checker.tree_of(values),
+    )

@@ -4,7 +4,17 @@ import base64
 import math
 import zlib
 
-from rocksteady.certify.base_checker import KINDS, above, exact, need, numbers, positive
+from rocksteady.certify.base_checker import (
+    above,
+    above_0,
+    exact,
+    fits,
+    kind,
+    need,
+    numbers,
+    odd,
+    positive,
+)
 
 
 def tree_of(c):
@@ -26,6 +36,7 @@ def leaves(c):
     """Return the path to each box of a tree, 0 for a lower half and 1 for an upper, and letters."""
     paths, boxes = [""], []
     for k, letter in enumerate(tree_of(c)):
+        need(True, k == len(paths) or len(paths[k]) > 200, "it is no tree")
         if letter == "5":
             paths += [paths[k] + "0", paths[k] + "1"]
         else:
@@ -43,8 +54,6 @@ def leaf(K, c, path, letter):
     ... < 0. So for n = 1 it has no dip if A < 1, A sin p > 1, or p > pi/2, which is b > g h h.
     """
     n, ends = c["order"], [[exact(x) for x in c[k]] for k in ("amplitude", "frequency_ratio")]
-    false = type(n) is not int or n < 1 or n % 2 == 0 or letter not in set("1234")
-    need(True, false or len(path) > 200, "it is no claim")
     for k, half in enumerate(path):
         low, high = ends[k % 2]
         ends[k % 2] = [low, (low + high) / 2] if half == "0" else [(low + high) / 2, high]
@@ -101,4 +110,12 @@ def region(K, c):
             divided(K, c, path, letter)
 
 
-KINDS["region"] = region
+ENDS = lambda v: fits(v, [lambda x: type(x) in (int, float), 2]) and 0 < v[0] < v[1] < 10**6
+BELOW_1 = lambda t: above_0(t) and exact(t) < 1
+PATH = lambda v: type(v) is str and set(v) <= set("01") and len(v) <= 200
+for form in (
+    {"tree": lambda v: type(v) is str},
+    {"path": PATH, "claim": {"letter": ("1", "2", "3", "4")}},
+):
+    form |= {"model": {"restitution": [BELOW_1]}, "order": odd}
+    kind("region", region, amplitude=ENDS, frequency_ratio=ENDS, **form)
