@@ -196,6 +196,8 @@ def tampered(values: dict[str, Any], random: np.random.Generator) -> dict[str, A
         case 6:
             claim["sign"] = int(random.integers(-1, 2))
             claim["criticality"] = str(random.choice(["supercritical", "subcritical"]))
+            if claim["sign"] == 1:
+                del claim["criticality"]
         case 7:
             k = int(random.integers(len(other["radii"])))
             other["radii"][k] = f"1e{exponent:.0f}"
