@@ -1,7 +1,9 @@
 """Decimals of claims, and ends of balls rounded outwards."""
 
 import math
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
+from time import sleep
 
 import numpy as np
 import pytest
@@ -52,6 +54,16 @@ def test_precision_is_set_and_restored_even_after_an_error() -> None:
     except ValueError:
         seen.append(ctx.prec)
     assert seen == [200, before]
+
+
+def test_threads_compute_one_after_the_other_each_with_its_bits() -> None:
+    def bits_kept(bits: int) -> bool:
+        with precision(bits):
+            sleep(0.002)
+            return ctx.prec == bits
+
+    with ThreadPoolExecutor(4) as threads:
+        assert all(threads.map(bits_kept, range(64, 104)))
 
 
 @given(st.integers(-(10**9), 10**9), st.integers(1, 10**6))

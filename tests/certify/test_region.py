@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import rocksteady as rs
+from rocksteady.certify import base_checker
 from rocksteady.certify.region import ProvedRegion, certify_region, region_from
 from rocksteady.errors import InputError
 from tests.every import every
@@ -70,6 +71,20 @@ def test_the_file_holds_the_tree_and_a_false_letter_is_refused() -> None:
             region.box_json(**({"path": "01", "letter": "2"} | given))
     with pytest.raises(InputError, match=r"arithmetic = 1 .*'arb' or 'iv'"):
         region.check(arithmetic=1)  # type: ignore[arg-type]
+
+
+def test_which_boxes_are_drawn_is_not_known_beforehand(monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn: list[str] = []
+
+    def holds(text: str, _: object) -> str:
+        drawn.append(text)
+        return "holds"
+
+    monkeypatch.setattr(base_checker, "check", holds)
+    region = small(1)
+    assert region.check(20).startswith("holds: 20 of ")
+    assert region.check(20).startswith("holds: 20 of ")
+    assert sorted(drawn[:20]) != sorted(drawn[20:])
 
 
 def test_ranges_orders_and_restitutions_are_checked() -> None:

@@ -104,7 +104,8 @@ def numbers(K, model):
 
 number = lambda t: type(t) is str and exact(t) is not None
 above_0, share = lambda t: number(t) and exact(t) > 0, lambda t: above_0(t) and exact(t) <= 1
-whole, odd = lambda n: type(n) is int and 0 <= n < 10**9, lambda n: whole(n) and n % 2 and n < 9999
+whole = lambda n: type(n) is int and 0 <= n < 10**9
+odd = lambda n: type(n) is int and n % 2 == 1 and abs(n) < 9999
 MODEL = {"amplitude": [above_0], "frequency_ratio": [above_0], "restitution": [share]}
 FIXED = {k: MODEL[k] for k in ("frequency_ratio", "restitution")}
 KINDS = []
@@ -123,8 +124,8 @@ def fits(v, form):
     if isinstance(form, dict):
         return type(v) is dict and v.keys() == form.keys() and all(fits(v[k], form[k]) for k in v)
     if isinstance(form, list):  # of any number, or of a number that is given
-        many = type(v) is list and len(v) in (form[1:] or (len(v) or -1,))
-        return many and all(fits(x, form[0]) for x in v)
+        counts = form[1:] or range(1, 10**6)
+        return type(v) is list and len(v) in counts and all(fits(x, form[0]) for x in v)
     return form(v) if callable(form) else type(v) is type(form) and v == form
 
 

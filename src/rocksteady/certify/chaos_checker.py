@@ -91,6 +91,6 @@ def homoclinic(K, c):
     entropy(K, c, lambda z: z + z**N - 1)
 
 
-BOXES = {"phases": [number], "radius": above_0, "least_half_periods": odd}
+BOXES = {"phases": [number], "radius": above_0, "least_half_periods": lambda n: odd(n) and n > 0}
 for test, form in ((hilltops, BOXES), (homoclinic, {"frames": [[number, 6]]})):
     kind("chaos", test, model=MODEL, claim={"entropy_per_period": above_0}, **form)

@@ -50,7 +50,7 @@ def flight(K, M, p, q, n, tail=False, depth=60):
     """Test that flights leave the floor, stay above it and land; with tail all longer ones too."""
     W, b = M[1], M[3]
     T = (q - p + n * K.pi) / W
-    need(positive(T))
+    need(positive(T), positive(-T), "a flight lasts no time")
     (sp, cp), (sq, cq), (c, d, _) = K.sin_cos(p), K.sin_cos(q), factors(K, T, tail)
     w = (1 - b * sp) * c - (1 + b * sq) * d - b * W * cp
     V = (1 + b * sq) * c - (1 - b * sp) * d - b * W * cq

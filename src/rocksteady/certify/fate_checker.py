@@ -228,11 +228,11 @@ def claimed(K, c):
     given = c["accelerations"]
     if "sha256" in c:
         digest = hashlib.sha256(struct.pack(f"<{len(given)}d", *given)).hexdigest()
-        other = (c["samples"], c["sha256"]) != (len(given), digest)
-        need(True, other, "it is one of other samples")
+        same = (c["samples"], c["sha256"]) == (len(given), digest)
+        need(True, not same, "it is one of other samples")
     else:
-        both = [pieces(c["pulse"], reverse) for reverse in (False, True)]
-        need(True, c["pieces"] not in both, "its pieces are not those of the pulse")
+        choices = [pieces(c["pulse"], reverse) for reverse in (False, True)]
+        need(True, c["pieces"] not in choices, "its pieces are not those of the pulse")
     models = [c["model"] | {"amplitude": [A]} for A in c.get("between", ())] or [c["model"]]
     fates = [run(K, c, given, model)[0] for model in models]
     need(True, fates != c["claim"]["outcomes"], f"it {' and '.join(fates)}")

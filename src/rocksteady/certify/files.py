@@ -53,7 +53,7 @@ class CheckedCertificate(Result):
         Why it does not hold; empty where it does.
     claim
         What is proved, by the numbers that were read; empty where it does not hold.
-    boxes
+    coverage
         How many boxes of a region were checked; empty of other kinds.
     """
 
@@ -61,7 +61,7 @@ class CheckedCertificate(Result):
     verdict: str
     reason: str
     claim: str = ""
-    boxes: str = ""
+    coverage: str = ""
 
     @property
     def holds(self) -> bool:
@@ -71,7 +71,7 @@ class CheckedCertificate(Result):
     def describe(self) -> Description:
         """Return the verdict and the reason."""
         headline = f"the certificate {'holds' if self.holds else f'is {self.verdict}'}: {self.kind}"
-        further = "; ".join(filter(None, (self.reason or self.claim, self.boxes)))
+        further = "; ".join(filter(None, (self.reason or self.claim, self.coverage)))
         sentence = f"{headline}; {further}" if further else headline
         facts = [
             Fact("holds", self.holds, "holds"),
@@ -79,7 +79,7 @@ class CheckedCertificate(Result):
             Fact("verdict", self.verdict, "verdict"),
             Fact("reason", self.reason, "reason" if self.reason else ""),
             Fact("claim", self.claim, "claim" if self.claim else ""),
-            Fact("boxes_checked", self.boxes, "boxes" if self.boxes else ""),
+            *([Fact("coverage", self.coverage, "checked")] if self.coverage else []),
         ]
         return Description(headline, facts, answer=Answer(sentence[:1].upper() + sentence[1:]))
 
@@ -148,7 +148,7 @@ def check_certificate(
     if verdict != HOLDS:
         return CheckedCertificate(kind=kind, verdict=verdict, reason=reason)
     claim = _claim(values) if region is None else region.describe().headline
-    return CheckedCertificate(kind=kind, verdict=verdict, reason="", claim=claim, boxes=reason)
+    return CheckedCertificate(kind=kind, verdict=verdict, reason="", claim=claim, coverage=reason)
 
 
 def _claim(values: dict[str, Any]) -> str:

@@ -117,5 +117,5 @@ for form in (
     {"tree": lambda v: type(v) is str},
     {"path": PATH, "claim": {"letter": ("1", "2", "3", "4")}},
 ):
-    form |= {"model": {"restitution": [BELOW_1]}, "order": odd}
+    form |= {"model": {"restitution": [BELOW_1]}, "order": lambda n: odd(n) and n > 0}
     kind("region", region, amplitude=ENDS, frequency_ratio=ENDS, **form)

@@ -44,11 +44,17 @@ def test_several_orbits_are_a_list() -> None:
 
 
 def test_a_fate_region_and_chaos_are_written_and_hold(tmp_path: Path) -> None:
-    for number, command in enumerate(
+    for number, (command, claim) in enumerate(
         (
-            "fate --pulse one-sine -A 2 -W 2 -r 0.9",
-            f"region -A 1.9:2.1 -W 1.9:2.1 -r 0.8 --plot {tmp_path / 'region.png'}",
-            "chaos -A 0.6 -W 2 -r 0.8",
+            (
+                "fate --pulse one-sine -A 2 -W 2 -r 0.9",
+                "the block falls: one-sine pulse, A = 2.0, W = 2.0, restitution = 0.9",
+            ),
+            (
+                f"region -A 1.9:2.1 -W 1.9:2.1 -r 0.8 --plot {tmp_path / 'region.png'}",
+                "of A 1.9 to 2.1, W 1.9 to 2.1: order 1, branch 1, restitution 0.8; 1,000 of ",
+            ),
+            ("chaos -A 0.6 -W 2 -r 0.8", "0.5970 per period or more: A = 0.6, W = 2.0"),
         )
     ):
         file = tmp_path / f"{number}.json"
@@ -56,6 +62,7 @@ def test_a_fate_region_and_chaos_are_written_and_hold(tmp_path: Path) -> None:
         ran = rocksteady("certify --check", file)
         assert (ran.code, ran.err) == (0, "")
         assert ran.out.startswith("The certificate holds: ")
+        assert claim in " ".join(ran.out.split())
     assert (tmp_path / "region.png").stat().st_size > 5000
 
 
