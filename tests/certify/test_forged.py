@@ -119,6 +119,15 @@ def test_what_is_not_in_its_form_is_refused_in_both_arithmetics(kind: str) -> No
                     assert found.startswith(allowed), (where, wrong, found)
 
 
+@every("kind", ["orbit", "point"])
+def test_there_is_one_radius_and_one_flight_for_each_phase(kind: str) -> None:
+    values = certificate(kind)
+    for key, word in (("phases", "radius"), ("radii", "radius"), ("half_periods", "flight")):
+        forged = answer(json.dumps(values | {key: values[key] * 2}))
+        assert forged.startswith("refused: it has not one ")
+        assert word in forged
+
+
 @every("kind", KINDS)
 def test_a_key_is_missing_added_or_repeated(kind: str) -> None:
     values = certificate(kind)
@@ -194,8 +203,8 @@ def test_the_answer_states_what_was_proved(tmp_path: Path) -> None:
         {
             "chaos": "entropy of 0.5970 per period or more: A = 0.6, W = 2.0, restitution = 0.8",
             "fate": "the block falls: one-sine pulse, A = 2.0, W = 2.0, restitution = 0.9",
-            "orbit": "one stable motion of 2 impacts: A = 2.0, W = 2.0, restitution = 0.8",
-            "point": "one supercritical symmetry breaking of 2 impacts, open to larger A",
+            "orbit": "one stable motion that closes after 2 impacts: A = 2.0, W = 2.0, restitution = 0.8",
+            "point": "one supercritical symmetry breaking after 2 impacts, open to larger A",
             "region": " of A 1.9 to 2.1, W 1.9 to 2.1: order 1, branch 1, restitution 0.8",
             "box": "stable on all of A = 1.9 to 2.0, W = 3.9 to 4.1, restitution = 0.8",
             "edge": "the block stands at A = 1.225179423268 and falls at A = 1.225179423269: ",

@@ -141,7 +141,7 @@ def read(text):
     for form, test in KINDS:
         if type(c) is dict and c.keys() == form.keys() and c["kind"] == form["kind"]:
             for k in form:
-                need(True, not fits(c[k], form[k]), f"{k} is not in its form: {str(c[k])[:40]}")
+                need(True, not fits(c[k], form[k]), f"{k} is not in its form: {c[k]!r:.40}")
             return c, test
     raise ValueError("it has no kind that is checked here, or not the keys of its kind")
 

@@ -103,12 +103,14 @@ def krawczyk(K, f, X):
 
 def boxes(K, centres, radii):
     """Return the boxes of a certificate."""
-    return [K.num(t) + K.hull(-1, 1) * K.num(r) for t, r in zip(centres, radii, strict=True)]
+    need(True, len(centres) != len(radii), "it has not one radius for each number")
+    return [K.num(t) + K.hull(-1, 1) * K.num(r) for t, r in zip(centres, radii)]
 
 
 def orbit(K, c):
     """Check existence, uniqueness, first impacts and stability of a periodic orbit."""
     M, X, n = numbers(K, c["model"]), boxes(K, c["phases"], c["radii"]), c["half_periods"]
+    need(True, len(n) != len(X), "it has not one flight for each phase")
     X = krawczyk(K, lambda x: chain(K, M, x, n)[:2], X)
     for k in range(len(n)):
         flight(K, M, X[k - 1], X[k], n[k - 1])

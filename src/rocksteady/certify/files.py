@@ -122,7 +122,7 @@ def check_certificate(
     try:
         text = Path(file).read_text(encoding="utf-8")
         values = json.loads(text)
-        kind = str(values["kind"])
+        kind = values["kind"] if values["kind"] in PROGRAMS else "unknown"
     except (OSError, ValueError, TypeError, LookupError, RecursionError):
         raise InputError(
             "certificate",
@@ -134,7 +134,7 @@ def check_certificate(
         raise InputError(
             "certificate",
             file,
-            f"its form is {form}, and this version of rocksteady reads {FORMAT}",
+            f"its form is {form!r:.60}, and this version of rocksteady reads {FORMAT}",
             "check it with the version that wrote it",
         )
     with precision(64):
@@ -172,12 +172,12 @@ def _claim(values: dict[str, Any]) -> str:
     flights = len(values["half_periods"])
     impacts = plural(flights * (1 + flights % 2), "impact")
     if kind == "orbit":
-        return f"one {claim['stability']} motion of {impacts}: {place(model)}"
+        return f"one {claim['stability']} motion that closes after {impacts}: {place(model)}"
     name = {1: "symmetry breaking", 0: "period doubling"}[flights % 2]
     what = "fold" if claim["sign"] == 1 else f"{claim['criticality']} {name}"
     side = "larger" if claim["opens"] > 0 else "smaller"
     at = f"A = {values['amplitude']} within {values['radii'][-1]}"
-    return f"one {what} of {impacts}, open to {side} A, at {at}: {place(model)}"
+    return f"one {what} after {impacts}, open to {side} A, at {at}: {place(model)}"
 
 
 def program(kind: str) -> str:

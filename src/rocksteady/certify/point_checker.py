@@ -89,6 +89,7 @@ def point(L, c):
     n, s, signs, ends = c["half_periods"], c["claim"]["sign"], [], []
     _, W, r, _ = numbers(L, {**c["model"], "amplitude": ["1"]})
     X, m = boxes(L, [*c["phases"], c["amplitude"]], c["radii"]), len(n)
+    need(True, m != len(X) - 1, "it has not one flight for each phase")
     for value in (X[0], *L.ends(X[0])):
 
         def system(x, value=value):

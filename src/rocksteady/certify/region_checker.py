@@ -24,7 +24,11 @@ def tree_of(c):
     1 no solution, 2 stable, 3 unstable, 4 through the floor, and 0, of which nothing is claimed.
     """
     try:
-        tree = zlib.decompressobj().decompress(base64.b64decode(c["tree"]), 10**8).decode()
+        tree = (
+            zlib.decompressobj()
+            .decompress(base64.b64decode(c["tree"], validate=True), 10**8)
+            .decode()
+        )
     except zlib.error:
         raise ValueError("it is no tree") from None
     good = set(tree) <= set("012345") and len(tree) == 2 * tree.count("5") + 1
