@@ -203,7 +203,7 @@ def test_the_answer_states_what_was_proved(tmp_path: Path) -> None:
         {
             "chaos": "entropy of 0.5970 per period or more: A = 0.6, W = 2.0, restitution = 0.8",
             "fate": "the block falls: one-sine pulse, A = 2.0, W = 2.0, restitution = 0.9",
-            "orbit": "one stable motion that closes after 2 impacts: A = 2.0, W = 2.0, restitution = 0.8",
+            "orbit": "one stable motion that closes after 2 impacts: A = 2.0, W = 2.0",
             "point": "one supercritical symmetry breaking after 2 impacts, open to larger A",
             "region": " of A 1.9 to 2.1, W 1.9 to 2.1: order 1, branch 1, restitution 0.8",
             "box": "stable on all of A = 1.9 to 2.0, W = 3.9 to 4.1, restitution = 0.8",
