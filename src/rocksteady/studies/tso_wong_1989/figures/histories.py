@@ -39,6 +39,8 @@ from rocksteady.studies.tso_wong_1989.figures.words import (
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+WORDS = 0.16
+"""Room over the motions for two lines of words, in parts of their height."""
 ROWS_PER_PERIOD = 60
 """Rows of data in a forcing period; impacts are rows too."""
 
@@ -237,7 +239,8 @@ class History:
                     motion.set_xlabel("")
                     settled.set_xlabel("")
             assert first is not None
-            first.set_ylim(min(low for low, _ in limits), max(high for _, high in limits))
+            low, high = min(low for low, _ in limits), max(high for _, high in limits)
+            first.set_ylim(low, high + WORDS * (high - low))
             if strips:
                 plot_fates(self.fates_over_kicks, figure.add_subplot(grid[rows, 0]))
                 plot_key(self.fates_over_kicks, figure.add_subplot(grid[rows, 1]))
