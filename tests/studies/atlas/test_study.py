@@ -74,7 +74,8 @@ def test_the_json_holds_the_key_numbers(saved: Path) -> None:
     assert next(iter(values)) == "schema"
     assert values["schema"] == SCHEMA == "rocksteady/atlas/1"
     assert values["restitution"] == 0.8
-    assert values["cells"] == {"amplitude": len(AMPLITUDES), "frequency_ratio": len(FREQUENCY_RATIOS)}
+    counts = {"amplitude": len(AMPLITUDES), "frequency_ratio": len(FREQUENCY_RATIOS)}
+    assert values["cells"] == counts
     assert set(values["figures"]) | set(values["tables"]) == FILES - {"atlas.json", "atlas.html"}
     assert math.fsum(values["coexistence"]["shares"].values()) == pytest.approx(1.0)
     assert values["coexistence"]["most"] == small().found.motions.max()
