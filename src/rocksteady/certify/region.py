@@ -258,7 +258,7 @@ class ProvedRegion(Result):
                 if answer != "holds":
                     return str(answer)
         part = f"{most:,} of {len(rows):,}" if most < len(rows) else f"all {most:,}"
-        return f"holds: {part} boxes checked"
+        return f"holds: {part} boxes checked" if len(rows) > 1 else "holds: its one box checked"
 
     def describe(self) -> Description:
         """Return the shares of the area, and the ranges."""
