@@ -175,7 +175,16 @@ BELOW_ALL = 0.98
 
 
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()])
-@pytest.mark.parametrize("block", [BLOCK, OTHER, BLOCK.against_wall()])
+@pytest.mark.parametrize(
+    "block",
+    [
+        BLOCK,
+        OTHER,
+        BLOCK.against_wall(),
+        Block.rectangle(width=0.4, height=1.6, gravity=3.71),
+        Block.rectangle(width=0.4, height=1.6, gravity=50.0 * 9.80665),
+    ],
+)
 def test_no_run_lifts_up_to_the_lowest_gate(block: Block, model: Linear | Nonlinear) -> None:
     band = RestitutionBand(draws=1)
 

@@ -41,10 +41,7 @@ def stages(**keys: Any) -> TwoStageCurve:
 
 def ensemble_of(model: str) -> xarray.Dataset:
     """Return what a description asks of an ensemble on the ground: no run of it."""
-    return xarray.Dataset(
-        coords={"vertical": ["without"], "block": [1], "alpha": ("block", [0.25])},
-        attrs={"model": model, "place": "ground"},
-    )
+    return xarray.Dataset(attrs={"model": model, "gate_g": 0.25})
 
 
 def state(name: str = "overturned", plain: FragilityCurve | None = None, **keys: Any) -> Any:

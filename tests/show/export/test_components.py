@@ -62,7 +62,10 @@ def fragility(
                 "p": ("block", [P] * blocks),
                 "vertical": [vertical],
             },
-            attrs={"model": "nonlinear", "place": "ground"},
+            attrs={
+                "model": "nonlinear",
+                "gate_g": math.nan if vertical == "with" else math.tan(ALPHA),
+            },
         ),
         measure=measure,
         states=(

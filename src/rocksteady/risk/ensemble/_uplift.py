@@ -75,6 +75,22 @@ def driving(
     return Lines(times[:-1], lengths, ends[0], ends[1])
 
 
+def uplift_limits(blocks: Sequence[Block], *, linear: bool) -> tuple[Floats, Floats]:
+    """Return the base acceleration that lifts each side, over g and in m/s^2.
+
+    It is g tan(alpha), of the linear model g alpha, and in m/s^2 inf of a side against a wall.
+
+    Returns
+    -------
+    tuple of ndarray, shape (blocks, 2)
+    """
+    alphas = [(block.positive.alpha, block.negative.alpha) for block in blocks]
+    ratios = np.array(alphas if linear else [[tan(angle) for angle in pair] for pair in alphas])
+    limits: Floats = ratios * np.array([block.gravity for block in blocks])[:, np.newaxis]
+    limits[[block.one_sided for block in blocks], 1] = np.inf  # the wall holds it
+    return ratios, limits
+
+
 def uplift_times(
     blocks: Sequence[Block],
     grounds: Sequence[GroundShaking],
@@ -101,10 +117,7 @@ def uplift_times(
     -------
     ndarray, shape (blocks, records, directions, verticals, levels)
     """
-    alphas = [(block.positive.alpha, block.negative.alpha) for block in blocks]
-    gates = np.array(alphas if linear else [[tan(angle) for angle in pair] for pair in alphas])
-    limits = gates * np.array([block.gravity for block in blocks])[:, np.newaxis]
-    limits[[block.one_sided for block in blocks], 1] = np.inf  # the wall holds it
+    ratios, limits = uplift_limits(blocks, linear=linear)
     count, records, levels = scale.shape
     earliest = np.full((count, records, len(directions), len(lifts), levels), np.nan)
     for record, ground in enumerate(grounds):
@@ -120,7 +133,7 @@ def uplift_times(
                         times[:] = lines.first_above(thresholds.ravel()).reshape(times.shape)
                     else:
                         for row in range(count):
-                            share = float(gates[row, column])
+                            share = float(ratios[row, column])
                             lines = driving(ground.record, driven, share, vertical)
                             times[row] = lines.first_above(thresholds[row])
                     earliest[:, record, i, j] = np.fmin(earliest[:, record, i, j], times)

@@ -1,18 +1,21 @@
 """Gate of uplift: the peak acceleration of the ground up to which no run lifts."""
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.seismic.measures.scalar import GIVEN, Measure
+from rocksteady.seismic.measures.scalar import Measure
 
 if TYPE_CHECKING:
     import xarray
 
+GIVEN = {"nonlinear": "given PGA > g tan alpha", "linear": "given PGA > g alpha"}
+"""Condition of a curve of the runs that lift, by the model."""
 GIVEN_UPLIFT = "given uplift"
-"""Condition of a curve of the runs that lift, where no peak acceleration parts them."""
+"""The same where no peak acceleration parts them."""
 SAME_GATE = 1e-9
 """Relative difference of gates that rounding makes."""
 
@@ -20,21 +23,24 @@ SAME_GATE = 1e-9
 def lowest_gate(ensemble: "xarray.Dataset") -> float | None:
     """Return the peak acceleration of the ground [g] up to which no block lifts.
 
-    That of the weaker side, g tan(alpha), of the linear model g alpha.  A vertical motion moves it,
-    and a floor multiplies the acceleration by its own factor: None with either.
+    That of the weaker side.  A vertical motion moves it, and a floor multiplies the acceleration by
+    its own factor: None with either.
     """
-    if "with" in ensemble["vertical"].values.tolist() or ensemble.attrs["place"] == "floor":
-        return None
-    sides = [side for side in ("alpha", "negative_alpha") if side in ensemble.coords]
-    alpha = min(float(ensemble[side].values.min()) for side in sides)
-    return alpha if ensemble.attrs["model"] != "nonlinear" else tan(alpha)
+    gate = float(ensemble.attrs["gate_g"])
+    return None if math.isnan(gate) else gate
 
 
 def condition_of(ensemble: "xarray.Dataset") -> str:
     """Return the condition of a curve of the runs that lift, in words."""
     if lowest_gate(ensemble) is None:
         return GIVEN_UPLIFT
-    return GIVEN if ensemble.attrs["model"] == "nonlinear" else GIVEN.replace("tan ", "")
+    return GIVEN[ensemble.attrs["model"]]
+
+
+def which_lift(ensemble: "xarray.Dataset") -> str:
+    """Return of which runs such a curve is, in words: "that lift", and the condition if known."""
+    condition = condition_of(ensemble)
+    return "that lift" if condition == GIVEN_UPLIFT else f"that lift, {condition}"
 
 
 def uplift_of(

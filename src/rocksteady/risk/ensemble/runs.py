@@ -1,6 +1,7 @@
 """Ensembles: blocks on many records at many levels, restitutions, signs, with vertical motion."""
 
 import functools
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -9,7 +10,7 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.lowering import weight_kn
 from rocksteady.errors import InputError, Words
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import MASS
 from rocksteady.model.equations import Linear, Model, chosen_model
@@ -17,7 +18,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.ensemble._cases import Body, fates, ways_to_run, whole
 from rocksteady.risk.ensemble._labels import labelled, warnings_of
-from rocksteady.risk.ensemble._uplift import uplift_times
+from rocksteady.risk.ensemble._uplift import uplift_limits, uplift_times
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.qualification import FORCES, qualification_of
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
@@ -225,9 +226,10 @@ def run_each(
     arrays = whole(swept, shakings, blocks, directions, lifts)
     speeds = arrays.pop("peak_velocity")
     arrays |= qualification_of(blocks, arrays["peak_angle"], speeds, arrays["status"])
-    times = uplift_times(
-        blocks, grounds, scale, directions, lifts, linear=isinstance(equations, Linear)
-    )
+    linear = isinstance(equations, Linear)
+    times = uplift_times(blocks, grounds, scale, directions, lifts, linear=linear)
+    limits = uplift_limits(blocks, linear=linear)[1] / STANDARD_GRAVITY
+    moved = "with" in lifts or any(each.ground for each in records)
     # Uplift does not depend on the restitution.
     rocked = arrays["peak_angle"] > 0.0
     arrays["uplift_time_s"] = np.where(rocked, times[:, :, :, :, np.newaxis], np.nan)
@@ -246,7 +248,7 @@ def run_each(
                 attributes={
                     **swept.attrs,
                     "kind": "rocking ensemble",
-                    "place": "floor" if any(each.ground for each in records) else "ground",
+                    "gate_g": math.nan if moved else float(limits[part].min()),
                     "runs": runs * at.shape[1] * restitution.draws,
                     "warnings": warnings_of(names, records, scale[part], arrays["status"][part]),
                 },

@@ -16,7 +16,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import plural
-from rocksteady.risk.ensemble.gates import GIVEN_UPLIFT, condition_of, uplift_of
+from rocksteady.risk.ensemble.gates import lowest_gate, uplift_of, which_lift
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
@@ -278,9 +278,8 @@ def _warnings(labels: Labels, states: Sequence[StateFragility]) -> tuple[str, ..
             warnings.append(text)
     single = [each.state.name for each in states if each.two_stage and each.curve is each.plain]
     if any(each.given_uplift for each in states):
-        condition = condition_of(labels.ensemble)
-        below = ": at a lower PGA the probability is 0" * (condition != GIVEN_UPLIFT)
-        warnings.append(f"The curves are of the runs that lift, {condition}{below}.")
+        below = ": at a lower PGA the probability is 0" if lowest_gate(labels.ensemble) else ""
+        warnings.append(f"The curves are of the runs {which_lift(labels.ensemble)}{below}.")
     if single:
         warnings.append(
             f"{', '.join(single)}: one curve, as two stages, uplift and failure given uplift, are "

@@ -13,7 +13,7 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEW_RECORDS, MOST_MISFIT, with_misfit
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
-from rocksteady.risk.ensemble.gates import GIVEN_UPLIFT, condition_of
+from rocksteady.risk.ensemble.gates import condition_of, which_lift
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fits.vector_fit import VectorCurve
@@ -227,13 +227,11 @@ class Fragility(Result):
         few = f" (curves need {FEW_RECORDS})" if self.records < FEW_RECORDS else ""
         runs = f"{self.runs:,} runs, {plural(self.records, 'record')}{few}"
         large = f"records by up to {number(self.scale_factor_max)} x: check these"
-        condition = condition_of(self.ensemble)
-        given = "" if condition == GIVEN_UPLIFT else f", {condition}"
         facts = [
             ("provisional", provisional),
             ("fit", runs if math.isnan(curve.misfit) else points + runs),
             ("scaled", large if self.scale_factor_max > MOST_SCALED else ""),
-            ("holds", f"for blocks that lift{given}" if last.given_uplift else ""),
+            ("holds", f"for blocks {which_lift(self.ensemble)}" if last.given_uplift else ""),
         ]
         rows = [
             (_verb(each.state).removeprefix("tilt "), f"half at {self._median_words(each)}")

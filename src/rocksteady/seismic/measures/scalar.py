@@ -37,8 +37,6 @@ DEFAULT: Final = "pgv_m_s"
 """Measure of levels and answers where none is named."""
 VELOCITIES: Final = ("pgv_m_s", "p_pgv_per_uplift")
 """Measures whose curves are of the runs that lift."""
-GIVEN: Final = "given PGA > g tan alpha"
-"""Condition of a curve of the runs that lift."""
 LONGEST_S = 60.0
 """Longest period that is measured: what is longer is a slip of the pen."""
 

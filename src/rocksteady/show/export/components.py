@@ -17,7 +17,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 from rocksteady.results.doubts import misfit_words
 from rocksteady.results.numbers import number
-from rocksteady.risk.ensemble.gates import condition_of, lowest_gate
+from rocksteady.risk.ensemble.gates import lowest_gate, which_lift
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
@@ -277,7 +277,7 @@ class LossComponent:
         left_out: list[str] = []
         conditional = any(each.given_uplift for each in fragility.states)
         for each in fragility.states:
-            made = _state_of(each, factor, condition_of(fragility.ensemble))
+            made = _state_of(each, factor, which_lift(fragility.ensemble))
             if conditional and not each.given_uplift:
                 made = "The other curves are of the runs that lift."
             if isinstance(made, LossState):
@@ -493,7 +493,7 @@ def _state_along(fragility: Fragility, ratio: float) -> LossState:
     return LossState(name=fragility.states[-1].state.name, median=median, beta=beta, note=note)
 
 
-def _state_of(fragility: StateFragility, factor: float, condition: str) -> LossState | str:
+def _state_of(fragility: StateFragility, factor: float, lifting: str) -> LossState | str:
     """Return a damage state in the unit of the export, or why there is no curve of it."""
     best = fragility.curve
     plain = best if isinstance(best, FragilityCurve) else best.plain
@@ -503,7 +503,7 @@ def _state_of(fragility: StateFragility, factor: float, condition: str) -> LossS
     kind = plain.family if plain.status == "fitted" else "step"
     if best is not plain:
         kind = "curve in two stages, uplift and failure given uplift"
-    of = f"the runs that lift, {condition}" if fragility.given_uplift else "all runs"
+    of = f"the runs {lifting}" if fragility.given_uplift else "all runs"
     note = (
         f"{kind.capitalize()}, of {of}, fitted to {plain.trials} runs with {plain.failures} in "
         f"this state; largest distance from the stripes {best.misfit:.3f}."
