@@ -253,7 +253,7 @@ bench-gpu: .venv library gpu ## measure the kernels on a GPU, ten minutes; write
 
 .PHONY: resources
 resources: .venv gpu .venv/.ptxas ## what the kernels take of a GPU, by ptxas; writes its part of docs/benchmarks.md
-	$(BIN)/python -m bench.gpu.estimate
+	$(BIN)/python -m bench.gpu.resources
 
 .PHONY: mutants
 mutants: .venv library ## change single places of the sources, and count what tests and freeze notice: an hour

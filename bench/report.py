@@ -26,9 +26,9 @@ PACKAGES = ("rocksteady", "numba", "numpy", "pytest-benchmark")
 PACKAGE = "The package"
 PEERS = "Beside other solvers"
 EXPLORER = "The explorer"
-ESTIMATED_GPU = "A GPU, estimated"
+GPU_PROGRAMS = "GPU programs"
 MEASURED_GPU = "A GPU, measured"
-SECTIONS = (PACKAGE, PEERS, EXPLORER, ESTIMATED_GPU, MEASURED_GPU)
+SECTIONS = (PACKAGE, PEERS, EXPLORER, GPU_PROGRAMS, MEASURED_GPU)
 
 INTRODUCTION = """\
 Written by `make bench`; do not edit. Medians; CPU time of one core, compilation excluded, for the

@@ -30,6 +30,7 @@ from bench.gpu.stages import Budget, Say
 from bench.gpu.whole import whole_map
 from bench.report import ROOT
 from rocksteady.errors import RocksteadyError
+from rocksteady.kernels.devices import FORMS
 
 SECONDS = 600.0
 ATLAS_CELLS = 4e7
@@ -57,6 +58,9 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--emulated", action="store_true", help="test the script without a GPU")
     parser.add_argument("--seconds", type=float, default=SECONDS, help="time for all of it")
     parser.add_argument("--only", nargs="+", choices=list(SHARES), default=list(SHARES))
+    parser.add_argument(
+        "--kernels", nargs="+", choices=list(FORMS), default=list(FORMS), help="to load and measure"
+    )
     parser.add_argument(
         "--cells-compared", type=float, default=1e7, help="of lane_fates; of others in proportion"
     )
@@ -107,9 +111,9 @@ def _say(began: float) -> Say:
     return lambda text: print(f"{time.monotonic() - began:6.1f} s  {text}", flush=True)
 
 
-def _speed(device: Bench, budget: Budget, say: Say, _: Any) -> Any:
+def _speed(device: Bench, budget: Budget, say: Say, given: Any) -> Any:
     batches = (64, 512) if device.emulated else stages.BATCHES
-    return stages.speed(device, budget, say, batches)
+    return stages.speed(device, budget, say, batches, given.kernels)
 
 
 def _shapes(device: Bench, budget: Budget, say: Say, _: Any) -> Any:
@@ -122,7 +126,7 @@ def _orders(device: Bench, budget: Budget, say: Say, _: Any) -> Any:
 
 def _sameness(device: Bench, budget: Budget, say: Say, given: Any) -> Any:
     cells = min(given.cells_compared, 2000) if device.emulated else given.cells_compared
-    return stages.sameness(device, budget, say, int(cells))
+    return stages.sameness(device, budget, say, int(cells), given.kernels)
 
 
 def _map(device: Bench, budget: Budget, say: Say, given: Any) -> Any:
@@ -145,8 +149,8 @@ def _atlas(device: Bench, budget: Budget, say: Say, given: Any) -> Any:
     return atlas(int(min(0.5 * rate * budget.left, ATLAS_CELLS)), store, "gpu", picture)
 
 
-def _loading(device: Bench, budget: Budget, say: Say, _: Any) -> Any:
-    return stages.loading(device, budget, say)
+def _loading(device: Bench, budget: Budget, say: Say, given: Any) -> Any:
+    return stages.loading(device, budget, say, given.kernels)
 
 
 MEASUREMENTS: dict[str, Callable[[Bench, Budget, Say, Any], Any]] = {

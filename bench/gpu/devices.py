@@ -81,7 +81,7 @@ class OnGpu:
     """The first GPU that the driver shows.
 
     The driver keeps no compiled program from an earlier process, so that what compiling takes is
-    seen.
+    seen, unless CUDA_CACHE_DISABLE is set to 0.
 
     Raises
     ------
@@ -92,7 +92,7 @@ class OnGpu:
     emulated = False
 
     def __init__(self) -> None:
-        os.environ["CUDA_CACHE_DISABLE"] = "1"
+        os.environ.setdefault("CUDA_CACHE_DISABLE", "1")
         self._driver: Driver = loaded_driver()
         self._gpu = Gpu(self._driver)
         self._gpu.enter()
@@ -103,7 +103,7 @@ class OnGpu:
         self._memory = Memory(self._driver, "cuMemAlloc", "cuMemFree")
         self._room = Memory(self._driver, "cuMemAlloc", "cuMemFree")
         self._staging = Memory(self._driver, "cuMemAllocHost", "cuMemFreeHost")
-        self._loaded: dict[tuple[str, int, int], Loaded] = {}
+        self._compiled: dict[tuple[str, int], tuple[float, Any]] = {}
 
     def _attribute(self, name: str) -> int:
         attribute = getattr(self._driver.CUdevice_attribute, f"CU_DEVICE_ATTRIBUTE_{name}")
@@ -131,22 +131,11 @@ class OnGpu:
     ) -> Loaded:
         """Compile a queued kernel once; block and registers as in `launch`."""
         name = inspect.unwrap(kernel).__name__
-        key = name, block, registers
-        if key not in self._loaded:
-            self._loaded[key] = self._compiled(name, block, registers)
-        return self._loaded[key]
-
-    def _compiled(self, name: str, block: int, registers: int) -> Loaded:
-        call, options, values = self._driver.call, list[Any](), list[Any]()
-        if registers:
-            options.append(self._driver.CUjit_option.CU_JIT_MAX_REGISTERS)
-            values.append(registers)
-        text = program(name, self._gpu.capability).read_bytes() + b"\0"
-        began = time.perf_counter()
-        module = call("cuModuleLoadDataEx", text, len(options), options, values)
-        function = call("cuModuleGetFunction", module, f"rs_{name}".encode())
-        seconds = time.perf_counter() - began
-        kind = self._driver.CUfunction_attribute
+        key = name, registers
+        if key not in self._compiled:
+            self._compiled[key] = self._compile(name, registers)
+        seconds, function = self._compiled[key]
+        call, kind = self._driver.call, self._driver.CUfunction_attribute
         blocks = call("cuOccupancyMaxActiveBlocksPerMultiprocessor", function, block, 0)
         return Loaded(
             seconds=seconds,
@@ -157,6 +146,18 @@ class OnGpu:
             resident=blocks * block * self._attribute("MULTIPROCESSOR_COUNT"),
             function=function,
         )
+
+    def _compile(self, name: str, registers: int) -> tuple[float, Any]:
+        """Return the seconds that the driver took to compile a program, and what is launched."""
+        call, options, values = self._driver.call, list[Any](), list[Any]()
+        if registers:
+            options.append(self._driver.CUjit_option.CU_JIT_MAX_REGISTERS)
+            values.append(registers)
+        text = program(name, self._gpu.capability).read_bytes() + b"\0"
+        began = time.perf_counter()
+        module = call("cuModuleLoadDataEx", text, len(options), options, values)
+        function = call("cuModuleGetFunction", module, f"rs_{name}".encode())
+        return time.perf_counter() - began, function
 
     def launch(
         self, form: Form, arguments: tuple[Any, ...], *, block: int = BLOCK, registers: int = 0

@@ -6,12 +6,13 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from bench.gpu.resources import wrapped
 from bench.report import MEASURED_GPU, ROOT, write_section
 
 INTRODUCTION = """\
 Written by `make bench-gpu`; do not edit. The programs that the executor `gpu` launches, on
 **{name}** (compute capability {capability}, {multiprocessors} multiprocessors, {clock_mhz:.0f} MHz
-at most, CUDA {driver}){smi}. *Kernel* is the time between two events on the GPU, *call* all from
+at most, CUDA {cuda}{smi}). *Kernel* is the time between two events on the GPU, *call* all from
 the arguments in NumPy to the results there. Cells are those of B1, of the nonlinear model with
 alpha = 0.2; records are 5400 samples of noise. Impacts leapt over in periodic motions are counted,
 as they are for the processor above."""
@@ -28,7 +29,8 @@ def section(data: dict[str, Any]) -> str:
     facts = data["device"]
     said = facts.get("nvidia_smi", {})
     smi = f", driver {said['driver_version']}" if "driver_version" in said else ""
-    parts = [INTRODUCTION.format(**facts, smi=smi)]
+    cuda = f"{facts['driver'] // 1000}.{facts['driver'] % 1000 // 10}"
+    parts = [wrapped(INTRODUCTION.format(**facts, cuda=cuda, smi=smi))]
     for name, made in TABLES.items():
         if data.get(name):
             parts += ["", *made(data[name])]
@@ -147,7 +149,7 @@ def _atlas(data: dict[str, Any]) -> list[str]:
         f"of {data['points']} points of amplitude and frequency, in {data['seconds']:.1f} s with a "
         f"store: {kinds}; different motions at a point: {several}."
     )
-    return [text]
+    return [wrapped(text)]
 
 
 TABLES: dict[str, Callable[[Any], list[str]]] = {

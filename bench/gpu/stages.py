@@ -2,7 +2,7 @@
 
 import os
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -49,13 +49,13 @@ class Budget:
         return Budget(max(0.0, share * self.left))
 
 
-def loading(device: Bench, budget: Budget, say: Say) -> list[dict[str, Any]]:
+def loading(device: Bench, budget: Budget, say: Say, names: Sequence[str]) -> list[dict[str, Any]]:
     """Compile each kernel for the GPU: seconds, registers and stack of a thread."""
     rows: list[dict[str, Any]] = []
-    for name, form in FORMS.items():
+    for name in names:
         if budget.left <= 0.0:
             break
-        loaded = device.load(form.queued)
+        loaded = device.load(FORMS[name].queued)
         rows.append(
             {
                 "kernel": name,
@@ -70,11 +70,10 @@ def loading(device: Bench, budget: Budget, say: Say) -> list[dict[str, Any]]:
 
 
 def speed(
-    device: Bench, budget: Budget, say: Say, batches: tuple[int, ...]
+    device: Bench, budget: Budget, say: Say, batches: tuple[int, ...], names: Sequence[str]
 ) -> list[dict[str, Any]]:
     """Run each kernel in growing batches, until a call is long or the time is up."""
     rows: list[dict[str, Any]] = []
-    names = list(FORMS)
     for place, name in enumerate(names):
         mine = budget.part(1.0 / (len(names) - place))
         for count in batches:
@@ -161,14 +160,15 @@ def scaled(name: str, cells: int) -> int:
     return max(64, int(cells * SECONDS["lane_fates"] / SECONDS[name]))
 
 
-def sameness(device: Bench, budget: Budget, say: Say, cells: int) -> list[dict[str, Any]]:
+def sameness(
+    device: Bench, budget: Budget, say: Say, cells: int, names: Sequence[str]
+) -> list[dict[str, Any]]:
     """Compare each kernel with the processor, cell by cell: classes, and all bits of all results.
 
     Cells come in batches until there are as many as asked for, or the time is up.
     """
     rows: list[dict[str, Any]] = []
     workers = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    names = list(FORMS)
     for place, name in enumerate(names):
         mine = budget.part(1.0 / (len(names) - place))
         row: dict[str, Any] = {"kernel": name, "cells": 0, "classes": 0, "bits": 0, "first": []}

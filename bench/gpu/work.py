@@ -1,14 +1,13 @@
 """What the kernels are given: cells of a map, or blocks on a record, as many as are asked for."""
 
 import math
-from concurrent.futures import ThreadPoolExecutor
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import Block, Linear, Nonlinear, Record
+from rocksteady.dynamics.batch.left_over import in_threads
 from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.kernels.batch.attractors import REAL_COLUMNS, WHOLE_COLUMNS
@@ -127,24 +126,9 @@ def classes(arguments: Arguments) -> NDArray[np.int64]:
     return first if first.ndim == 1 else first[:, 0]
 
 
-def _cut(argument: Any, begin: int, end: int) -> Any:
-    """Return the cells of a tuple of arrays; the segments of a record are in none, and whole."""
-    if not isinstance(argument, tuple):
-        return argument
-    return type(argument)(*(array[begin:end] for array in argument))
-
-
 def on_host(name: str, arguments: Arguments, workers: int) -> Arguments:
     """Return the arguments with the results of the host kernel, computed in threads."""
     *taken, results = arguments
     given = (*taken, type(results)(*(np.empty_like(each) for each in results)))
-    kernel = host_kernel(name)
-
-    def part(begin: int, end: int) -> None:
-        kernel(*(_cut(each, begin, end) for each in given))
-
-    parts = np.linspace(0, len(results[0]), min(16 * workers, len(results[0])) + 1)
-    with ThreadPoolExecutor(workers) as threads:
-        for done in [threads.submit(part, *ends) for ends in pairwise(parts.astype(int).tolist())]:
-            done.result()
+    in_threads(host_kernel(name), given, workers)
     return given

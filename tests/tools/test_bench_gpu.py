@@ -12,8 +12,8 @@ import pytest
 from filelock import FileLock
 
 from bench.gpu import __main__ as script
-from bench.gpu import atlas, devices, estimate, report, stages, whole, work
-from bench.report import ESTIMATED_GPU, MEASURED_GPU, ROOT, write_section
+from bench.gpu import atlas, devices, report, resources, stages, whole, work
+from bench.report import GPU_PROGRAMS, MEASURED_GPU, ROOT, write_section
 from rocksteady.errors import InputError
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.machine_code.library import targets
@@ -243,31 +243,15 @@ def test_an_atlas_that_is_read_in_slabs_has_the_same_counts(
 # ------------------------------------------------------------------------------------- the pages
 
 
-def test_the_estimate_is_what_its_assumptions_say() -> None:
-    a100, h200 = estimate.ARCHITECTURES
-    assert (a100.fp64_clocks, h200.fp64_clocks) == (4.0, 2.0)
-    model = estimate.Model(
-        "m", 100, 30, 20, 0.5, 2.0, together=(0.5, 1.0), hidden=(0.5, 1.0), kept=(1.0, 1.0)
-    )
-    assert model.clocks(h200) == {"issue": 100.0, "float64": 60.0, "local memory": 160.0}
-    low, high = model.passes(h200)
-    assert high == pytest.approx(132 * 1.98e9 * 128 / 160)
-    assert low == pytest.approx(high / 4)
-    assert estimate.between(1.234e9, 5.6e10) == "1.2e9 to 5.6e10"
-    text = estimate.section("| programs |")
-    assert "**No GPU has run these programs.**" in text
-    assert "| programs |" in text
-
-
 def test_the_paragraph_on_spills_states_the_least_the_most_and_how_many_reach_the_aim() -> None:
     rows = [
         f"| k | sm_90 | 255 | 368 | {out}, 7 | 377 | 256 | 12.5 % | 22312 |"
         for out in (120, 4020, 264)
     ]
-    text = " ".join(estimate.spills("\n".join(rows))[0].split())
+    text = " ".join(resources.spills("\n".join(rows))[1].split())
     assert "120" in text
     assert "4020" in text
-    assert estimate.spills("| no row |") == []
+    assert resources.spills("| no row |") == []
 
 
 def test_what_was_measured_has_a_section_with_the_name_of_the_gpu(tmp_path: Path) -> None:
@@ -299,10 +283,10 @@ def test_what_was_measured_has_a_section_with_the_name_of_the_gpu(tmp_path: Path
     }
     source, page = tmp_path / "gpu.json", tmp_path / "page.md"
     source.write_text(json.dumps(data), encoding="utf-8")
-    write_section(page, ESTIMATED_GPU, "estimated")
+    write_section(page, GPU_PROGRAMS, "programs")
     report.main(source, page)
     text = page.read_text(encoding="utf-8")
-    assert text.index(f"## {ESTIMATED_GPU}") < text.index(f"## {MEASURED_GPU}")
+    assert text.index(f"## {GPU_PROGRAMS}") < text.index(f"## {MEASURED_GPU}")
     assert "**NVIDIA X** (compute capability 9.0, 132 multiprocessors" in text
     for row in ("| lane_fates | 10 | 500.0 ms | 600.0 ms | 2.00e+01 |  |", '`{"cell": 7}`'):
         assert row in text

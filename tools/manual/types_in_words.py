@@ -15,7 +15,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from rocksteady.kernels.machine_code.types import element_type
 from tools.namespace import THINGS
 
 WORDS = {
@@ -191,8 +193,8 @@ def _value(value: Any) -> str:
         return _either(f"``{part!r}``" for part in parts)
     if origin in {types.UnionType, typing.Union}:
         return _either(_value(part) for part in parts)
-    if origin is np.ndarray:
-        return f"array of {WORDS[typing.get_args(parts[1])[0].__name__]}"
+    if origin in {np.ndarray, typing.get_origin(NDArray[np.float64])}:
+        return f"array of {WORDS[element_type(value).__name__]}"
     if origin is tuple:
         words = [_value(part) for part in parts if part is not ...]
         return _several("tuple", words[0]) if parts[-1] is ... else _fixed(words)

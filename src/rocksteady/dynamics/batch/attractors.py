@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats, Integers
+from rocksteady.dynamics.batch.left_over import run_left_over
 from rocksteady.dynamics.history.lowering import alike
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.attractor import KINDS, kind_codes
@@ -182,18 +183,19 @@ def settled_cells(
     # A view of it would be read-only, which is another type to the kernel.
     tables = np.broadcast_to(sides, (cells, *sides.shape[-2:])).copy()
     # Lanes hold the linear model only; its side table has fewer columns.
-    same = np.flatnonzero(alike(tables) & (tables.shape[2] == SIDE_COLUMNS) & (not harmonics))
+    same = alike(tables) & (tables.shape[2] == SIDE_COLUMNS) & (not harmonics)
     whole[:, column.OUTCOME] = LEFT_OVER
-    for step in ("in lanes", "one by one", "on the host"):
-        left = same
-        if step != "in lanes":
-            left = np.flatnonzero(whole[:, column.OUTCOME] == LEFT_OVER)
+    for step in ("in lanes", "one by one", "left over"):
+        left = whole[:, column.OUTCOME] == LEFT_OVER
+        if step != "left over":
+            left &= same if step == "in lanes" else ~same
+        chosen = np.flatnonzero(left)
         # Without any cells the kernels of the first two are to be loaded.
-        if not len(left) and (cells or step == "on the host"):
+        if not len(chosen) and (cells or step == "left over"):
             continue
-        shaken, blocks = (amplitude[left], frequency_ratio[left]), tables[left]
-        parts = Outcomes(whole[left], real[left])
-        run = States._make(each[left] for each in begin), cycles, parts
+        shaken, blocks = (amplitude[chosen], frequency_ratio[chosen]), tables[chosen]
+        parts = Outcomes(whole[chosen], real[chosen])
+        run = States._make(each[chosen] for each in begin), cycles, parts
         if harmonics:
             total, shares = shares_of(harmonics)
             series = SeriesCells(total * shaken[0], shaken[1], shares, blocks)
@@ -203,9 +205,9 @@ def settled_cells(
             run_cells(lane_attractors, SymmetricCells(*shaken, ratio), *run)
         elif step == "one by one":
             run_cells(column.settle_cells, Cells(*shaken, blocks), *run)
-        else:  # what a device has no room for
-            column.settle_cells(Cells(*shaken, blocks), *run)
-        whole[left], real[left] = parts
+        else:  # by lanes, or for want of room on a device
+            run_left_over(column.settle_cells, Cells(*shaken, blocks), *run)
+        whole[chosen], real[chosen] = parts
     kind = kind_codes(
         whole[:, column.OUTCOME],
         whole[:, column.SYMMETRIC],

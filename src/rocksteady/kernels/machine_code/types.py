@@ -110,6 +110,15 @@ def parts(hint: Any) -> tuple[tuple[str, Any], ...] | None:
     return None
 
 
+def element_type(array: Any) -> Any:
+    """Return the type of the elements of an array, by its annotation.
+
+    NumPy 2.5 made NDArray an alias of its own; before, it stood for an ndarray with a dtype.
+    """
+    inner = get_args(array)
+    return element_type(inner[-1]) if inner else array
+
+
 def signature_leaves(name: str, hint: Any) -> Iterator[Leaf]:
     """Yield the leaves of one argument or result; None has none."""
     inner = parts(hint)
@@ -122,8 +131,7 @@ def signature_leaves(name: str, hint: Any) -> Iterator[Leaf]:
         return
     elif get_origin(hint) is Annotated:
         array, dimensions = get_args(hint)
-        scalar = get_args(get_args(array)[1])[0]
         kinds = {np.float64: float, np.int64: int, np.bool_: bool}
-        yield Leaf(name, kinds[scalar], dimensions)
+        yield Leaf(name, kinds[element_type(array)], dimensions)
     else:
         raise TypeError(f"{name or 'the result'} is a {hint}, which Python cannot pass")

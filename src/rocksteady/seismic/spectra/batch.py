@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats, Integers
+from rocksteady.dynamics.batch.left_over import run_left_over
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
@@ -130,7 +131,8 @@ def shaken_fates(
         left = fates.status == LEFT_OVER
         if left.any():  # what a device has no room for
             fates = _room(int(left.sum()), tables.PEAK_COLUMNS)
-            record_fates(table, Blocks(*(each[left] for each in blocks)), FLIGHT_LIMIT, fates)
+            some = Blocks(*(each[left] for each in blocks))
+            run_left_over(record_fates, table, some, FLIGHT_LIMIT, fates)
             status[cells[left]], impacts[cells[left]], tops[cells[left]] = fates
     return Fared(status, impacts, tops[:, tables.PEAK_ANGLE], tops[:, tables.PEAK_SPEED])
 
