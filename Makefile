@@ -220,11 +220,11 @@ tests-sdist: sdist ## build a wheel of it in isolation, and run its tests in a f
 		$(MAKE) -C $$folder tests && rm -rf $$folder
 
 .PHONY: tests-wheel
-tests-wheel: ## pytest on the wheel of this machine in dist/, in an environment of its own [what tests need]
+tests-wheel: ## pytest on the wheel of this machine in dist/, in an environment of its own; LATEST=1: with the latest dependencies [what tests need]
 	@rm -rf $(WHEEL)
 	@$(call create-environment,$(WHEEL))
 	$(WHEEL)/$(PROGRAMS)/python -m pip install --quiet --no-index --no-deps --find-links dist rocksteady
-	$(WHEEL)/$(PROGRAMS)/python -m pip install --quiet --constraint constraints.txt 'rocksteady[cluster,jit,records]' $(WHEEL_NEEDS)
+	$(WHEEL)/$(PROGRAMS)/python -m pip install --quiet $(if $(LATEST),--upgrade --upgrade-strategy eager,--constraint constraints.txt) 'rocksteady[cluster,jit,records]' $(WHEEL_NEEDS)
 	$(WHEEL)/$(PROGRAMS)/rocksteady doctor --check
 	$(WHEEL)/$(PROGRAMS)/python -m pytest -n $(WORKERS) --dist worksteal -o cache_dir=$(WHEEL)/pytest $(WHEEL_TESTS)
 

@@ -305,7 +305,7 @@ def test_results_are_compared_by_identity_and_can_be_kept_in_sets() -> None:
         ("HilltopSaddle.at", {"phase": [0.0, math.nan]}, "phase = nan is not valid: it must"),
         ("Manifold.nearest", {"angle": -1e300}, "angle = -1e+300 is not valid: it must lie in"),
         ("read_prior", {"path": "\n"}, "\\n"),
-        ("simulate", {"block": junk.deep()}, "block = <list> is not valid"),
+        ("simulate", {"block": junk.deep()}, "it must be a Block or a DimensionlessBlock"),
         ("simulate", {"motion": junk.Unshowable()}, "motion = <Unshowable> is not valid"),
     ],
 )

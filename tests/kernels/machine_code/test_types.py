@@ -1,10 +1,11 @@
 """What the annotations of a kernel say about its calls."""
 
-from typing import Annotated, NamedTuple
+from typing import Annotated, Any, NamedTuple, TypeVar
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from typing_extensions import TypeAliasType
 
 from rocksteady.kernels.machine_code.types import (
     Booleans2,
@@ -12,8 +13,13 @@ from rocksteady.kernels.machine_code.types import (
     Floats3,
     Integers2,
     Leaf,
+    element_type,
     signature_of,
 )
+
+Item = TypeVar("Item", bound=np.generic)
+Aliased = TypeAliasType("Aliased", np.ndarray[tuple[Any, ...], np.dtype[Item]], type_params=(Item,))
+"""What NDArray is from NumPy 2.5 on."""
 
 
 class Point(NamedTuple):
@@ -27,6 +33,12 @@ def nested(first: Floats1, point: Point, count: int) -> tuple[bool, Point, compl
 
 def nothing(cube: Floats3, whole: Integers2, truth: Booleans2) -> None:
     raise NotImplementedError(cube, whole, truth)
+
+
+@pytest.mark.parametrize("kind", [np.float64, np.int64, np.bool_])
+def test_elements_of_arrays_are_those_of_the_annotation(kind: Any) -> None:
+    plain = np.ndarray[tuple[Any, ...], np.dtype[kind]]
+    assert element_type(plain) is element_type(NDArray[kind]) is element_type(Aliased[kind]) is kind
 
 
 def test_tuples_are_taken_apart_in_order() -> None:

@@ -8,12 +8,13 @@ from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple, Optional, TypeVar
 
 import numpy as np
 import pytest
 import xarray
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import TypeAliasType
 
 import rocksteady
 from rocksteady import (
@@ -330,3 +331,31 @@ def test_arrays_of_a_kept_class_are_read_only_views_in_fields_and_tuples() -> No
     assert kept.plain is plain
     given[0] = 1.0
     assert kept.array[0] == 1.0
+
+
+def test_aliases_of_arrays_are_checked_as_what_they_stand_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """From Python 3.12 and NumPy 2.5 on, ArrayLike and NDArray are aliases, of aliases."""
+    item = TypeVar("item", bound=np.generic)
+    array = TypeAliasType("array", np.ndarray[Any, np.dtype[item]], type_params=(item,))
+    inner = TypeAliasType("inner", Sequence[float] | float)
+    like = TypeAliasType("like", memoryview | inner)
+    monkeypatch.setattr("numpy.typing.ArrayLike", like)
+
+    def call(values: Any, more: Any = None, whole: Any = None) -> tuple[Any, ...]:
+        return values, more, whole
+
+    call.__annotations__ |= {
+        "values": like,
+        "more": Optional[like],  # noqa: UP045 -- a union of an alias
+        "whole": Optional[array[np.float64]],  # noqa: UP045
+    }
+    taken = checked(call)([1, 2.5], 3, np.arange(2.0))
+    assert [np.asarray(each).tolist() for each in taken] == [[1.0, 2.5], 3.0, [0.0, 1.0]]
+    for name in ("values", "more", "whole"):
+        with pytest.raises(InputError, match=f"{name} = "):
+            checked(call)(**{"values": 1.0, name: MASKED})
+    assert str(inspect.signature(checked(call))).startswith(
+        "(values: ArrayLike, more: ArrayLike | None = None, whole: "
+    )

@@ -72,7 +72,7 @@ def told(found: Fragility) -> tuple[str, dict[str, str]]:
 def test_a_good_curve_of_many_records_needs_no_remark() -> None:
     sentence, facts = told(fragility(state(plain=curve(misfit=0.1))))
     assert sentence == "Half of them fall at 0.591 m/s of PGV, beta 0.582."
-    assert facts == {"fit": "within 10 points of the counted shares; 1,600 runs, 22 records"}
+    assert facts == {"fit": "within 10 points of the counts; 1,600 runs, 22 records"}
     assert fragility()._headline() == (
         "Fragility in PGV: overturned median 0.591 m/s, beta 0.582; 22 records, 1,600 runs"
     )

@@ -2,8 +2,12 @@
 
 import inspect
 import re
+import sys
 import types
-from typing import Any, get_args, get_origin
+from collections.abc import Sequence
+from typing import Any, Final, Union, get_args, get_origin
+
+UNIONS: Final = (Union, types.UnionType)
 
 
 class _Words:
@@ -14,6 +18,20 @@ class _Words:
 
     def __repr__(self) -> str:
         return self.text
+
+
+def alternatives(annotation: Any) -> tuple[Any, ...]:
+    """Return the parts of a union, and of what is an alias of one; of anything else that itself."""
+    value = getattr(annotation, "__value__", annotation)
+    if get_origin(value) not in UNIONS:
+        return (value,)
+    return tuple(each for part in get_args(value) for each in alternatives(part))
+
+
+def is_array_like(parts: Sequence[Any]) -> bool:
+    """Return whether some alternatives are those of ArrayLike, and perhaps others."""
+    typing = sys.modules.get("numpy.typing")
+    return typing is not None and all(part in parts for part in alternatives(typing.ArrayLike))
 
 
 def readable(signature: inspect.Signature) -> inspect.Signature:
@@ -31,12 +49,13 @@ def _short(annotation: Any) -> Any:
     """Return an annotation with names for unions of arrays, and classes without modules."""
     if annotation is inspect.Parameter.empty:
         return annotation
-    inner = get_args(annotation)
-    if any("_SupportsArray" in str(get_origin(part)) for part in inner):
+    inner = alternatives(annotation)
+    if is_array_like(inner):
         return _Words("ArrayLike | None" if types.NoneType in inner else "ArrayLike")
     text = annotation if isinstance(annotation, str) else inspect.formatannotation(annotation)
     text = re.sub(
         r"(typing\.)?Union\[[^\[]*_Buffer.*?complex \| bytes \| str\]\]", "ArrayLike", text
     )
+    text = re.sub(r"NDArray\[[^\]]*\]", "ndarray", text)
     text = re.sub(r"ndarray\[tuple\[[^\]]*\], [\w.]*dtype\[[^\]]*\]\]", "ndarray", text)
     return _Words(re.sub(r"\b(?:[a-z_]\w*\.)+(?=\w)", "", text))

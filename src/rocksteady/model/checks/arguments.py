@@ -17,10 +17,10 @@ from itertools import islice
 from numbers import Integral, Number, Real
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any, Final, Literal, TypeVar, Union, get_args, get_origin
+from typing import Any, Final, Literal, TypeVar, get_args, get_origin
 
 from rocksteady.errors import InputError, RocksteadyError, call_error, with_call_errors
-from rocksteady.model.checks._signatures import readable
+from rocksteady.model.checks._signatures import UNIONS, alternatives, is_array_like, readable
 from rocksteady.model.checks.arrays import (
     MOST_ITEMS,
     UnfitError,
@@ -212,15 +212,15 @@ def _fit_of(annotation: Any, names: Mapping[str, Any], numbers: bool) -> Fit | N
     """Return the check of an annotation; None where everything passes."""
     if isinstance(annotation, str):
         return _fit_of_text(annotation, names, numbers)
-    annotation = getattr(annotation, "__value__", annotation)  # ArrayLike from Python 3.12 on
+    # ArrayLike from Python 3.12 on, NDArray from NumPy 2.5 on.
+    annotation = getattr(annotation, "__value__", annotation)
     origin, inner = get_origin(annotation), get_args(annotation)
-    if origin in (Union, types.UnionType):
-        values = [get_args(getattr(part, "__value__", None)) or (part,) for part in inner]
-        inner = tuple(part for value in values for part in value)
-    if any("_SupportsArray" in str(get_origin(part)) for part in inner):  # ArrayLike
+    if origin in UNIONS:
+        inner = alternatives(annotation)
+    if is_array_like(inner):
         array = _array_or_names if Sequence[str] in inner else numeric_array
         return _either([array, _nothing]) if types.NoneType in inner else array
-    if origin in (Union, types.UnionType):
+    if origin in UNIONS:
         paths = any(part is Path or get_origin(part) is PathLike for part in inner)
         parts = [part for part in inner if not (paths and part is str)]
         parts.sort(key=lambda part: part is not Path)

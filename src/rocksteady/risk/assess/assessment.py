@@ -53,11 +53,11 @@ from rocksteady.risk.assess.described.schema import Options, own_states
 from rocksteady.risk.ensemble.gates import uplift_of
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.qualification import (
-    OF_STANDING,
-    forces_of_standing,
-    most_of_standing,
+    OF_ROCKING,
+    forces_of_rocking,
+    most_of_rocking,
+    rocking_words,
     runs_near,
-    standing_words,
 )
 from rocksteady.risk.fits.bands import BandOptions
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
@@ -209,12 +209,13 @@ class Assessment(Result):
 
     @cached_property
     def qualification(self) -> dict[str, float | None]:
-        """What 84 % of the runs that stand do not exceed: top and clearance [m], edge speed [m/s].
+        """Top and clearance [m] and edge speed [m/s] of most runs that rock and stand.
 
-        Of the level of its runs nearest to the demand; empty where there are none.
+        84 % of them do not exceed it, at the level of its runs nearest to the demand; empty where
+        there are none.
         """
         runs = self._at_demand
-        return {} if runs is None else most_of_standing(runs)
+        return {} if runs is None else most_of_rocking(runs)
 
     @cached_property
     def base_force_kn(self) -> tuple[float, float] | None:
@@ -226,7 +227,7 @@ class Assessment(Result):
         runs, facts = self._at_demand, self.facts
         if runs is None:
             return None
-        (force,) = forces_of_standing([runs], [facts.block], self.motions, [facts.mass_kg])
+        (force,) = forces_of_rocking([runs], [facts.block], self.motions, [facts.mass_kg])
         return force
 
     @property
@@ -343,12 +344,12 @@ class Assessment(Result):
                 Fact("records", self.fragility.records, "records"),
                 Fact("runs", self.fragility.runs, "runs"),
             ]
-        words = standing_words(self.qualification) if self.qualification else ""
+        words = rocking_words(self.qualification) if self.qualification else ""
         shown = ("top moves", words) if words else ("", "")
         facts.append(Fact("qualification", self.qualification or None, *shown))
         force = self.base_force_kn
         shown = (
-            ("force on base", f"{force_words(force, 'kN')}, {OF_STANDING}") if force else ("", "")
+            ("force on base", f"{force_words(force, 'kN')}, {OF_ROCKING}") if force else ("", "")
         )
         facts.append(Fact("base_force_kn", force and list(force), *shown))
         return [*facts, Fact("seconds", self.seconds)]

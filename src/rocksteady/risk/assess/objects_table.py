@@ -43,8 +43,8 @@ from rocksteady.risk.assess.two_numbers import assess_by_formula, share_words
 from rocksteady.risk.ensemble.qualification import (
     FORCES,
     OUTPUTS,
-    forces_of_standing,
-    most_of_standing,
+    forces_of_rocking,
+    most_of_rocking,
     runs_near,
 )
 from rocksteady.risk.fragility.damage_states import OVERTURNED
@@ -293,10 +293,10 @@ def assess_objects(
         if place in fragilities and answer.basis != "statics":
             runs, measure = fragilities[place].ensemble, fragilities[place].measure
             near[place] = runs_near(runs, level.of(measure, each.block))
-            row |= most_of_standing(near[place])
+            row |= most_of_rocking(near[place])
         rows.append(row | _kept(each, row))
     for places in _by_floor(shaken, near):
-        forces = forces_of_standing(
+        forces = forces_of_rocking(
             [near[place] for place in places],
             [asked[place].block for place in places],
             shaken[places[0]],

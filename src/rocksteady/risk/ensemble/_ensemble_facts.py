@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table, shown
 from rocksteady.results.numbers import length, number, plural
-from rocksteady.risk.ensemble.qualification import FORCES, SHARE, most_of_standing
+from rocksteady.risk.ensemble.qualification import FORCES, SHARE, most_of_rocking
 
 if TYPE_CHECKING:
     import xarray
@@ -89,5 +89,5 @@ def _row(stripe: "xarray.Dataset") -> dict[str, Any]:
         "runs": int(status.size),
         "uplift": float((stripe["peak_angle"].values > 0.0).mean()),
         "overturned": float((status == Status.OVERTURNED).mean()),
-        **most_of_standing(stripe),
+        **most_of_rocking(stripe),
     }

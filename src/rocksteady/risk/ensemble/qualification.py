@@ -37,8 +37,8 @@ FORCES: Final[Mapping[str, Mapping[str, str]]] = {
 }
 """Attributes of the variables that masses of the blocks add."""
 SHARE: Final = 0.84
-"""Share of the runs that stand, of which a description has the largest values."""
-OF_STANDING: Final = f"in {100.0 * SHARE:.0f} % of the runs that stand"
+"""Share of the runs that rock and stand, of which a description has the largest values."""
+OF_ROCKING: Final = f"in {100.0 * SHARE:.0f} % of the runs that rock and stand"
 
 
 def qualification_of(
@@ -74,29 +74,29 @@ def runs_near(runs: "xarray.Dataset", level: float) -> "xarray.Dataset":
     return runs.isel(level=nearest).load()
 
 
-def most_of_standing(runs: "xarray.Dataset") -> dict[str, float | None]:
-    """Return the values that 84 % of the runs that stand do not exceed; None where none stands.
+def most_of_rocking(runs: "xarray.Dataset") -> dict[str, float | None]:
+    """Return the values that 84 % of the runs that rock and stand do not exceed; else None.
 
-    Forces, where there are any, are those of the runs that rock and stand.
+    Runs that do not lift are weaker than a demand at which the block rocks.
     """
-    stands = np.isfinite(runs["top_displacement_m"].values)
+    rocks = (runs["status"].values != int(Status.OVERTURNED)) & (runs["peak_angle"].values > 0.0)
     values = {}
     for key in (*OUTPUTS, *(key for key in FORCES if key in runs)):
-        known = runs[key].values[stands & np.isfinite(runs[key].values)]
+        known = runs[key].values[rocks & np.isfinite(runs[key].values)]
         values[key] = float(np.quantile(known, SHARE)) if len(known) else None
     return values
 
 
-def standing_words(values: Mapping[str, float | None]) -> str:
-    """Return the same in words; empty where none stands."""
+def rocking_words(values: Mapping[str, float | None]) -> str:
+    """Return the same in words; empty where no run rocks and stands."""
     top, gap, speed = (values[key] for key in OUTPUTS)
     if top is None or gap is None or speed is None:
         return ""
     edge = quantity(speed, "m/s")
-    return f"at most {length(top)}, clearance {length(gap)}, its edge at {edge}, {OF_STANDING}"
+    return f"at most {length(top)}, clearance {length(gap)}, its edge at {edge}, {OF_ROCKING}"
 
 
-def forces_of_standing(
+def forces_of_rocking(
     runs: Sequence["xarray.Dataset"],
     blocks: Sequence[Block],
     motions: Sequence[Record | BaseMotion],

@@ -13,7 +13,7 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEW_RECORDS, MOST_MISFIT, with_misfit
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
-from rocksteady.risk.ensemble.gates import condition_of, which_lift
+from rocksteady.risk.ensemble.gates import condition_of
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fits.vector_fit import VectorCurve
@@ -207,7 +207,8 @@ class Fragility(Result):
         """Return where half of the blocks reach the last damage state, and other states."""
         *others, last = self.states
         curve, shape = last.curve, _shape(last)
-        half = f"Half of them {_verb(last.state)} at {self._median_words(last)}"
+        half = "If lifted, half" if last.given_uplift else "Half"
+        half += f" of them {_verb(last.state)} at {self._median_words(last)}"
         if not math.isnan(shape.beta):
             half += f", {self._beta_words()}"
         if shape.step is not None:
@@ -219,11 +220,9 @@ class Fragility(Result):
         elif curve.misfit > GOOD_ENOUGH:
             sentence = "No answer yet: the curve misses the counted shares."
             provisional = half
-        points = f"within {number(100.0 * curve.misfit, 2)} points of the counted shares; "
+        points = f"within {number(100.0 * curve.misfit, 2)} points of the counts; "
         if curve.misfit > MOST_MISFIT:
-            points = (
-                f"poor: up to {number(100.0 * curve.misfit, 2)} points off the counted shares; "
-            )
+            points = f"poor: up to {number(100.0 * curve.misfit, 2)} points off the counts; "
         few = f" (curves need {FEW_RECORDS})" if self.records < FEW_RECORDS else ""
         runs = f"{self.runs:,} runs, {plural(self.records, 'record')}{few}"
         large = f"records by up to {number(self.scale_factor_max)} x: check these"
@@ -231,10 +230,12 @@ class Fragility(Result):
             ("provisional", provisional),
             ("fit", runs if math.isnan(curve.misfit) else points + runs),
             ("scaled", large if self.scale_factor_max > MOST_SCALED else ""),
-            ("holds", f"for blocks {which_lift(self.ensemble)}" if last.given_uplift else ""),
         ]
         rows = [
-            (_verb(each.state).removeprefix("tilt "), f"half at {self._median_words(each)}")
+            (
+                _verb(each.state).removeprefix("tilt "),
+                "if lifted, " * each.given_uplift + f"half at {self._median_words(each)}",
+            )
             for each in others
             if not math.isnan(each.curve.median)
         ]

@@ -16,7 +16,8 @@ from rocksteady.results.numbers import (
 )
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.assess.demand_in_units import PEAKS, unit_of
-from rocksteady.risk.ensemble.qualification import OF_STANDING, standing_words
+from rocksteady.risk.ensemble.gates import GIVEN_UPLIFT
+from rocksteady.risk.ensemble.qualification import OF_ROCKING, rocking_words
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
@@ -72,11 +73,11 @@ def answer_rows(assessment: Assessment) -> list[dict[str, str]]:
     peak = "peak floor acceleration" if assessment.described.on_floor else "PGA"
     rows.append(_row("Lifts at", f"{quantity(assessment.facts.uplift_pga_g, 'g')} of {peak}"))
     rows.append(_row("Friction", *_friction_words(assessment)))
-    if assessment.qualification and (words := standing_words(assessment.qualification)):
+    if assessment.qualification and (words := rocking_words(assessment.qualification)):
         rows.append(_row("Top moves", words))
     if assessment.base_force_kn is not None:
         rows.append(
-            _row("Force on base", f"{force_words(assessment.base_force_kn, 'kN')}, {OF_STANDING}")
+            _row("Force on base", f"{force_words(assessment.base_force_kn, 'kN')}, {OF_ROCKING}")
         )
     rows += [_row("Least remedy", *_remedy_words(assessment))] if assessment.fragility else []
     return rows
@@ -221,8 +222,9 @@ def _state_row(each: StateFragility) -> Row:
             f"one curve: median {number(plain.median)}, β {number(plain.beta)}, "
             f"misfit {number(plain.misfit)}"
         )
+    given = f", {GIVEN_UPLIFT}" * each.given_uplift
     return {
-        "state": state_words(each.state.name),
+        "state": state_words(each.state.name) + given,
         "median": _banded(curve.median, curve.median_band),
         "β": _banded(shape.beta, shape.beta_band),
         "curve": status + under(single),

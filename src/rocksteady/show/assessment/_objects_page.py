@@ -7,7 +7,7 @@ from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.results.numbers import chance, interval, number
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
-from rocksteady.risk.ensemble.qualification import FORCES, OF_STANDING
+from rocksteady.risk.ensemble.qualification import FORCES, OF_ROCKING
 from rocksteady.show.export.provenance import provenance
 from rocksteady.show.plots.risk.plan import floors_of, plot_plan
 from rocksteady.show.report import picture, render
@@ -80,7 +80,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         "provenance": provenance(manifest),
         "records": f"{table.records:,}",
         "rows": shown,
-        "share": OF_STANDING,
+        "share": OF_ROCKING,
         "target": chance(table.target_probability),
     }
     return render(__package__, "objects.html.j2", **cleaned(values), plan=_plan(table))

@@ -9,6 +9,8 @@ from rocksteady.results.numbers import chance, interval, number, plural
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.risk.ensemble.gates import which_lift
+from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.show.assessment._assessment_pictures import pictures_of
 from rocksteady.show.assessment._assessment_tables import (
     answer_rows,
@@ -218,7 +220,8 @@ def _method(assessment: Assessment) -> dict[str, Any]:
         "vertical": int(runs.sizes["vertical"]) > 1,
         "runs": f"{fragility.runs:,}",
         "family": fragility.fitting.family,
-        "stages": any(each.curve is not each.plain for each in fragility.states),
+        "stages": any(isinstance(each.curve, TwoStageCurve) for each in fragility.states),
+        "given": which_lift(runs) if any(each.given_uplift for each in fragility.states) else "",
         "band": any(each.curve.median_band is not None for each in fragility.states),
         "confidence": "" if bands is None else number(100.0 * bands.confidence),
         "replicates": "" if bands is None else f"{bands.replicates:,}",

@@ -14,7 +14,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.confidence import CONFIDENCE, share_interval
 from rocksteady.results.doubts import marked
 from rocksteady.results.numbers import number, plural
-from rocksteady.risk.ensemble.gates import condition_of
+from rocksteady.risk.ensemble.gates import GIVEN_UPLIFT, condition_of
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.damage_states import OVERTURNED
@@ -86,8 +86,7 @@ class Drawn:
     def label(self) -> str:
         """The abscissa with its unit."""
         name, unit = self.best.measure
-        label = f"{name} [{unit}]" if unit else name
-        return f"{label}, {self.given}" if self.given else label
+        return f"{name} [{unit}]" if unit else name
 
 
 @checked
@@ -221,7 +220,10 @@ def plot_fragility_states(
         at, shares, _ = _shares(each)
         dot: dict[str, Any] = {"mfc": inks.observed, "mec": inks.paper, "mew": 0.4}
         axes.plot(at, shares, mark, ls="none", ms=4.2 * size, zorder=2.9, **dot)
-        name = greek(marked(state_words(each.name) or "fragility", each.best.misfit))
+        words = state_words(each.name) or "fragility"
+        if each.given and not _all_given(drawn):
+            words += f", {GIVEN_UPLIFT}"
+        name = greek(marked(words, each.best.misfit))
         values = each.best.probability(grid)
         same = [word for word, curve in earlier.items() if np.allclose(values, curve, atol=0.01)]
         earlier[name] = values
@@ -276,9 +278,17 @@ def _prepare(axes: "Axes", drawn: Sequence[Drawn]) -> tuple[float, float]:
     else:
         limits = 0.0, high * BEYOND
         axes.set_xlim(*limits)
-    axes.set_xlabel(greek(drawn[-1].label))
+    label = drawn[-1].label
+    if drawn[-1].given and _all_given(drawn):
+        label += f", {drawn[-1].given}"
+    axes.set_xlabel(greek(label))
     percent_ticks(axes, "y")
     return limits
+
+
+def _all_given(drawn: Sequence[Drawn]) -> bool:
+    """Return whether all curves have the same condition; else it stands with their names."""
+    return len({each.given for each in drawn}) == 1
 
 
 def _words(curve: Curve, name: str, named: bool = False) -> str:
