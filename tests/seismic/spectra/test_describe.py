@@ -131,6 +131,19 @@ def test_of_many_blocks_those_that_fall_are_shown_first() -> None:
         assert lines[-1] == f"{count - 24:,} more rows in the file and in JSON: {kinds}"
 
 
+@pytest.mark.parametrize("scale", [1.0, 9.0])
+def test_blocks_of_given_sizes_have_an_answer_for_several_records(scale: float) -> None:
+    blocks = [Block.rectangle(width=width, height=1.1) for width in (0.3, 0.45)]
+    cells = simulate_many(blocks, [ground(1), ground(2, name="other")], scales=scale)
+    answer = describe(cells).answer
+    assert answer is not None
+    fell = (cells["status"] == int(Status.OVERTURNED)).sum("record").values.ravel()
+    shares = [f"falls in {count} of 2 records" if count else "stands" for count in fell]
+    rows = dict(fact[:2] for fact in answer.facts)
+    assert rows["0.3 x 1.1 m"].startswith(shares[0])
+    assert rows["0.45 x 1.1 m"].startswith(shares[1])
+
+
 def test_the_headline_names_what_is_not_the_default() -> None:
     plain = spectrum_of(1)
     words = "Rocking spectrum: hut-0, Housner's restitution, nonlinear"

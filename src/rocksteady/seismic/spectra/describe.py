@@ -98,7 +98,7 @@ def _answer(dataset: "Labelled", rows: Sequence[dict[str, Any]], counts: dict[st
     groups: dict[str, list[dict[str, Any]]] = {}
     for row in rows:
         name = angle(row["alpha_rad"]) if sizes else _size(row)
-        groups.setdefault(name, []).append(row)
+        groups.setdefault(name, []).append({"period_s": 2.0 * math.pi / row["p_rad_s"], **row})
     names = np.atleast_1d(dataset["record"].values).tolist()
     where = shortened(names[0]) if len(names) == 1 else plural(len(names), "record")
     order = sorted(groups, key=lambda name: -sum(map(_falls, groups[name])))
