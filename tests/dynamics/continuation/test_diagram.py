@@ -71,6 +71,18 @@ def test_a_block_with_a_size_has_points_in_si() -> None:
     assert point["peaks_rad"] == [SIZED.alpha * peak for peak in point["peaks"]]
 
 
+def test_an_answer_has_amplitudes_in_standard_gravity() -> None:
+    block = Block.rectangle(width=0.4, height=1.2, restitution=0.8, gravity=6.5)
+    diagram = diagram_of(block, "amplitude")
+    answer = diagram.describe().answer
+    assert answer is not None
+    (point,) = diagram.to_dict()["points"]
+    assert (
+        f"{point['accel_g']:.5g} (symmetry breaks)"
+        in dict(fact[:2] for fact in answer.facts)["symmetric"]
+    )
+
+
 def test_of_mirror_images_the_one_that_leans_to_the_positive_side_is_listed() -> None:
     diagram = diagram_of(BARE, "frequency_ratio")
     symmetric, leaning = diagram.branches

@@ -236,6 +236,11 @@ def test_a_block_that_is_no_rectangle_is_not_described_as_one() -> None:
     assert "0.5 x 1 m block" in repr(moved)
 
 
+def test_a_block_lifts_at_an_acceleration_in_standard_gravity() -> None:
+    weak = Block.asymmetric(left=0.2, right=0.3, height=2.0, gravity=4.903325)
+    assert "0.1 g and 0.15 g" in weak.summary()
+
+
 def test_a_notebook_shows_the_numbers_of_a_block() -> None:
     block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
     table = block._repr_html_()

@@ -3,7 +3,9 @@
 from types import SimpleNamespace
 from typing import Any
 
-from rocksteady.show.assessment._assessment_tables import _remedy_words
+from rocksteady import Block, Demand
+from rocksteady.show.assessment._assessment_tables import _remedy_words, side_rows
+from rocksteady.show.style.markup import figure
 
 
 def remedy(words: str, change: float | None, probability: float = 0.05) -> Any:
@@ -29,3 +31,10 @@ def test_a_remedy_out_of_reach_is_none() -> None:
 
 def test_an_object_without_remedies_needs_none() -> None:
     assert words_of() == ("none needed", "")
+
+
+def test_each_edge_lifts_in_the_gravity_of_the_object_and_with_its_vertical_share() -> None:
+    block = Block.asymmetric(left=0.2, right=0.3, height=2.0, gravity=4.903325)
+    demand = Demand(pga_g=0.2, vertical_g=0.1)
+    rows = side_rows(SimpleNamespace(facts=SimpleNamespace(block=block, demand=demand)))  # type: ignore[arg-type]
+    assert [row["lifts at"] for row in rows] == [figure("0.08 g"), figure("0.12 g")]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from rocksteady.dynamics.parameters import SYMBOLS
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import Block, in_g
 from rocksteady.model.facts import AnyBlock, case_text
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.answer import Answer, aligned, left_out
@@ -35,7 +35,7 @@ def scale_of(block: AnyBlock, parameter: str) -> tuple[float, str, str]:
         "amplitude", "frequency_ratio" or "restitution".
     """
     if isinstance(block, Block) and parameter == "amplitude":
-        return block.alpha, "", " g"
+        return in_g(block.uplift_acceleration), "", " g"
     if isinstance(block, Block) and parameter == "frequency_ratio":
         return block.p / (2.0 * math.pi), "", " Hz"
     return 1.0, SYMBOLS[parameter].replace("Ω", "W"), ""

@@ -119,6 +119,8 @@ def description_of(block: Measured) -> Description:
     A rectangle has a width and a height; for any other body the height is not known.  A block
     against a wall rocks on its positive side alone, and has no rates of the other.
     """
+    from rocksteady.model.blocks.block import in_g
+
     positive, negative, factor = block.positive, block.negative, block.housner_factor
     alike = block.symmetric or (block.one_sided and same_shape(positive, negative))
     width, height = block.width, block.height
@@ -140,7 +142,7 @@ def description_of(block: Measured) -> Description:
         centre = 0.5 * height
         size = f"{number(width)} m wide {noun} with its mass centre at {number(centre)} m"
         lengths = Fact("", label="base", text=f"{length(width)}, mass centre {length(centre)} up")
-    uplifts = " and ".join(quantity(tan(side.alpha), "g") for side in sides)
+    uplifts = " and ".join(quantity(in_g(block.gravity * tan(side.alpha)), "g") for side in sides)
     facts = [
         lengths,
         Fact("alpha_rad", positive.alpha, "slenderness alpha", alphas),

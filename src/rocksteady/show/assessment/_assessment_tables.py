@@ -22,6 +22,7 @@ from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
+from rocksteady.risk.screens.friction import least_gravity_g
 from rocksteady.show.report import prose
 from rocksteady.show.style.markup import (
     Cell,
@@ -154,9 +155,11 @@ def object_rows(assessment: Assessment) -> list[dict[str, str]]:
 
 def side_rows(assessment: Assessment) -> list[Row]:
     """Return a row for each edge; none of an object whose sides are alike."""
-    block = assessment.facts.block
+    facts = assessment.facts
+    block = facts.block
     if block.symmetric or block.one_sided:
         return []
+    gravity_g = least_gravity_g(block, facts.demand.vertical_at_peak_g)
     return [
         {
             "pivot": name,
@@ -164,7 +167,7 @@ def side_rows(assessment: Assessment) -> list[Row]:
             "p [rad/s]": figure(number(side.p)),
             "R": figure(length(side.radius)),
             "restitution": figure(number(side.restitution)),
-            "lifts at": figure(f"{number(math.tan(side.alpha))} g"),
+            "lifts at": figure(f"{number(gravity_g * math.tan(side.alpha))} g"),
         }
         for name, side in (("left edge", block.positive), ("right edge", block.negative))
     ]
