@@ -35,11 +35,12 @@ SUITE = tuple(
 )
 
 
-def test_a_known_gate_makes_the_second_stage_one_of_the_excess() -> None:
-    gate = math.tan(BLOCK.alpha)
+@pytest.mark.parametrize("gravity", [9.80665, 3.5])
+def test_a_known_gate_makes_the_second_stage_one_of_the_excess(gravity: float) -> None:
+    gate = gravity / 9.80665 * math.tan(BLOCK.alpha)
     for name, level in (("pga_g", gate), ("pga_per_uplift", 1.0)):
         found = compute_fragility(
-            BLOCK,
+            Block.rectangle(width=0.4, height=1.6, gravity=gravity),
             SUITE,
             levels=Levels(name, level * np.array([0.6, 1.3, 1.8, 2.5, 3.5, 5.0]), beside=()),
             restitution=RestitutionBand(draws=1),

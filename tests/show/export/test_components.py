@@ -49,6 +49,7 @@ def fragility(
     blocks: int = 1,
     fell: Any = FELL,
     family: Any = "lognormal",
+    gravity: float = 9.80665,
 ) -> Fragility:
     measure = Measure(name, period)
     labels = (measure.label, measure.unit)
@@ -64,7 +65,8 @@ def fragility(
             },
             attrs={
                 "model": "nonlinear",
-                "gate_g": math.nan if vertical == "with" else math.tan(ALPHA),
+                "gravity": [gravity] * blocks,
+                "gate_g": math.nan if vertical == "with" else gravity / 9.80665 * math.tan(ALPHA),
             },
         ),
         measure=measure,
@@ -92,14 +94,14 @@ def fragility(
     [
         ("pga_g", "pga_g", 1.0),
         ("pgv_m_s", "pgv_m_s", 1.0),
-        ("pga_per_uplift", "pga_g", math.tan(ALPHA)),
-        ("p_pgv_per_uplift", "pgv_m_s", 9.80665 * math.tan(ALPHA) / P),
+        ("pga_per_uplift", "pga_g", 3.5 / 9.80665 * math.tan(ALPHA)),
+        ("p_pgv_per_uplift", "pgv_m_s", 3.5 * math.tan(ALPHA) / P),
     ],
 )
-def test_ratios_become_accelerations_and_velocities_of_the_block(
+def test_ratios_become_accelerations_and_velocities_of_the_block_in_its_gravity(
     name: str, measure: str, factor: float
 ) -> None:
-    found = fragility(name)
+    found = fragility(name, gravity=3.5)
     made = LossComponent.from_fragility(found, "RS.vase")
     assert made.measure == measure
     state = made.states[-1]

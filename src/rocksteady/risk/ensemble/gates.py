@@ -7,6 +7,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.kernels.elementary.arrays import tan
+from rocksteady.model.blocks.block import in_g
 from rocksteady.seismic.measures.scalar import Measure
 
 if TYPE_CHECKING:
@@ -88,8 +89,9 @@ def _gate_of(ensemble: "xarray.Dataset", measure: Measure) -> float | None:
         return None
     linear = ensemble.attrs["model"] != "nonlinear"
     gates = [
-        (alpha if linear else tan(alpha)) / (1.0 if measure.name == "pga_g" else tan(alpha))
-        for alpha in alphas
+        (alpha if linear else tan(alpha))
+        / (1.0 / in_g(gravity) if measure.name == "pga_g" else tan(alpha))
+        for alpha, gravity in zip(alphas, np.atleast_1d(ensemble.attrs["gravity"]), strict=True)
     ]
     first = gates[0]
     return first if all(abs(gate - first) <= SAME_GATE * first for gate in gates) else None

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, in_g
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 from rocksteady.results.doubts import misfit_words
@@ -447,14 +447,14 @@ def _measure_of(fragility: Fragility) -> tuple[LossMeasure, float]:
             "compute the fragility of each block",
         )
     alpha, p = _side_of(fragility)
-    tangent = math.tan(alpha)
+    uplift = float(np.atleast_1d(fragility.ensemble.attrs["gravity"])[0]) * math.tan(alpha)
     match fragility.measure.name:
         case "pga_g" | "pgv_m_s" | "sa_g" as same:
             return same, 1.0
         case "pga_per_uplift":
-            return "pga_g", tangent
+            return "pga_g", in_g(uplift)
         case "p_pgv_per_uplift":
-            return "pgv_m_s", STANDARD_GRAVITY * tangent / p
+            return "pgv_m_s", uplift / p
     raise InputError(
         "measure",
         fragility.measure.name,
