@@ -73,6 +73,21 @@ def test_the_need_is_the_ratio_of_the_forces_at_the_edge_of_any_block(
     assert need == pytest.approx(ratios[0], rel=1e-9)
 
 
+def test_a_frame_needs_the_ratio_of_the_forces_on_all_its_columns() -> None:
+    width, height, cap, pga = 0.6, 3.3, 1.5, 0.41
+    frame = Block.frame(columns=4, cap_mass_ratio=cap, width=width, height=height)
+    # Of columns of unit mass and a cap that moves twice as far as their mass centres.
+    square = 0.25 * (width**2 + height**2)
+    pull = (1.0 + 2.0 * cap) * G * 0.5 * (pga * height - width)
+    turning = pull / ((4.0 / 3.0 + 4.0 * cap) * square)
+    across = (1.0 + cap) * pga * G - (1.0 + 2.0 * cap) * 0.5 * height * turning
+    down = (1.0 + cap) * G + (1.0 + 2.0 * cap) * 0.5 * width * turning
+    need = needed_friction(frame, pga)
+    assert need.largest == need.at_uplift == pytest.approx(across / down, rel=1e-12)
+    assert round(need.largest, 4) == 0.2099
+    assert first_motion(frame, pga, 0.25) == "rocks"
+
+
 @given(st.floats(0.05, 0.6), st.floats(0.3, 4.0))
 def test_at_uplift_the_need_is_the_slope_and_it_grows_from_there(slope: float, size: float) -> None:
     block = Block.rectangle(width=slope * size, height=size)

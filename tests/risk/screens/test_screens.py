@@ -66,6 +66,14 @@ def test_against_a_wall_rows_are_of_the_free_side_and_those_for_both_sides_say_s
     assert "no answer" in stocky.row("restitution").verdict
 
 
+def test_the_restitution_of_a_frame_is_that_of_columns_and_cap() -> None:
+    frame = Block.frame(columns=4, cap_mass_ratio=1.5, width=0.6, height=3.3)
+    row = screen_block(frame, PEAKS).row("restitution")
+    assert row.value == pytest.approx(frame.restitution, rel=1e-13)
+    assert row.edition == "Makris 2013"
+    assert screen_block(frame.against_wall(0.3), PEAKS).row("restitution").value is None
+
+
 def test_of_unlike_sides_the_wall_leaves_the_free_one() -> None:
     leaning = Block.asymmetric(left=0.3, right=0.15, height=1.8)
     free, wall = (

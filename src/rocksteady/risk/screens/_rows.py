@@ -194,12 +194,23 @@ def restitution_row(case: Case) -> Screen:
     gyration = inertia - second.radius**2
     crossing = first.centre_height * second.centre_height - first.distance * second.distance
     value = (gyration + crossing) / inertia
+    edition = "Housner 1963"
+    source = (
+        "G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963); for unequal sides "
+        "(I_c + m R1 R2 cos(alpha1 + alpha2))/(I_c + m R2^2)"
+    )
+    if case.block.cap is not None:
+        value = case.block.cap.housner_ratio(first, gravity)
+        edition = "Makris 2013"
+        source = (
+            "N. Makris and M. F. Vassiliou, Earthq. Eng. Struct. Dyn. 42, 431-449 (2013), of "
+            "columns under a cap"
+        )
     return Screen(
         name="restitution",
         equation="momentum at edge",
-        edition="Housner 1963",
-        source="G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963); for unequal sides "
-        "(I_c + m R1 R2 cos(alpha1 + alpha2))/(I_c + m R2^2)",
+        edition=edition,
+        source=source,
         status="computed",
         value=value,
         unit="",
@@ -211,9 +222,12 @@ def restitution_row(case: Case) -> Screen:
 def _wall_row(case: Case) -> Screen:
     """Return the row of the restitution that conserves angular momentum on base, wall and base."""
     value, restitution = None, number(case.block.restitution)
-    with suppress(InputError):  # of a stocky block
-        value = wall_ratio(case.block.positive, case.block.negative, case.block.gravity)
-    stocky = "no answer: a wall does not turn back a block so stocky"
+    unknown = "no answer: a wall does not turn back a block so stocky"
+    if case.block.cap is not None:
+        unknown = "no answer: angular momentum gives none for a frame against a wall"
+    else:
+        with suppress(InputError):  # of a stocky block
+            value = wall_ratio(case.block.positive, case.block.negative, case.block.gravity)
     return Screen(
         name="restitution",
         equation="momentum at wall",
@@ -223,7 +237,7 @@ def _wall_row(case: Case) -> Screen:
         status="computed",
         value=value,
         unit="",
-        verdict=stocky if value is None else f"this block has {restitution}",
+        verdict=unknown if value is None else f"this block has {restitution}",
         remark="Of the wall; the free block's own is not used.",
     )
 

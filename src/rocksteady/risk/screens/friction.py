@@ -102,7 +102,8 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> Fric
     Here in its general form, for any mass distribution, from the
     horizontal and the vertical force at the edge when rotation begins with theta'' = p^2 (A cos
     alpha - sin alpha): ``(A - k (A - a)) / (1 + k a (A - a))`` with k = (p^2 R/g) cos^2(alpha),
-    which is Shenton's expression for p^2 R/g = 3/4.  Below uplift it is A.
+    which is Shenton's expression for p^2 R/g = 3/4.  Of a frame R is that of the mass centre of
+    columns and cap together, as in `Trajectory.forces_per_weight`.  Below uplift it is A.
 
     For a block whose sides differ it is the greater of both: shaking reverses.  Against a wall it
     is that of the free side: the wall holds what is driven into it.
@@ -138,7 +139,7 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> Fric
     ratio = pga_g / least_gravity_g(block, vertical_g)
     lifts = ratio > tan(first_side(block).alpha)
     return FrictionNeed(
-        at_uplift=max(_at_side(side, block.gravity, ratio) for side in free_sides(block)),
+        at_uplift=max(_at_side(side, block, ratio) for side in free_sides(block)),
         at_impact=_at_impacts(block) if lifts else 0.0,
     )
 
@@ -151,13 +152,14 @@ def _at_impacts(block: Block) -> float:
     return max(impact_friction(positive, negative), impact_friction(negative, positive))
 
 
-def _at_side(side: Side, gravity: float, ratio: float) -> float:
+def _at_side(side: Side, block: Block, ratio: float) -> float:
     """Return the friction that one side needs at a ratio of accelerations."""
     slope = tan(side.alpha)
     excess = ratio - slope
     if excess <= 0.0:
         return ratio
-    share = side.p * side.p * side.radius / gravity  # M R^2/I_0
+    share = side.p * side.p * side.radius / block.gravity  # M R^2/I_0
+    share *= 1.0 if block.cap is None else block.cap.lever
     along = share * cos(side.alpha) * cos(side.alpha)
     across = share * cos(side.alpha) * sin(side.alpha)
     return (ratio - along * excess) / (1.0 + across * excess)
@@ -188,7 +190,7 @@ def first_motion(block: Block, pga_g: float, friction: float, vertical_g: float 
     for side in free_sides(block):
         slope = tan(side.alpha)
         mode: Mode = "rest" if ratio <= slope else "rocks"
-        if friction < _at_side(side, block.gravity, ratio):
+        if friction < _at_side(side, block, ratio):
             mode = "slides" if friction < slope else "slides and rocks"
         if mode == "rocks" and friction < _at_impacts(block):
             mode = "slides and rocks"
