@@ -162,6 +162,9 @@ def test_a_file_and_a_row_of_a_table_give_one_object_one_answer(tmp_path: Any) -
         described("chest", geometry={"width_m": 0.9, "height_m": 1.8}),
         described("vertical", demand={**PEAKS, "vertical_g": 0.3, "vertical_share": 0.4}),
         described("few levels", assessment={**FEW, "levels": 2, "draws": 1}),
+        described(
+            "frame", geometry={**CABINET, "mass_kg": 50.0, "columns": 2, "cap_mass_ratio": 0.5}
+        ),
         described("heavy", geometry={**CABINET, "mass_kg": 300.0}),
     ]
     run = Execution(store=tmp_path / "s.zarr")
@@ -195,6 +198,7 @@ def test_a_file_and_a_row_of_a_table_give_one_object_one_answer(tmp_path: Any) -
     assert seen == by_runs | {("statics", True), (None, True)}
     assert "restitutions from" in table.rows[0]["method"]
     assert table.rows[-1]["base_force_down_kn"] > 0.9 * 9.81 * 0.3
+    assert table.rows[-2]["base_force_down_kn"] > 0.9 * 9.81 * 0.15, "of columns and cap"
 
 
 def test_where_all_slide_nothing_is_run_or_stored(tmp_path: Any) -> None:

@@ -300,7 +300,7 @@ def assess_objects(
             [near[place] for place in places],
             [asked[place].block for place in places],
             shaken[places[0]],
-            [asked[place].body.mass_kg for place in places],
+            [asked[place].body.whole_mass_kg for place in places],
         )
         for place, force in zip(places, forces, strict=True):
             rows[place] |= dict(zip(FORCES, force or (), strict=False))

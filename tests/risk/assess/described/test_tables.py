@@ -6,6 +6,7 @@ import pytest
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.model.blocks.block import Block
+from rocksteady.risk.assess.described.facts import compute_object_facts
 from rocksteady.risk.assess.described.tables import read_objects
 from tests.every import every
 
@@ -119,6 +120,9 @@ def test_rows_may_be_frames_of_columns(tmp_path: Path) -> None:
     )
     assert temple.block == Block.frame(columns=4, cap_mass_ratio=2.0, width=1.6, height=9.6)
     assert vase.block.cap is None
+    facts = compute_object_facts(temple)
+    assert facts.mass_kg == 4 * 900.0 * (1.0 + 2.0), "that on the base"
+    assert " kg of columns and cap" in facts.summary()
     for cells, words in (
         ("4,", r"cap_mass_ratio is missing: a frame has columns and cap_mass_ratio; add it"),
         (",2", r"columns is missing: a frame has columns and cap_mass_ratio; add it"),

@@ -40,7 +40,7 @@ class Body:
     gyration
         Radius of gyration about the mass centre [m].
     mass_kg
-        Mass [kg]; None where the file does not give it.
+        Mass [kg], of a frame that of one column; None where the file does not give it.
     rectangle
         Width and height [m] where it is a homogeneous rectangle on its full width.
     columns, cap_mass_ratio
@@ -56,6 +56,13 @@ class Body:
     rectangle: tuple[float, float] | None = None
     columns: int | None = None
     cap_mass_ratio: float = 0.0
+
+    @property
+    def whole_mass_kg(self) -> float | None:
+        """Mass on the base, of a frame that of all columns and the cap [kg]; None if not known."""
+        if self.mass_kg is None or self.columns is None:
+            return self.mass_kg
+        return self.mass_kg * self.columns * (1.0 + self.cap_mass_ratio)
 
     def block(self, restitution: Restitution, gravity: float) -> Block:
         """Return the block, or the frame."""

@@ -46,7 +46,8 @@ class ObjectFacts(Result):
     friction_to_lift
         Friction below which it slides at the acceleration that lifts it, tan(alpha).
     mass_kg
-        Mass with its content [kg]; None where it is not given.
+        Mass with its content, of a frame that of all columns and the cap [kg]; None where it is not
+        given.
     warnings
         Sentences on what is assumed, and on what is unusual.
     """
@@ -119,7 +120,10 @@ class ObjectFacts(Result):
 
     def _mass(self) -> tuple[str, str]:
         """Return label and words of the mass; none where there is none."""
-        return ("", "") if self.mass_kg is None else ("mass", quantity(self.mass_kg, "kg"))
+        if self.mass_kg is None:
+            return "", ""
+        parts = "" if self.block.cap is None else " of columns and cap"
+        return "mass", quantity(self.mass_kg, "kg") + parts
 
 
 @checked
@@ -163,7 +167,7 @@ def compute_object_facts(described: DescribedObject) -> ObjectFacts:
         uplift_pga_g=uplift_acceleration_g(block, demand.vertical_at_peak_g),
         friction=None if friction is None else bounds_of(friction),
         friction_to_lift=slope,
-        mass_kg=body.mass_kg,
+        mass_kg=body.whole_mass_kg,
         warnings=tuple(_warnings(described, block, slope)),
     )
 
