@@ -201,6 +201,20 @@ def test_a_file_and_a_row_of_a_table_give_one_object_one_answer(tmp_path: Any) -
     assert table.rows[-2]["base_force_down_kn"] > 0.9 * 9.81 * 0.15, "of columns and cap"
 
 
+def test_progress_counts_the_runs_of_each_object_once() -> None:
+    """A symmetric object is run with one sign, whatever stands beside it."""
+    objects = [
+        described("cabinet"),
+        described("off centre", geometry={**CABINET, "offset_m": 0.04}),
+    ]
+    counted: list[int] = []
+    for asked in (objects[:1], objects[1:], objects):
+        told: list[int] = []
+        assess_objects(asked, SUITE, run=Execution(progress=told.append), **PEAKS)
+        counted.append(sum(told))
+    assert counted[0] + counted[1] == counted[2] == 1.5 * counted[1]
+
+
 def test_where_all_slide_nothing_is_run_or_stored(tmp_path: Any) -> None:
     run = Execution(store=tmp_path / "s.zarr")
     table = assess_objects([described(friction=0.1)], SUITE, run=run, pga_g=0.4, pgv_m_s=0.4)

@@ -182,9 +182,9 @@ def fit_fragilities(
     Beside the measure of the levels only measures that `fitting` compares are computed: no curve
     depends on them, and all of them take longer than the runs.
 
-    Objects on one floor of one measure and restitution are run in one sweep.  The first sweep is
-    kept in the store of `run`, further ones beside it: in runs-2.zarr, runs-3.zarr and so on beside
-    runs.zarr.
+    Objects on one floor of one measure and restitution are run in one sweep, those of unlike sides
+    in another.  The first sweep is kept in the store of `run`, further ones beside it: in
+    runs-2.zarr, runs-3.zarr and so on beside runs.zarr.
     """
     levels = [
         levels_of(intensity, described.block, moved, described.given.assessment.levels)
@@ -206,11 +206,13 @@ def _run_objects(
     ways: Ways | None = None,
     run: Execution | None = None,
 ) -> list["xarray.Dataset"]:
-    """Return the ensemble of each object, of all on one floor and of one restitution in a sweep."""
+    """Return the ensemble of each object, of all like ones on one floor in a sweep."""
     groups: dict[object, list[int]] = {}
     for place, (described, wanted) in enumerate(zip(objects, levels, strict=True)):
         count = len(wanted.levels_for([described.block]))
-        key = (id(motions[place]), wanted.measure, count, bands[place])
+        # Beside a block of unlike sides a symmetric one has cells for its mirror images, too.
+        like = described.block.symmetric
+        key = (id(motions[place]), wanted.measure, count, bands[place], like)
         groups.setdefault(key, []).append(place)
     ensembles: dict[int, xarray.Dataset] = {}
     for places, sweep_run in zip(groups.values(), _runs_for(run, len(groups)), strict=True):

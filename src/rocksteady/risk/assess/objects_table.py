@@ -230,8 +230,9 @@ def assess_objects(
     target_probability
         Above it an object is red, above a fifth of it amber; default 0.1.
     run
-        Executor, workers, store and progress; default `Execution()`.  Objects on other floors or
-        with other restitutions than the first have stores of their own beside it, as runs-2.zarr.
+        Executor, workers, store and progress; default `Execution()`.  Objects on other floors, with
+        other restitutions, or with sides that differ where those of the first do not, have stores
+        of their own beside it, as runs-2.zarr.
 
     Returns
     -------
