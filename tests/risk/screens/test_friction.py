@@ -1,6 +1,5 @@
 """Uplift and friction against the equations of motion, solved for the forces at the edge."""
 
-import math
 
 import numpy as np
 import pytest
@@ -59,14 +58,14 @@ def test_the_need_is_the_ratio_of_the_forces_at_the_edge_of_any_block(
         left=left * height, right=right * height, height=2.0 * height, gyration=gyration,
         restitution=0.5,
     )  # fmt: skip
-    pga = excess * max(left, right)
+    pga = excess * min(left, right)  # of the other side perhaps below uplift: it turns about both
     need = needed_friction(block, pga, vertical).at_uplift
     ratios = []
     for part in (-1.0, -0.6, 0.0, 1.0):
         upwards, lifting = part * vertical, []
         for distance in (left * height, right * height):
-            h, v, turning = forces(distance, height, gyration, pga, upwards)
-            lifting.append(h / v if turning > 0.0 else pga / (1.0 + upwards))
+            h, v, _ = forces(distance, height, gyration, pga, upwards)
+            lifting.append(h / v)
         ratios.append(max(lifting))
         assert uplift_acceleration_g(block, vertical) <= min(left, right) * (1.0 + upwards) + 1e-12
         assert need >= ratios[-1] * (1.0 - 1e-9)
@@ -136,8 +135,12 @@ def test_an_asymmetric_block_counts_by_its_worse_direction() -> None:
     block = Block.asymmetric(left=0.1, right=0.3, height=1.0)  # slopes .2 and .6
     assert first_motion(block, 0.4, 1.0) == "rocks"  # one side lifts, the other rests
     assert first_motion(block, 0.4, 0.35) == "slides"  # the other needs .4 to rest
-    assert math.isclose(needed_friction(block, 0.4).at_uplift, 0.4)
-    assert first_motion(block, 0.4, 0.42) == "slides and rocks"  # impacts need 0.433
+    need = needed_friction(block, 0.4)
+    assert 0.4 < need.at_impact < need.at_uplift < 0.6  # once it turns about the other edge
+    assert first_motion(block, 0.4, need.at_uplift * 0.9999) == "slides and rocks"
+    assert first_motion(block, 0.4, need.at_uplift * 1.0001) == "rocks"
+    assert first_motion(block, 0.19, 0.2) == "rest"
+    assert needed_friction(block, 0.19) == (0.19, 0.0)
 
 
 @given(

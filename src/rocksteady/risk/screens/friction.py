@@ -105,8 +105,10 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> Fric
     which is Shenton's expression for p^2 R/g = 3/4.  Of a frame R is that of the mass centre of
     columns and cap together, as in `Trajectory.forces_per_weight`.  Below uplift it is A.
 
-    For a block whose sides differ it is the greater of both: shaking reverses.  Against a wall it
-    is that of the free side: the wall holds what is driven into it.
+    For a block whose sides differ it is the greater of both: shaking reverses, and a block that
+    lifts on the weaker side turns about the other edge after its impact, where the same expression
+    holds below a: it is more than A there.  Against a wall it is that of the free side: the wall
+    holds what is driven into it.
 
     A block that lifts has impacts, whose impulses need friction too, whatever the acceleration.
     With Housner's restitution a rectangle needs less than a for them (`impact_friction`).  Impacts
@@ -139,7 +141,9 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> Fric
     ratio = pga_g / least_gravity_g(block, vertical_g)
     lifts = ratio > tan(first_side(block).alpha)
     return FrictionNeed(
-        at_uplift=max(_at_side(side, block, ratio) for side in free_sides(block)),
+        at_uplift=max(
+            _at_side(side, block, ratio) if lifts else ratio for side in free_sides(block)
+        ),
         at_impact=_at_impacts(block) if lifts else 0.0,
     )
 
@@ -153,11 +157,8 @@ def _at_impacts(block: Block) -> float:
 
 
 def _at_side(side: Side, block: Block, ratio: float) -> float:
-    """Return the friction that one side needs at a ratio of accelerations."""
-    slope = tan(side.alpha)
-    excess = ratio - slope
-    if excess <= 0.0:
-        return ratio
+    """Return the friction that one side needs at a ratio of accelerations as it begins to turn."""
+    excess = ratio - tan(side.alpha)
     share = side.p * side.p * side.radius / block.gravity  # M R^2/I_0
     share *= 1.0 if block.cap is None else block.cap.lever
     along = share * cos(side.alpha) * cos(side.alpha)
@@ -186,13 +187,14 @@ def first_motion(block: Block, pga_g: float, friction: float, vertical_g: float 
     ['slides', 'slides and rocks', 'rocks']
     """
     ratio = pga_g / least_gravity_g(block, vertical_g)
+    lifts = ratio > tan(first_side(block).alpha)
     modes: list[Mode] = []
     for side in free_sides(block):
         slope = tan(side.alpha)
         mode: Mode = "rest" if ratio <= slope else "rocks"
-        if friction < _at_side(side, block, ratio):
-            mode = "slides" if friction < slope else "slides and rocks"
-        if mode == "rocks" and friction < _at_impacts(block):
+        if friction < min(ratio, slope):
+            mode = "slides"
+        elif lifts and friction < max(_at_side(side, block, ratio), _at_impacts(block)):
             mode = "slides and rocks"
         modes.append(mode)
     return max(modes, key=MODES.index)
