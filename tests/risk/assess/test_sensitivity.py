@@ -82,7 +82,7 @@ def test_a_case_is_from_its_curve_or_from_its_count() -> None:
 def test_an_object_stays_up_to_its_uplift_and_without_a_pga_it_is_taken_to_lift() -> None:
     gate = uplift_acceleration_g(described().block)
     at, above = (
-        described(demand={"pga_g": pga, "pgv_m_s": 0.4}) for pga in (gate, math.nextafter(gate, 1))
+        described(demand={"pga_g": pga, "pgv_m_s": 0.4}) for pga in (gate, gate * (1.0 + 1e-8))
     )
     assert stays(at, at.block)
     assert not stays(above, above.block)
@@ -118,6 +118,8 @@ def test_what_is_changed_is_the_height_of_the_mass_centre_by_a_tenth_and_the_wid
     ]
     tangents = [math.tan(block.alpha) for _, _, block in changes]
     assert tangents == pytest.approx([0.2 / 0.9, 0.2 / 1.1, 0.95 * 0.2])
+    stocky = described(geometry={"width_m": 1.2, "height_m": 0.9})  # with a lower centre no impacts
+    assert [change for _, change, _ in changes_of(stocky)] == ["+10 %", "-5 %, worn edges"]
     ranged = described(geometry={"width_m": {"low": 0.3, "high": 0.42}, "height_m": 1.8})
     ends = [math.tan(block.alpha) for name, _, block in changes_of(ranged) if "width_m" in name]
     assert sorted(ends) == pytest.approx([0.3 / 1.8, 0.42 / 1.8])

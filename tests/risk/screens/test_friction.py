@@ -1,6 +1,5 @@
 """Uplift and friction against the equations of motion, solved for the forces at the edge."""
 
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -10,6 +9,7 @@ from rocksteady import Block
 from rocksteady.errors import InputError
 from rocksteady.risk.screens.friction import (
     first_motion,
+    lifts,
     needed_friction,
     uplift_acceleration_g,
 )
@@ -182,3 +182,15 @@ def test_impacts_that_lose_much_need_more_friction_than_uplift_and_at_rest_there
     assert needed_friction(soft, 0.1).at_impact == 0.0
     housner = Block.rectangle(width=0.3, height=1.8)
     assert needed_friction(housner, 0.2).cause == "uplift"
+
+
+@pytest.mark.parametrize(
+    ("width", "height"), [(0.3, 1.5), (0.31, 1.55), (0.4, 2.0), (0.33, 1.65), (0.7, 3.5)]
+)
+def test_a_peak_at_uplift_lifts_no_block_whatever_its_size(width: float, height: float) -> None:
+    """All have a slope of 0.2, but for rounding, on either side of it."""
+    block = Block.rectangle(width=width, height=height)
+    assert not lifts(block, 0.2)
+    assert first_motion(block, 0.2, 0.5) == "rest"
+    assert needed_friction(block, 0.2) == (pytest.approx(0.2), 0.0)
+    assert lifts(block, 0.2 * (1.0 + 1e-8))

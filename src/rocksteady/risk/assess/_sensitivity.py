@@ -2,11 +2,13 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.doubts import far_above
@@ -24,7 +26,7 @@ from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.described.schema import Range
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
-from rocksteady.risk.screens.friction import uplift_acceleration_g
+from rocksteady.risk.screens.friction import lifts
 from rocksteady.sweep.run import Execution
 
 CENTRE = 0.1
@@ -158,7 +160,7 @@ def stays(described: DescribedObject, block: Block) -> bool:
     demand = described.demand
     if demand.pga_g is None:
         return False
-    return demand.pga_g <= uplift_acceleration_g(block, demand.vertical_at_peak_g)
+    return not lifts(block, demand.pga_g, demand.vertical_at_peak_g)
 
 
 def case_of(parameter: str, change: str, counts: Counts, *, rests: bool = False) -> Case:
@@ -198,8 +200,9 @@ def changes_of(described: DescribedObject) -> list[tuple[str, str, Block]]:
     body = described.body
     changes: list[tuple[str, str, Block]] = []
     for factor in (1.0 - CENTRE, 1.0 + CENTRE):
-        changed = described.block_of(body.with_centre(factor))
-        changes.append(("mass centre", f"{100.0 * (factor - 1.0):+.0f} %", changed))
+        with suppress(InputError):  # a stocky block with its centre lower still has no impacts
+            changed = described.block_of(body.with_centre(factor))
+            changes.append(("mass centre", f"{100.0 * (factor - 1.0):+.0f} %", changed))
     changes.append(
         (
             "base width",

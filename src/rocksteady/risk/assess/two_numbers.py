@@ -19,6 +19,7 @@ from rocksteady.risk.screens.friction import (
     FrictionNeed,
     Mode,
     first_motion,
+    lifts,
     needed_friction,
     uplift_acceleration_g,
 )
@@ -53,20 +54,26 @@ SAMPLED_ALPHA, SAMPLED_P = (0.1, 0.3), (1.0, 3.0)
 WORDS = (
     (0.001, "1 in 1000"),
     (0.002, "1 in 500"),
+    (0.003, "3 in 1000"),
     (0.005, "1 in 200"),
     (0.01, "1 in 100"),
     (0.02, "1 in 50"),
+    (0.03, "3 in 100"),
     (0.05, "1 in 20"),
     (0.1, "1 in 10"),
+    (0.15, "3 in 20"),
     (0.2, "1 in 5"),
     (0.25, "1 in 4"),
+    (0.3, "3 in 10"),
     (1.0 / 3.0, "1 in 3"),
     (0.4, "2 in 5"),
     (0.5, "1 in 2"),
     (0.6, "3 in 5"),
     (2.0 / 3.0, "2 in 3"),
+    (0.7, "7 in 10"),
     (0.75, "3 in 4"),
     (0.8, "4 in 5"),
+    (0.85, "17 in 20"),
     (0.9, "9 in 10"),
     (0.95, "19 in 20"),
     (0.98, "49 in 50"),
@@ -169,8 +176,8 @@ class FormulaAssessment(Result):
         vertical = self.demand.vertical_words
         peaks = f"{quantity(self.pga_g, 'g')} and {quantity(self.pgv_m_s, 'm/s')}"
         peaks += f" with {vertical}" if vertical else ""
-        lifts = quantity(self.uplift_pga_g, "g")
-        lifts += f", {number(self.uplift_pga_g / self.pga_g, 2)} of the demand"
+        lifting = quantity(self.uplift_pga_g, "g")
+        lifting += f", {number(self.uplift_pga_g / self.pga_g, 2)} of the demand"
         second = half = ""
         if self.probability is None:
             sentence = f"It slides at {peaks}: no probability of falling by rocking."
@@ -187,7 +194,7 @@ class FormulaAssessment(Result):
             ("second formula", second),
             ("doubt", " ".join(each for each in self.remarks if "friction" not in each)),
             ("friction needed", f"{number(self.friction_needed)}; {given}"),
-            ("lifts at", lifts),
+            ("lifts at", lifting),
             ("half fall at", half),
         ]
         return Answer(sentence, facts)
@@ -248,7 +255,7 @@ def assess_by_formula(
     if friction is not None:
         friction = FRICTION("friction", friction)
     uplift = uplift_acceleration_g(block, vertical)
-    mode: Mode = "rocks" if pga > uplift else "rest"
+    mode: Mode = "rocks" if lifts(block, pga, vertical) else "rest"
     if friction is not None:
         mode = first_motion(block, pga, friction, vertical)
     side = first_side(block)

@@ -15,7 +15,9 @@ from rocksteady.risk.screens._cabinets import nearest_cabinet
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import (
     Mode,
+    exceeds,
     first_motion,
+    lifts,
     needed_friction,
     uplift_acceleration_g,
 )
@@ -121,7 +123,7 @@ def uplift_row(case: Case) -> Screen:
     needs = ""
     if pga is None:
         verdict, needs = "needs a PGA", "pga_g"
-    elif pga <= value:
+    elif not exceeds(pga, value):
         verdict = f"stays down at {number(pga)} g"
     else:
         verdict = f"lifts: {number(pga)} g is {number(pga / value)} times it"
@@ -247,12 +249,12 @@ def ishiyama_row(case: Case) -> Screen:
     bounds = ishiyama_bounds(case.side, case.block.gravity)
     pga, pgv = case.demand.pga_g, case.demand.pgv_m_s
     needs, passes = "", None
-    if pga is not None and pga < bounds.pga_g:
+    if pga is not None and exceeds(bounds.pga_g, pga):
         verdict, passes = "does not overturn: PGA below its bound", True
-    elif pgv is not None and pgv < bounds.pgv_m_s:
+    elif pgv is not None and exceeds(bounds.pgv_m_s, pgv):
         verdict, passes = "does not overturn: PGV below its bound", True
     elif pga is not None and pgv is not None:
-        verdict, passes = "may overturn: both bounds are exceeded", False
+        verdict, passes = "may overturn: both bounds are reached", False
     else:
         needs = " and ".join(
             name for name, value in (("pga_g", pga), ("pgv_m_s", pgv)) if value is None
@@ -381,10 +383,7 @@ def velocity_row(case: Case) -> Screen:
     details = [(f"PGV at {MEDIAN:g}", middle, "m/s")]
     if pgv is not None:
         value, needs = velocity_number(case.side, gravity, pgv), ""
-        lifts = pga is None or pga > uplift_acceleration_g(
-            case.block, case.demand.vertical_at_peak_g
-        )
-        if not lifts:
+        if pga is not None and not lifts(case.block, pga, case.demand.vertical_at_peak_g):
             verdict, passes = "stays down: PGA below uplift", True
         else:
             shares = shares_at(value)

@@ -18,6 +18,8 @@ Mode = Literal["rest", "rocks", "slides", "slides and rocks"]
 """How a block at rest answers a peak acceleration."""
 MODES: tuple[Mode, ...] = ("rest", "rocks", "slides and rocks", "slides")
 """All of them, the worst last: sliding alone has no answer by rocking."""
+ROUNDED = 1e-9
+"""Part by which a peak exceeds what it is equal to but for rounding, at most."""
 
 
 class FrictionNeed(NamedTuple):
@@ -94,7 +96,19 @@ def uplift_acceleration_g(block: Block, vertical_g: float = 0.0) -> float:
     return least_gravity_g(block, vertical_g) * tan(first_side(block).alpha)
 
 
-def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> FrictionNeed:
+def exceeds(peak: float, bound: float) -> bool:
+    """Return whether a peak is above a bound; one that equals it but for rounding is not."""
+    return peak > bound * (1.0 + ROUNDED)
+
+
+def lifts(block: Block, pga_g: float, vertical_g: float = 0.0) -> bool:
+    """Return whether a peak acceleration of the base lifts a block; parameters as those above."""
+    return exceeds(pga_g, uplift_acceleration_g(block, vertical_g))
+
+
+def needed_friction(
+    block: Block, pga_g: float, vertical_g: float = 0.0, *, turns: bool | None = None
+) -> FrictionNeed:
     """Return the friction with which a block at rest lifts, rocks and does not slide.
 
     Shenton (1996) for a rectangle, with a = tan(alpha) and A = PGA/g:
@@ -122,6 +136,8 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> Fric
         Peak acceleration [g].
     vertical_g
         Magnitude of the vertical base acceleration at that instant [g]; default 0.
+    turns
+        Whether the block turns about its edges; default: whether the peak lifts it.
 
     Raises
     ------
@@ -139,12 +155,11 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> Fric
     0.2115 at uplift, 0.1241 at impacts
     """
     ratio = pga_g / least_gravity_g(block, vertical_g)
-    lifts = ratio > tan(first_side(block).alpha)
+    if not (lifts(block, pga_g, vertical_g) if turns is None else turns):
+        return FrictionNeed(at_uplift=ratio, at_impact=0.0)
     return FrictionNeed(
-        at_uplift=max(
-            _at_side(side, block, ratio) if lifts else ratio for side in free_sides(block)
-        ),
-        at_impact=_at_impacts(block) if lifts else 0.0,
+        at_uplift=max(_at_side(side, block, ratio) for side in free_sides(block)),
+        at_impact=_at_impacts(block),
     )
 
 
@@ -166,7 +181,14 @@ def _at_side(side: Side, block: Block, ratio: float) -> float:
     return (ratio - along * excess) / (1.0 + across * excess)
 
 
-def first_motion(block: Block, pga_g: float, friction: float, vertical_g: float = 0.0) -> Mode:
+def first_motion(
+    block: Block,
+    pga_g: float,
+    friction: float,
+    vertical_g: float = 0.0,
+    *,
+    turns: bool | None = None,
+) -> Mode:
     """Return how a block at rest answers a peak acceleration, after Shenton (1996).
 
     Below uplift and below sliding it rests.  It rocks with the friction of `needed_friction`,
@@ -175,7 +197,7 @@ def first_motion(block: Block, pga_g: float, friction: float, vertical_g: float 
 
     Parameters
     ----------
-    block, pga_g, vertical_g
+    block, pga_g, vertical_g, turns
         As for `needed_friction`.
     friction
         Coefficient between block and base.
@@ -187,14 +209,14 @@ def first_motion(block: Block, pga_g: float, friction: float, vertical_g: float 
     ['slides', 'slides and rocks', 'rocks']
     """
     ratio = pga_g / least_gravity_g(block, vertical_g)
-    lifts = ratio > tan(first_side(block).alpha)
+    rises = lifts(block, pga_g, vertical_g) if turns is None else turns
     modes: list[Mode] = []
     for side in free_sides(block):
         slope = tan(side.alpha)
-        mode: Mode = "rest" if ratio <= slope else "rocks"
+        mode: Mode = "rocks" if exceeds(ratio, slope) else "rest"
         if friction < min(ratio, slope):
             mode = "slides"
-        elif lifts and friction < max(_at_side(side, block, ratio), _at_impacts(block)):
+        elif rises and friction < max(_at_side(side, block, ratio), _at_impacts(block)):
             mode = "slides and rocks"
         modes.append(mode)
     return max(modes, key=MODES.index)

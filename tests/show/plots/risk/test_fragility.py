@@ -216,16 +216,20 @@ NAMES = ["uplift", "theta/alpha > 0.5", "over$turned_"]
 
 
 @cache
-def several() -> Fragility:
+def several(*given: bool) -> Fragility:
+    """Return three states, of which some are of the blocks that lift."""
     return Fragility(
-        ensemble=xarray.Dataset(),
+        ensemble=xarray.Dataset(attrs={"gate_g": math.nan}),
         measure=Measure("pga_g"),
         states=tuple(
-            StateFragility(state=DamageState(name, peak), plain=each.plain, two_stage=each)
-            for name, peak, each in zip(
+            StateFragility(
+                state=DamageState(name, peak), plain=each.plain, two_stage=each, given_uplift=lifted
+            )
+            for name, peak, each, lifted in zip(
                 NAMES,
                 (None, 0.5, 0.7),
                 (two_stages(None, median) for median in (0.4, 0.6, 0.8)),
+                given or (False,) * 3,
                 strict=True,
             )
         ),
@@ -249,6 +253,21 @@ def test_all_states_are_in_the_legend_in_order_with_their_points() -> None:
     assert {str(line.get_markerfacecolor()) for line in dots} == {inks_of(drawn).observed}
     curves = [line for line in drawn.lines if line.get_linestyle() == "-"]
     assert [line.get_color() for line in curves] == inks_of(drawn).series("motion", 3)[::-1]
+
+
+def test_a_condition_of_all_curves_is_at_the_abscissa_and_one_of_some_with_their_names() -> None:
+    mixed = plots.fragility_states(several(False, True, True), axes())
+    assert mixed.get_xlabel() == "PGA [g]"
+    assert entries(mixed)[:3] == [
+        "uplift",
+        "θ/α > 0.5, given uplift",
+        r"over\$turned_, given uplift",
+    ]
+    alike = plots.fragility_states(several(True, True, True), axes())
+    assert alike.get_xlabel() == "PGA [g], given uplift"
+    assert not any("given" in each for each in entries(alike))
+    alone = plots.fragility(several(False, True, True), axes())
+    assert alone.get_xlabel() == "PGA [g], given uplift"
 
 
 def test_a_fragility_and_its_curves_plot_themselves() -> None:
