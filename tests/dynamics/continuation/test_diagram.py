@@ -77,10 +77,8 @@ def test_an_answer_has_amplitudes_in_standard_gravity() -> None:
     answer = diagram.describe().answer
     assert answer is not None
     (point,) = diagram.to_dict()["points"]
-    assert (
-        f"{point['accel_g']:.5g} (symmetry breaks)"
-        in dict(fact[:2] for fact in answer.facts)["symmetric"]
-    )
+    words = f"{point['accel_g']:.5g} (symmetry breaks)"
+    assert any(words in str(fact[1]) for fact in answer.facts)
 
 
 def test_of_mirror_images_the_one_that_leans_to_the_positive_side_is_listed() -> None:

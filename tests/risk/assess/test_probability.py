@@ -208,9 +208,10 @@ def test_progress_counts_the_runs_of_each_object_once() -> None:
         described("off centre", geometry={**CABINET, "offset_m": 0.04}),
     ]
     counted: list[int] = []
+    peaks: dict[str, Any] = {**PEAKS}
     for asked in (objects[:1], objects[1:], objects):
         told: list[int] = []
-        assess_objects(asked, SUITE, run=Execution(progress=told.append), **PEAKS)
+        assess_objects(asked, SUITE, run=Execution(progress=told.append), **peaks)
         counted.append(sum(told))
     assert counted[0] + counted[1] == counted[2] == 1.5 * counted[1]
 

@@ -139,7 +139,7 @@ def test_blocks_of_given_sizes_have_an_answer_for_several_records(scale: float) 
     assert answer is not None
     fell = (cells["status"] == int(Status.OVERTURNED)).sum("record").values.ravel()
     shares = [f"falls in {count} of 2 records" if count else "stands" for count in fell]
-    rows = dict(fact[:2] for fact in answer.facts)
+    rows = {fact[0]: str(fact[1]) for fact in answer.facts}
     assert rows["0.3 x 1.1 m"].startswith(shares[0])
     assert rows["0.45 x 1.1 m"].startswith(shares[1])
 
