@@ -168,6 +168,14 @@ def test_a_wall_takes_kicks_into_it_and_a_fractal_border_holds_orbits() -> None:
     assert fractal.saddle.largest_multiplier > 1.0
 
 
+@pytest.mark.parametrize("kick", [1, -1])
+def test_a_least_kick_whose_end_rounding_decides_has_an_edge(kick: int) -> None:
+    motion = Harmonic(amplitude=2.0, frequency_ratio=3.0)
+    edge = find_edge_state(DimensionlessBlock(restitution=0.87), motion, start=Steady(), kick=kick)
+    assert edge.outcomes[0] == "symmetric orbit of period 1"
+    assert edge.outcomes[1].startswith("overturned")
+
+
 def test_what_has_no_edge_is_refused() -> None:
     motion = Harmonic(amplitude=0.5, frequency_ratio=2.0)
     with pytest.raises(ModelError, match="ends as start does"):

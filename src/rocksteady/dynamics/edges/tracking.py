@@ -64,6 +64,8 @@ LONGEST_APPROACH, MOST_PERIODS = 60.0, 10_000
 MOST_KICK = 4.0
 KICKS = 4000
 """Sizes at which a fatal kick is looked for."""
+LEAST_APART, MOST_APART = 1e-13, 1e-3
+"""Kicks by which a second state is moved off the border until it falls [alpha g/p]."""
 HALVINGS = 100
 SKIPPED = 3
 """Steps of a new pair before its growth counts."""
@@ -191,6 +193,11 @@ def find_edge_state(
     else:
         near, far = here, _second(other, bare)
     ends = outcomes.of(*here, phase), outcomes.of(*far, phase)
+    wider = LEAST_APART
+    while size is not None and not ends[1].falls and wider < MOST_APART:
+        # Rounding decides at the border, and not alike where a motion is followed to its end.
+        far = _kicked(flow.sides, here, size + direction * wider)
+        ends, wider = (ends[0], outcomes.of(*far, phase)), 2.0 * wider
     border = _Border(outcomes, *ends)
     pair = border.bisected(Pair(near, far), phase)
     tracked = border.track(pair, phase, limits["max_periods"])
