@@ -129,10 +129,10 @@ class SuiteFlags:
             if not self.pair:
                 suite.motions.extend(across)
                 suite.files.extend([file] * len(across))
-        for file, reason in suite.left_out:
-            terminal.note(f"{file} is left out: {printable(reason)}")
         if self.pair and good:
             self._pair(good, reading, suite)
+        for file, reason in suite.left_out:
+            terminal.note(f"{file} is left out: {printable(reason)}")
         if not suite.motions:
             raise InputError(
                 "--records",

@@ -103,6 +103,11 @@ def test_a_vertical_channel_is_run_with_its_station(tmp_path: Path) -> None:
     assert paired.json["vertical"] == ["without", "with"]
     assert paired.json["records"] == 2
     assert paired.json["runs"] == 2 * alone.json["runs"]
+    vertical = at2(tmp_path / "G2-V.AT2", 0.05 * samples(4), component="UP")
+    vertical.write_text(vertical.read_text().replace("Hut", "Shed"))
+    lone = rocksteady(f"{FEW} --more --pair --records", tmp_path)
+    assert "1 file left out, see standard error" in lone.out
+    assert "G2-V.AT2 is left out: its station has no horizontal channel" in lone.err
 
 
 def test_with_a_mass_the_runs_have_forces(folder: Path, tmp_path: Path) -> None:

@@ -17,6 +17,7 @@ from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.shaking_tests import PRIOR, prior_of, temper_of
 from rocksteady.cli.flags.sweep import executor_flag, workers_flag
 from rocksteady.errors import InputError
+from rocksteady.results.numbers import plural
 from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
@@ -146,7 +147,7 @@ def back_analyse(
     if example:
         notes.insert(0, "Objects and motions are synthetic: nothing was surveyed.")
     if left_out:
-        notes.insert(0, f"{len(left_out)} files were left out, see standard error")
+        notes.insert(0, f"{plural(len(left_out), 'file')} left out, see standard error")
     after = {
         "seconds": result.seconds,
         "synthetic": example,

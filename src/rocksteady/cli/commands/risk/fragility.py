@@ -15,6 +15,7 @@ from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.results.numbers import plural
 
 if TYPE_CHECKING:
     from rocksteady.risk.fragility.fitting import FitOptions
@@ -133,7 +134,7 @@ def fragility(
         f"{fragility_found.runs:,} runs and all fits in {fragility_found.seconds:.1f} s{kept}",
     ]
     if suite.left_out:
-        notes.insert(0, f"{len(suite.left_out)} files were left out, see standard error")
+        notes.insert(0, f"{plural(len(suite.left_out), 'file')} left out, see standard error")
     output.leave(
         "fragility",
         replace(description, headline=headline, notes=notes),
