@@ -2,6 +2,7 @@
 
 import json
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, find_attractor, find_bifurcations
 from rocksteady.branches import BifurcationDiagram, BranchOptions
+from rocksteady.dynamics.continuation.branch_answers import counts_of
 from rocksteady.dynamics.continuation.find_bifurcations import _range_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import symmetry_breaking_frequencies
@@ -79,6 +81,18 @@ def test_an_answer_has_amplitudes_in_standard_gravity() -> None:
     (point,) = diagram.to_dict()["points"]
     words = f"{point['accel_g']:.5g} (symmetry breaks)"
     assert any(words in str(fact[1]) for fact in answer.facts)
+
+
+def test_answer_and_description_count_the_same_branches() -> None:
+    diagram = diagram_of(BARE, "frequency_ratio")
+    parts = {"branches": diagram.branches, "points": diagram.points}
+    assert counts_of(diagram) == "2 branches, 1 bifurcation"
+    assert (
+        counts_of(SimpleNamespace(**parts, resting=diagram.branches))
+        == "2 branches, 2 of orbits that come to rest, 1 bifurcation"
+    )
+    words = "2 branches up to 1 period and 2 impacts, 1 bifurcation"
+    assert words in " ".join(diagram.summary(more=True).split())
 
 
 def test_of_mirror_images_the_one_that_leans_to_the_positive_side_is_listed() -> None:

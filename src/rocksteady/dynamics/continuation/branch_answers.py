@@ -74,9 +74,6 @@ def diagram_answer(diagram: Any) -> Answer:
         doublings = f"{plural(len(cascade.points), 'doubling')} to {limit}"
         if len(cascade.points) > 2:
             doublings += f"; last ratio {cascade.ratios[-1]:.2f} ({FEIGENBAUM})"
-    count, left = len(diagram.branches) + len(diagram.resting), len(stable) - len(rows)
-    summary = f"{plural(count, 'branch').replace('branchs', 'branches')}, "
-    summary += plural(len(diagram.points), "bifurcation")
     computed = diagram.model.name
     if diagram.parameter != "restitution":
         computed += f"; {case_text(diagram.block)}"
@@ -85,12 +82,31 @@ def diagram_answer(diagram: Any) -> Answer:
         *rows,
         ("cascade", doublings),
         *((f"sweep {sweep.direction}", _met(sweep, place)) for sweep in diagram.sweeps),
-        left_out(left, "narrower stable ranges"),
-        ("found", summary),
+        left_out(len(stable) - len(rows), "narrower stable ranges"),
+        ("found", counts_of(diagram)),
         ("computed", computed),
     ]
     sentence = _stability(_joined(ranges), diagram.within, place)
     return Answer(sentence, facts)
+
+
+def counts_of(diagram: Any, reach: str = "") -> str:
+    """Return how many branches and bifurcations a diagram has, in words.
+
+    Parameters
+    ----------
+    diagram
+        The diagram.
+    reach
+        What the search for branches covers, after their number; by default nothing.
+    """
+    resting = len(diagram.resting)
+    parts = [
+        plural(len(diagram.branches), "branch").replace("branchs", "branches") + reach,
+        *([f"{resting:,} of orbits that come to rest"] if resting else []),
+        plural(len(diagram.points), "bifurcation"),
+    ]
+    return ", ".join(parts)
 
 
 class _Place:

@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.dynamics.continuation._datasets import bifurcation_variables, branches_dataset
-from rocksteady.dynamics.continuation.branch_answers import diagram_answer
+from rocksteady.dynamics.continuation.branch_answers import counts_of, diagram_answer
 from rocksteady.dynamics.continuation.branch_facts import (
     bifurcations_table,
     branch_values,
@@ -231,11 +231,8 @@ class BifurcationDiagram(Result):
             }
             for sweep in self.sweeps
         ]
-        summary = (
-            f"{plural(len(branches), 'branch').replace('branchs', 'branches')} up to "
-            f"{plural(search.longest, 'period')} and "
-            f"{plural(search.max_impacts, 'impact')}, {plural(len(points), 'bifurcation')}"
-        )
+        reach = f" up to {plural(search.longest, 'period')}"
+        reach += f" and {plural(search.max_impacts, 'impact')}"
         facts = [
             *case_facts(self.block, self.motion, parameter, self.within, self.model),
             Fact("orders", list(search.orders)),
@@ -243,7 +240,7 @@ class BifurcationDiagram(Result):
             Fact("max_impacts", search.max_impacts),
             Fact("max_branches", search.max_branches),
             Fact("complete", self.complete),
-            Fact("", label="found", text=summary),
+            Fact("", label="found", text=counts_of(self, reach)),
         ]
         tables = [
             bifurcations_table(points, parameter, self.block, key="points"),
