@@ -216,6 +216,20 @@ def test_beside_ishiyamas_general_form_stands_his_simple_rule() -> None:
     assert "gives 0.239 m/s" in row.remark
 
 
+def test_formulas_with_fixed_units_have_no_answer_in_another_gravity() -> None:
+    found = full(9.0, Block.rectangle(width=0.32, height=1.8, gravity=1.62))
+    for name in ("Kaneko-Hayashi 50 %", "FEMA P-58 cabinets"):
+        row = found.row(name)
+        assert (row.status, row.value, row.passes, row.details) == ("refused", None, None, ())
+        assert row.verdict == "no answer: made for 9.81 m/s^2"
+    ishiyama = found.row("Ishiyama bound")
+    assert ishiyama.status == "computed"
+    assert "10 B/sqrt(H)" not in [name for name, _, _ in ishiyama.details]
+    assert "10 B/sqrt(H)" not in ishiyama.remark
+    local = full(block=Block.rectangle(width=0.32, height=1.8, gravity=9.78))
+    assert local.row("Kaneko-Hayashi 50 %").status == "computed"
+
+
 def test_shares_of_runs_say_where_a_block_lies_outside_them() -> None:
     stocky = screen_block(Block.rectangle(width=0.6, height=1.0), PEAKS)
     assert stocky.row(NAMES[7]).status == "approximate"

@@ -44,6 +44,8 @@ RECTANGLE_SHARE = 0.75
 ALIKE = 1e-6
 RUNS = ((0.1, 0.3), (1.0, 3.0))
 """Ranges of alpha [rad] and p [rad/s] of the runs of this package behind the shares."""
+LIKE_EARTH = 0.01
+"""Relative difference of a gravity from 9.80665 m/s^2 that formulas with fixed units bear."""
 BOTH_WAYS = "Made for blocks that rock to both sides: the wall is left out."
 
 
@@ -72,6 +74,11 @@ class Case:
         return first_motion(self.block, self.demand.pga_g, self.friction, vertical)
 
     @cached_property
+    def on_earth(self) -> bool:
+        """Whether its gravity is that of formulas with fixed units."""
+        return abs(self.block.gravity / STANDARD_GRAVITY - 1.0) <= LIKE_EARTH
+
+    @cached_property
     def rectangular(self) -> bool:
         """Whether it is a homogeneous rectangle."""
         share = self.side.p**2 * self.side.radius / self.block.gravity
@@ -91,13 +98,19 @@ class Case:
         answered: bool | None = None,
         approximate: bool = False,
         of_walls: bool = False,
+        of_earth: bool = False,
         **fields: Any,
     ) -> Screen:
         """Return a row that takes rocking for granted: refused where the block slides.
 
         Its formula was made for rectangles, and, unless it is one `of_walls`, for rocking to both
-        sides.  It is answered where it has a value, or as given, and `approximate` where said.
+        sides.  It is answered where it has a value, or as given, and `approximate` where stated;
+        one `of_earth` is refused without a value in another gravity.
         """
+        if of_earth and not self.on_earth:
+            fields |= {"value": None, "passes": None, "needs": "", "details": ()}
+            fields["verdict"] = "no answer: made for 9.81 m/s^2"
+            return Screen(status="refused", **fields)
         known = fields["value"] is not None if answered is None else answered
         status: Standing = "approximate" if approximate else "computed"
         status = status if known else "needs input"
@@ -276,10 +289,11 @@ def ishiyama_row(case: Case) -> Screen:
             ("PGA bound", bounds.pga_g, "g"),
             ("PGV bound", bounds.pgv_m_s, "m/s"),
             ("V_i", impulse_velocity_m_s(case.side, case.block.gravity), "m/s"),
-            ("10 B/sqrt(H)", bounds.simple_m_s, "m/s"),
+            *((("10 B/sqrt(H)", bounds.simple_m_s, "m/s"),) if case.on_earth else ()),
         ),
-        remark=f"Both must be exceeded, PGA {quantity(bounds.pga_g, 'g')} too. His simple rule "
-        f"10 B/sqrt(H) [cm, s] gives {quantity(bounds.simple_m_s, 'm/s')}.",
+        remark=f"Both must be exceeded, PGA {quantity(bounds.pga_g, 'g')} too."
+        + f" His simple rule 10 B/sqrt(H) [cm, s] gives {quantity(bounds.simple_m_s, 'm/s')}."
+        * case.on_earth,
     )
 
 
@@ -309,6 +323,7 @@ def kaneko_hayashi_row(case: Case) -> Screen:
         verdict = "needs a PGV" if pga is not None else "needs a PGA and a PGV"
         verdict, needs = ("needs a PGA", "pga_g") if pgv is not None else (verdict, needs)
     return case.rocking(
+        of_earth=True,
         name="Kaneko-Hayashi 50 %",
         equation="A50, V50, Fe",
         edition="13WCEE 2004",
@@ -435,6 +450,7 @@ def cabinets_row(case: Case) -> Screen:
             verdict = f"{chance(share)} of such cabinets fall"
     size = f"{cabinet.depth_in:g} x {cabinet.height_in:g} in"
     return case.rocking(
+        of_earth=True,
         name="FEMA P-58 cabinets",
         equation=cabinet.row,
         edition="FEMA P-58",

@@ -33,7 +33,8 @@ class Screen(Result):
         Number or form of the equation, edition of the document, and the full reference.
     status
         "computed"; "approximate" where the block is outside what the row was made for; "needs
-        input"; "refused" where friction governs.
+        input"; "refused" where friction governs, or where a formula with fixed units meets another
+        gravity.
     value, unit
         The threshold or capacity; None where an input is missing.
     verdict
