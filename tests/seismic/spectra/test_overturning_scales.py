@@ -1,6 +1,7 @@
 """Overturning scales: time histories, a published case, borders, symmetry, bad input."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.seismic.spectra import overturning_scales
-from rocksteady.seismic.spectra.overturning_scales import RESOLUTION
+from rocksteady.seismic.spectra.overturning_scales import RESOLUTION, OverturningScales
 from tests.every import every
 from tests.records import FOLDER
 from tests.seismic.grounds import ground
@@ -68,9 +69,37 @@ def test_time_histories_agree_with_the_windows(
     scales = np.exp(np.random.default_rng(1).uniform(math.log(0.2), math.log(top), 60))
     fates = [falls(block, motion, scale, model) for scale in scales.tolist()]
     assert 0 < sum(fates) < len(fates)
-    told = [found.falls(0, scale) for scale in scales.tolist()]
+    listed = [not unlisted(found, scale) for scale in scales.tolist()]
+    assert sum(listed) > 40
+    told = [found.falls(0, scale) for scale in scales[listed].tolist()]
     # The windows of so long a record have no end to their number: narrow ones are missed.
-    assert sum(one is not other for one, other in zip(told, fates, strict=True)) <= 1
+    assert int((np.array(told) != np.array(fates)[listed]).sum()) <= 1
+
+
+def unlisted(found: OverturningScales, scale: float) -> bool:
+    """Return whether windows are left out about a scale that is in none of those listed."""
+    if any(low <= scale <= high for low, high in found.intervals(0)):
+        return False
+    stretches = zip(found.left_out_low[0], found.left_out_high[0], strict=True)
+    return any(low <= scale <= high for low, high in stretches)
+
+
+def test_what_is_left_out_of_the_list_is_not_taken_to_stand() -> None:
+    found = find_overturning_scales(BLOCK, RECORD, within=(0.2, 2.0), model=Linear())
+    (row,) = found.to_dict()["windows"]
+    assert row["left_out"] == found.left_out[0] > 0
+    stretches = row["left_out_within"]
+    assert 0 < len(stretches) <= 64
+    assert all(below[1] < above[0] for below, above in pairwise(stretches))
+    assert found.left_out_width[0] <= sum(high - low for low, high in stretches)
+    places = [0.5 * (low + high) for low, high in stretches]
+    hidden = next(place for place in places if unlisted(found, place))
+    with pytest.raises(InputError, match="windows narrower than those listed are left out"):
+        found.falls(0, hidden)
+    drawn = found.plot().get_legend()
+    assert drawn is not None
+    assert "narrower windows, not listed" in [text.get_text() for text in drawn.get_texts()]
+    assert {row["left_out"] for row in found.describe().tables[0].rows} == {found.left_out[0]}
 
 
 @pytest.mark.slow

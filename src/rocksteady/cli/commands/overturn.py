@@ -221,7 +221,7 @@ def standing(scales: "OverturningScales") -> str:
 
     block, motion = scales.block, scales.motions[0]
     base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
-    whole = scales.within[0] <= 1.0 <= scales.top[0] and scales.falls(0, 1.0)
+    whole = any(low <= 1.0 <= high for low, high in scales.intervals(0))
     scale = 1.0 if whole else float(scales.first[0])
     case = simulate(block, base.scaled(scale), model=scales.model)
     part = check_neighbours(case).stands_at

@@ -59,6 +59,16 @@ def outputs(most: int = MOST_WINDOWS) -> tuple[Output, ...]:
     )
 
 
+def stretches(most: int) -> tuple[Output, ...]:
+    """Return the outputs of a cell that keeps where the windows lie that are not kept."""
+    words = (("low", "lower end"), ("high", "upper end"))
+    return tuple(
+        Output(name=f"left_{name}_{k}", long_name=f"{end} of stretch {k} of windows not kept")
+        for name, end in words
+        for k in range(most)
+    )
+
+
 def uplifts_of(sides: Floats) -> tuple[float, float]:
     """Return the a/(alpha g) at which either side lifts: 1, or tan(alpha)/alpha, times its lean.
 
@@ -82,13 +92,24 @@ def nothing_found(count: int, most: int = MOST_WINDOWS) -> dict[str, NDArray[Any
     }
 
 
-def keep(columns: dict[str, NDArray[Any]], cell: int, windows: Found, most: int) -> None:
-    """Write the windows of one cell into its outputs, the widest where there are many."""
+def keep(
+    columns: dict[str, NDArray[Any]], cell: int, windows: Found, most: int, lying: int = 0
+) -> None:
+    """Write the windows of one cell into its outputs, the widest where there are many.
+
+    Where the others lie is written as a number of stretches at most, with the widest gaps between.
+    """
     width = windows.high - windows.low
     kept = np.sort(np.argsort(-width, kind="stable")[:most])
     columns["windows"][cell] = len(kept)
     columns["left_out"][cell] = len(width) - len(kept)
     columns["left_out_width"][cell] = float(np.delete(width, kept).sum())
+    low, high = np.delete(windows.low, kept), np.delete(windows.high, kept)
+    if lying and len(low):
+        gaps = np.sort(np.argsort(high[:-1] / low[1:], kind="stable")[: lying - 1])
+        for place, (begin, end) in enumerate(zip([0, *(gaps + 1)], [*gaps, -1], strict=True)):
+            columns[f"left_low_{place}"][cell] = low[begin]
+            columns[f"left_high_{place}"][cell] = high[end]
     columns["undecided"][cell] = windows.undecided
     columns["unsettled"][cell] = windows.unsettled
     if len(width):
@@ -99,18 +120,17 @@ def keep(columns: dict[str, NDArray[Any]], cell: int, windows: Found, most: int)
         columns[f"way_{place}"][cell] = windows.side[k] * (1 + windows.impacts[k])
 
 
+def rows_of(data: "Labelled", name: str, most: int) -> NDArray[Any]:
+    """Return the outputs of a name and a number as columns, one row per cell."""
+    each: NDArray[Any] = np.stack([data[f"{name}_{k}"].values.ravel() for k in range(most)], axis=1)
+    return each
+
+
 def kept_windows(data: "Labelled") -> dict[str, Any]:
     """Return the fields of `WindowLists` from the outputs of a sweep, one row per cell."""
     kept = max(1, int(data["windows"].values.max()))
-
-    def rows(name: str) -> NDArray[Any]:
-        each: NDArray[Any] = np.stack(
-            [data[f"{name}_{k}"].values.ravel() for k in range(kept)], axis=1
-        )
-        return each
-
-    way = rows("way").astype(np.int64)
-    windows = {"low": rows("low"), "high": rows("high")}
+    way = rows_of(data, "way", kept).astype(np.int64)
+    windows = {name: rows_of(data, name, kept) for name in ("low", "high")}
     windows |= {"impacts": np.abs(way) - 1, "side": np.sign(way)}
     for name in ("first", "left_out_width"):
         windows[name] = data[name].values.ravel()

@@ -151,8 +151,8 @@ class WindowLists(Result):
         """What the list of windows lacks, after the words on what was searched."""
         words, count = "", int(self.left_out.sum())
         if count:
-            words = f"; {plural(count, 'window')} of {number(self.left_out_width.sum(), 1)} in all"
-            words += " left out"
+            width = number(self.left_out_width.sum(), 2)
+            words = f"; {plural(count, 'narrower window')}, {width} in width, left out"
         return words + "; narrower ones may be missing" * bool(self.unsettled.any())
 
     def _verdict(self, row: int, write: Callable[[float], str]) -> str:
@@ -164,6 +164,8 @@ class WindowLists(Result):
         if turn > first and number(turn) == number(end):
             return f"first at {write(first)}{least}"
         to_end = f"to {write(end)}"  # where the search ends
+        if last[1] < end and self.left_out[row]:
+            return f"first at {write(first)}{least}"
         if last[1] < end:
             return f"first at {write(first)}{least}; it stands from {write(turn)} {to_end}"
         if turn == first:

@@ -20,9 +20,12 @@ from rocksteady.dynamics.overturning.window_cells import (
     kept_windows,
     nothing_found,
     outputs,
+    rows_of,
+    stretches,
     uplifts_of,
 )
 from rocksteady.dynamics.overturning.window_lists import WindowLists
+from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import CEILING, LIFT, LIFT_SLOPE
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
@@ -57,12 +60,15 @@ MOST = 30_000
 """Scales, besides the grid, after which a search at that resolution ends."""
 KEPT = 256
 """Windows that are kept of a record; of more the widest."""
+LYING = 64
+"""Stretches in which the others of a record lie."""
 MOST_ROWS = 100
 """Windows that a summary shows."""
 ON_THE_GROUND = 1.0 - 1e-9
 """Part of g up to which the base may fall."""
 OUTPUTS = (
     *outputs(KEPT),
+    *stretches(LYING),
     Output(name="share", long_name="share of the range that overturns, in the log of the scale"),
     Output(name="top", long_name="largest scale that was searched"),
 )
@@ -102,6 +108,9 @@ class OverturningScales(WindowLists):
         PGA [g] and PGV [m/s] of the horizontal component at scale 1, shape (records,).
     left_out, left_out_width
         Number of windows beyond the widest 256, and their total width.
+    left_out_low, left_out_high
+        Ends of the stretches in which they lie, between and beside those that are listed, shape
+        (records, 64); nan beyond the last.
     undecided
         Scales that were tried and whose fate could not be decided; they count as safe.
     unsettled
@@ -114,6 +123,8 @@ class OverturningScales(WindowLists):
     share: Floats
     pga_g: Floats
     pgv_m_s: Floats
+    left_out_low: Floats
+    left_out_high: Floats
 
     def _row_of(self, index: int | str) -> int:
         """Return a record by its name or its number."""
@@ -128,8 +139,6 @@ class OverturningScales(WindowLists):
     def falls(self, index: int | str, scale: float) -> bool:
         """Return whether a scale lies in one of the windows of a record.
 
-        Windows that the search has left out are not among them.
-
         Parameters
         ----------
         index
@@ -140,13 +149,29 @@ class OverturningScales(WindowLists):
         Raises
         ------
         InputError
-            If there is no such record, or the scale was not searched.
+            If there is no such record, the scale was not searched, or it is beside the windows
+            where narrower ones are left out.
         """
         row = self._row_of(index)
         low, high = self.within[0], float(self.top[row])
         hint = "stay inside, or search further: find_overturning_scales(..., within=...)"
         factor = in_range("scale", scale, low, high, "[]", hint=hint)
-        return any(low <= factor <= high for low, high in self.intervals(row))
+        if any(low <= factor <= high for low, high in self.intervals(row)):
+            return True
+        if any(low <= factor <= high for low, high in self._unlisted(row)):
+            raise InputError(
+                "scale",
+                scale,
+                "it lies where windows narrower than those listed are left out",
+                "search about it: find_overturning_scales(..., within=...)",
+            )
+        return False
+
+    def _unlisted(self, row: int) -> list[list[float]]:
+        """Return the stretches in which windows of a record are left out."""
+        ends = np.stack([self.left_out_low[row], self.left_out_high[row]], axis=1)
+        unlisted: list[list[float]] = ends[~np.isnan(ends[:, 0])].tolist()
+        return unlisted
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the windows as an xarray Dataset over record and window."""
@@ -260,8 +285,8 @@ class OverturningScales(WindowLists):
             notes.append(f"The block stands at all scales searched of {plural(stands, 'record')}.")
         if left_out := int(self.left_out.sum()):
             notes.append(
-                f"{left_out} narrower windows are left out, of no record more than "
-                f"{self.left_out_width.max():.2g} wide together."
+                f"{plural(left_out, 'narrower window')} left out of the list and of CSV, of no "
+                f"record more than {self.left_out_width.max():.2g} wide together."
             )
         if unsettled := int((self.unsettled > 0).sum()):
             notes.append(
@@ -292,6 +317,7 @@ class OverturningScales(WindowLists):
             "top": float(self.top[index]),
             "share": float(self.share[index]),
             **self._left(index),
+            "left_out_within": self._unlisted(index),
         }
 
     def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
@@ -310,6 +336,7 @@ class OverturningScales(WindowLists):
                     "impacts": mode["impacts"],
                     "side": mode["side"],
                     "endless": mode["endless"],
+                    "left_out": row["left_out"],
                 }
 
 
@@ -402,6 +429,8 @@ def find_overturning_scales(
         pga_g=np.array([abs(course.peak_acceleration.value) for course in courses])
         / STANDARD_GRAVITY,
         pgv_m_s=np.array([abs(course.peak_velocity.value) for course in courses]),
+        left_out_low=rows_of(data, "left_low", LYING),
+        left_out_high=rows_of(data, "left_high", LYING),
         **kept_windows(data),
     )
 
@@ -418,6 +447,7 @@ def _windows_of(
     """Return the windows of some records."""
     sides = sides_of(block, model)
     windows_found = nothing_found(len(record), KEPT)
+    windows_found |= {end.name: np.full(len(record), np.nan) for end in stretches(LYING)}
     windows_found |= {"share": np.zeros(len(record)), "top": np.full(len(record), high)}
     for cell, ground in enumerate(record):
         table = _table(block, model, ground)
@@ -443,7 +473,7 @@ def _windows_of(
             most=round(MOST * max(1.0, RESOLUTION / resolution)),
             numbered=False,
         )
-        keep(windows_found, cell, windows._replace(impacts=windows.impacts - MANY), KEPT)
+        keep(windows_found, cell, windows._replace(impacts=windows.impacts - MANY), KEPT, LYING)
         windows_found["share"][cell] = log(windows.high / windows.low).sum() / log(end / low)
     return windows_found
 

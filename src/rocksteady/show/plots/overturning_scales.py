@@ -65,6 +65,10 @@ def plot_overturning_scales(
     handles = []
     for row, top in enumerate(scales.top.tolist()):
         axes.barh(row, top - low, BAR, left=low, facecolor=inks.paper, edgecolor=inks.edge, lw=0.6)
+    for row, (begin, end) in enumerate(zip(scales.left_out_low, scales.left_out_high, strict=True)):
+        known = ~np.isnan(begin)
+        parts = np.stack([begin, end - begin], axis=1)[known].tolist()
+        axes.broken_barh(parts, (row - 0.5 * BAR, BAR), **area_style(inks, "undecided"))
     for side, words, pattern in SIDES:
         drawn = False
         for row in range(len(scales.names)):
@@ -77,6 +81,8 @@ def plot_overturning_scales(
                 axes.broken_barh(parts, place_of_row, fc="none", ec=inks.edge, lw=0.8)
         if drawn:
             handles.append(swatch(inks, "falls", words, pattern))
+    if scales.left_out.any():
+        handles.append(swatch(inks, "undecided", "narrower windows, not listed"))
     handles.append(swatch(inks, "paper", "stands"))
     axes.set_xscale("log")
     axes.set(
