@@ -164,7 +164,7 @@ class Assessment(Result):
             sentences.append(
                 f"{counted(case.fell, f'{case.trials} runs')} at the demand, "
                 f"{chance(case.counted, case.trials)}: "
-                f"the curve's {chance(self.by_curve)} is more than "
+                f"the curve's {number(100.0 * self.by_curve)} % is more than "
                 f"{100.0 * MOST_MISFIT:g} points from that."
             )
         share = self.by_both_peaks
