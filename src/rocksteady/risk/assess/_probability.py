@@ -185,8 +185,8 @@ def fit_fragilities(
     Beside the measure of the levels only measures that `fitting` compares are computed: no curve
     depends on them, and all of them take longer than the runs.
 
-    Objects on one floor of one measure and restitution are run in one sweep, those of unlike sides
-    in another.  The first sweep is kept in the store of `run`, further ones beside it: in
+    Objects on one floor of one measure and restitution are run in one sweep, those with different
+    sides in another.  The first sweep is kept in the store of `run`, further ones beside it: in
     runs-2.zarr, runs-3.zarr and so on beside runs.zarr.
     """
     levels = [
@@ -213,7 +213,7 @@ def _run_objects(
     groups: dict[object, list[int]] = {}
     for place, (described, wanted) in enumerate(zip(objects, levels, strict=True)):
         count = len(wanted.levels_for([described.block]))
-        # Beside a block of unlike sides a symmetric one has cells for its mirror images, too.
+        # Beside a block with different sides a symmetric one has cells for its mirror images.
         like = described.block.symmetric
         key = (id(motions[place]), wanted.measure, count, bands[place], like)
         groups.setdefault(key, []).append(place)

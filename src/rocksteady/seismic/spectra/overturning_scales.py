@@ -109,7 +109,7 @@ class OverturningScales(WindowLists):
     left_out, left_out_width
         Number of windows beyond the widest 256, and their total width.
     left_out_low, left_out_high
-        Ends of the stretches in which they lie, between and beside those that are listed, shape
+        Ends of the stretches in which they lie, between and beside the windows listed, shape
         (records, 64); nan beyond the last.
     undecided
         Scales that were tried and whose fate could not be decided; they count as safe.
