@@ -19,7 +19,7 @@ Mode = Literal["rest", "rocks", "slides", "slides and rocks"]
 MODES: tuple[Mode, ...] = ("rest", "rocks", "slides and rocks", "slides")
 """All of them, the worst last: sliding alone has no answer by rocking."""
 ROUNDED = 1e-9
-"""Part by which a peak exceeds what it is equal to but for rounding, at most."""
+"""Part by which a peak may exceed a bound that it equals, by rounding."""
 
 
 class FrictionNeed(NamedTuple):
@@ -97,7 +97,7 @@ def uplift_acceleration_g(block: Block, vertical_g: float = 0.0) -> float:
 
 
 def exceeds(peak: float, bound: float) -> bool:
-    """Return whether a peak is above a bound; one that equals it but for rounding is not."""
+    """Return whether a peak is above a bound: by more than rounding makes it."""
     return peak > bound * (1.0 + ROUNDED)
 
 
