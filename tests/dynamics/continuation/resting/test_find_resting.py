@@ -187,6 +187,19 @@ def test_gaps_say_why() -> None:
     assert len(lossless.gaps) == 1
 
 
+def test_where_rounding_decides_a_branch_ends_before_other_uplifts() -> None:
+    block = DimensionlessBlock(restitution=0.8, alpha_ratio=1.05)
+    motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    within = (1.1055, 1.1057)
+    result = find_resting_branches(block, motion, "amplitude", within, resolution=2e-4)
+    ways = [
+        {tuple((leg.side, leg.half_cycles) for leg in point.legs) for point in branch.points}
+        for branch in result.branches
+    ]
+    assert ways == [{((1, 4),)}, {((1, 3), (-1, 1))}, {((1, 4),)}]
+    assert result.branches[1].begin.type == result.branches[1].end.type == "undecided"
+
+
 def test_an_orbit_is_followed_to_both_ends_of_its_branch() -> None:
     motion = Harmonic(amplitude=1.04, frequency_ratio=2.0)
     (orbit,) = (o for o in find_orbits(BLOCK, motion, max_period=1, seeds=2) if o.rest_phases)

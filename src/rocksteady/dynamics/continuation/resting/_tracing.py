@@ -184,15 +184,15 @@ class Tracer:
         def same(value: float) -> bool:
             return only.sample(value).pattern == pattern
 
-        def decided(value: float) -> bool:
-            return only.sample(value).decided
+        def kept(value: float) -> bool:
+            return only.pattern(value) == pattern  # and by more than rounding
 
         if same(outside):
-            return *bisected(inside, outside, decided), RestingPointType.UNDECIDED
+            return *bisected(inside, outside, kept), RestingPointType.UNDECIDED
         last, beyond = bisected(inside, outside, same)
         near = last + BESIDE * (inside - last)
-        if not decided(near):
-            return *bisected(inside, near, decided), RestingPointType.UNDECIDED
+        if not only.sample(near).decided:
+            return *bisected(inside, near, kept), RestingPointType.UNDECIDED
         lifts = self.uplifts.lifted(last) != self.uplifts.lifted(beyond)
         return last, beyond, RestingPointType.UPLIFT if lifts else RestingPointType.REST_END
 
