@@ -22,6 +22,8 @@ from rocksteady.dynamics.orbits.search import _same
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import steady_states
 from rocksteady.histories import ImpactState
+from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.motions import FourierSeries
 from rocksteady.orbits import Orbit
 from tests.dynamics.kicks import apart, around, clearance, departures, follow, keeps, loses
 from tests.every import every
@@ -29,12 +31,13 @@ from tests.every import every
 HOUSNER = Block.from_radius(alpha=0.2, radius=1.0, gravity=9.81)
 
 
+def shaken(amplitude: float, frequency: float) -> Harmonic:
+    return Harmonic(amplitude=amplitude, frequency_ratio=frequency)
+
+
 def at(amplitude: float, frequency: float, restitution: float, **more: Any) -> tuple[Orbit, ...]:
-    return find_orbits(
-        DimensionlessBlock(restitution=restitution),
-        Harmonic(amplitude=amplitude, frequency_ratio=frequency),
-        **more,
-    )
+    block = DimensionlessBlock(restitution=restitution)
+    return find_orbits(block, shaken(amplitude, frequency), **more)
 
 
 @pytest.fixture(scope="module")
@@ -479,6 +482,28 @@ def test_an_orbit_that_comes_to_rest_is_found_up_to_its_period() -> None:
         found = at(1.173, 6.075, 0.43, max_period=longest, seeds=1)
         resting = [orbit.period for orbit in found if orbit.rest_phases]
         assert resting == ([3] if longest >= 3 else []), longest
+
+
+TWICE = FourierSeries(amplitude=0.9, frequency_ratio=3.0, harmonics=((2, 1.0, 0.0), (3, 1.0, 0.0)))
+
+
+@every(
+    ("block", "motion", "rests"),
+    [
+        ({"restitution": 0.01, "negative_restitution": 0.02}, shaken(1.9, 3.0), [1, 1]),
+        ({"restitution": 0.41, "negative_restitution": 0.02}, shaken(1.9, 4.0), [1]),
+        ({"restitution": 0.0, "one_sided": True}, shaken(1.8, 3.0), [1]),
+        ({"restitution": 0.2}, TWICE, [2]),
+    ],
+)
+def test_orbits_that_come_to_rest_are_followed_from_each_uplift(
+    block: dict[str, Any], motion: PeriodicMotion, rests: list[int]
+) -> None:
+    bare = DimensionlessBlock(**block)
+    resting = [orbit for orbit in find_orbits(bare, motion, seeds=1) if orbit.rest_phases]
+    assert [orbit.rest_phases for orbit in resting] == rests
+    settled = [find_attractor(bare, replace(motion, phase=phase)) for phase in (0.0, math.pi)]
+    assert {each.peaks for each in settled} == {(each.highest, each.lowest) for each in resting}
 
 
 def test_an_orbit_is_stable_where_both_multipliers_lie_inside_the_unit_circle(

@@ -21,12 +21,20 @@ from rocksteady.dynamics.orbits.return_map import (
     section_of,
 )
 from rocksteady.dynamics.steady.states import steady_states
+from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.kernels.orbits import periodic, return_map
 from rocksteady.kernels.orbits.periodic import mirror
-from rocksteady.kernels.orbits.return_map import guess_after, next_passage, uplift_after
+from rocksteady.kernels.orbits.return_map import (
+    Passage,
+    Section,
+    guess_after,
+    identity,
+    next_passage,
+    uplift_after,
+)
 from rocksteady.kernels.orbits.settle import GENERIC, ROUNDED, Stretch, stretched
-from rocksteady.kernels.orbits.systems import EitherSystem, for_system
+from rocksteady.kernels.orbits.systems import EitherSystem, SeriesSystem, for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
@@ -59,10 +67,10 @@ def find_orbits(
 
     Symmetric orbits with two impacts have a closed form for every odd number of forcing periods
     (eqs 19, 21, 22); orbits that would pass through the base are included, marked inadmissible.
-    Orbits with a rest are followed from their uplift; there is at most one for each side.  All
-    others are found by Newton's method from a grid of states after an impact, which is a search,
-    not a proof that there are no more.  Of two mirror images only the orbit that leans to the
-    positive side is returned; `Orbit.mirrored` is the other.  A block whose sides differ has
+    Orbits with a rest are followed from each uplift, of which a sinusoid has one for each side.
+    All others are found by Newton's method from a grid of states after an impact, which is a
+    search, not a proof that there are no more.  Of two mirror images only the orbit that leans to
+    the positive side is returned; `Orbit.mirrored` is the other.  A block whose sides differ has
     neither symmetric orbits nor mirror images, nor has one against a wall: all of its orbits come
     from the search.
 
@@ -285,46 +293,53 @@ Found = tuple[Floats, int, float]
 """An orbit as the kernels leave it: its table, periods and residual."""
 
 
-def _resting_orbits(system: EitherSystem, longest: int) -> Iterable[Found]:
-    """Yield the periodic orbits with rest phases, followed from uplift to uplift.
-
-    Yields none where a small difference grows so much between two rests that rounding decides the
-    motion.
-    """
-    lifting = for_system(uplift_after, system)(system, 0, 0.0)
-    if lifting.kind == return_map.STAY:
-        return
-    begin, step = lifting.state, lifting
-    states = [begin]
-    nothing = Stretch(GENERIC[0], GENERIC[1], 0.0, 0)
-    whole, grown = nothing, [0.0]  # since the last rest, and its logarithm at each passage
-    while states[-1].half_cycles - begin.half_cycles <= 4 * longest:
-        step = for_system(next_passage, system)(system, step.state, guess_after(step))
-        if step.kind in (return_map.FALL, return_map.STAY, return_map.STUCK):
-            return
-        states.append(step.state)
-        if step.kind == return_map.IMPACT:
-            whole = stretched(whole, step.jacobian)
-        grown.append(whole.logarithm)
-        if step.kind != return_map.UPLIFT:
-            continue
-        whole = nothing
-        # An uplift is known by its side alone; for a block with two sides one must come again.
-        earlier = [
-            k for k, s in enumerate(states[:-1]) if s.speed == 0.0 and s.side == step.state.side
+def _uplifts(system: EitherSystem) -> list[Section]:
+    """Return the uplifts that may end a rest, in the order of a period of the shaking."""
+    sides = (system.free,) if system.free else (1, -1)
+    if isinstance(system, SeriesSystem):
+        series = [(side, system.lifts[0 if side > 0 else 1]) for side in sides]
+        begins = [
+            Section(side, *clock(phase), 0.0)
+            for side, lifts in series
+            for phase in lifts[np.isfinite(lifts)].tolist()
         ]
-        if earlier:
-            if max(grown[earlier[-1] :]) > ROUNDED:
-                return
-            passages = len(states) - 1 - earlier[-1]
-            periods = (step.state.half_cycles - states[earlier[-1]].half_cycles) // 2
-            table = np.zeros((passages, periodic.ORBIT_COLUMNS))
-            fixed = for_system(periodic.polish, system)(
-                system, step.state, passages, periods, table
-            )
-            if fixed.found and periods <= longest:
-                yield table, periods, fixed.residual
-            return
+    else:
+        lifted = [uplift_after(system._replace(free=side), 0, 0.0) for side in sides]
+        begins = [each.state for each in lifted if each.kind != return_map.STAY]
+    return sorted(begins, key=lambda begin: (begin.half_cycles, begin.phase))
+
+
+def _resting_orbits(system: EitherSystem, longest: int) -> Iterable[Found]:
+    """Yield the periodic orbits with rest phases, followed from each uplift until it comes again.
+
+    An orbit comes once for each of its uplifts, and not at all where a small difference grows so
+    much between two rests that rounding decides the motion.
+    """
+    for begin in _uplifts(system):
+        passages, step = 0, Passage(return_map.UPLIFT, begin, 0.0, 0.0, identity())
+        whole = nothing = Stretch(GENERIC[0], GENERIC[1], 0.0, 0)  # since the last rest
+        while whole.logarithm <= ROUNDED:
+            step = for_system(next_passage, system)(system, step.state, guess_after(step))
+            halves = step.state.half_cycles - begin.half_cycles
+            if step.kind in (return_map.FALL, return_map.STAY, return_map.STUCK):
+                break
+            if halves > 2 * longest:
+                break
+            passages += 1
+            if step.kind == return_map.IMPACT:
+                whole = stretched(whole, step.jacobian)
+            if step.kind != return_map.UPLIFT:
+                continue
+            whole = nothing
+            apart = abs(step.state.phase - begin.phase)
+            if step.state.side == begin.side and halves % 2 == 0 and apart <= SAME:
+                table = np.zeros((passages, periodic.ORBIT_COLUMNS))
+                fixed = for_system(periodic.polish, system)(
+                    system, begin, passages, halves // 2, table
+                )
+                if fixed.found:
+                    yield table, halves // 2, fixed.residual
+                break
 
 
 def _swing_speed(motion: PeriodicMotion) -> float:
