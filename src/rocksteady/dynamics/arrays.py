@@ -13,8 +13,18 @@ from rocksteady.model.motions.segments import HIGHEST_FREQUENCY_RATIO, LOWEST_FR
 AMPLITUDE = Bounds(0.0, LARGEST, "[]", "give a_max/(alpha g)")
 FREQUENCY_RATIO = Bounds(LOWEST_FREQUENCY_RATIO, HIGHEST_FREQUENCY_RATIO, "[]", "give omega/p")
 
+SMALLEST = 1e-140
+"""Below that amplitude, and above 0, a steady state is that at it, to the last digit."""
 HIGHEST_ORDER = 999_999
 """The longest half cycle, in half periods of the shaking."""
+
+
+def resolved(amplitude: Floats) -> Floats:
+    """Return amplitudes from which the closed forms can be computed: those below are raised.
+
+    The squares of the boundaries' ratios to a smaller one would overflow.
+    """
+    return np.where(amplitude > 0.0, np.maximum(amplitude, SMALLEST), amplitude)
 
 
 def validated_grid(

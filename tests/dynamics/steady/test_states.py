@@ -12,6 +12,7 @@ from rocksteady import Block, DimensionlessBlock, Harmonic, Pulse, find_steady_s
 from rocksteady.errors import InputError, ModelError, RocksteadyError
 from rocksteady.formulas import steady_states
 from rocksteady.motions import FourierSeries
+from rocksteady.orbits import compute_steady_orbit
 from tests.dynamics.formulae import (
     half_cycle,
     numbers,
@@ -300,3 +301,15 @@ def test_a_block_without_symmetric_states_and_a_motion_of_another_kind_are_refus
             find_steady_states(DimensionlessBlock(restitution=0.8), other)
     with pytest.raises(InputError, match="order = 2"):
         find_steady_states(DimensionlessBlock(restitution=0.8), motion, order=2)
+
+
+def test_below_what_squares_hold_the_states_are_those_of_vanishing_shaking() -> None:
+    limit = steady_states(1e-100, [2.0, 1e4], 1.0, order=[1, 10_001])
+    for amplitude in (1e-150, 1e-160, 5e-324):
+        states = steady_states(amplitude, [2.0, 1e4], 1.0, order=[1, 10_001])
+        assert states.peak == pytest.approx(limit.peak, rel=1e-13)
+        assert states.velocity == pytest.approx(limit.velocity, rel=1e-13)
+        assert states.phase.tolist() == [[math.pi, math.pi], [0.0, 0.0]]
+        assert states.amplitude.tolist() == [amplitude, amplitude]
+        course = compute_steady_orbit(amplitude, 2.0, 1.0, branch=2)
+        assert course.angle.max() == pytest.approx(0.245060291285869, abs=1e-14)

@@ -3,6 +3,7 @@
 import math
 
 from rocksteady.arrays import Floats
+from rocksteady.dynamics.arrays import SMALLEST
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.tables import ALPHA, RESTITUTION, is_nonlinear
@@ -100,6 +101,7 @@ def unstable_direction(
     amplitude: float, frequency_ratio: float, restitution: float, order: int, branch: int
 ) -> tuple[float, float]:
     """Return how an unstable steady state of the linear model is left, as in `growing`."""
+    amplitude = max(amplitude, SMALLEST)
     orbit = symmetric_orbit(amplitude, frequency_ratio, restitution, order, branch)
     if math.isnan(orbit.trace):
         raise ModelError(

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.arrays import Bools, Floats
-from rocksteady.dynamics.arrays import order_of_orbit, validated_grid
+from rocksteady.dynamics.arrays import order_of_orbit, resolved, validated_grid
 from rocksteady.dynamics.steady._state_facts import describe_grid, describe_point, solution_rows
 from rocksteady.dynamics.steady.regions import REGIONS
 from rocksteady.dynamics.steady.verdicts import half_cycle_pairs, squared_pairs
@@ -380,7 +380,7 @@ def steady_states(
     admissible = np.zeros(peak.shape, dtype=np.bool_)
     region = np.empty(size, dtype=np.int64)
     fill_steady(
-        Points(amplitudes.ravel(), ratios.ravel(), restitutions.ravel(), orders.ravel()),
+        Points(resolved(amplitudes).ravel(), ratios.ravel(), restitutions.ravel(), orders.ravel()),
         with_shapes,
         Steady(region, boundaries, phase, velocity, trace, peak, extrema, admissible),
     )
@@ -520,12 +520,13 @@ def compute_steady_orbit(
             f"a symmetric steady state needs {float(states.existence):.6g} or above (eq 23)",
             "raise the amplitude, or lower the frequency ratio",
         )
-    orbit = symmetric_orbit(float(a), float(w), float(r), int(n), which)
+    amplitude = float(resolved(a))
+    orbit = symmetric_orbit(amplitude, float(w), float(r), int(n), which)
     half = (samples + 1) // 2
     length = int(n) * math.pi
     tau = np.linspace(0.0, length, half)
     motion = np.empty((2, half))
-    fill_half_cycle(float(a), float(w), int(n), orbit, tau / float(w), motion)
+    fill_half_cycle(amplitude, float(w), int(n), orbit, tau / float(w), motion)
     angle = np.concatenate([motion[0], -motion[0, 1:]])
     velocity = np.concatenate([motion[1], -motion[1, 1:]])
     tau = np.concatenate([tau, length + tau[1:]])
