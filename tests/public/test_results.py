@@ -3,6 +3,7 @@
 import contextlib
 import copy
 import dataclasses
+import functools
 import importlib
 import inspect
 import pickle
@@ -321,6 +322,29 @@ def writable(thing: Any) -> list[str]:
     return found
 
 
+def writable_when_computed(thing: Any) -> list[str]:
+    """Return the properties whose arrays can be written to and come again when next read."""
+    names = []
+    for name in dir(type(thing)):
+        if name[0] == "_" or not isinstance(
+            inspect.getattr_static(type(thing), name), property | functools.cached_property
+        ):
+            continue
+        try:
+            values = [getattr(thing, name) for _ in range(2)]
+        except Exception:  # noqa: BLE001 - of some results only
+            continue
+        first, second = (each if isinstance(each, tuple | list) else (each,) for each in values)
+        if any(
+            isinstance(array, np.ndarray)
+            and array.flags.writeable
+            and np.shares_memory(array, again)
+            for array, again in zip(first, second, strict=True)
+        ):
+            names.append(f"{type(thing).__name__}.{name}")
+    return names
+
+
 COPIES: tuple[Callable[[Any], Any], ...] = (
     lambda each: pickle.loads(pickle.dumps(each)),
     copy.copy,
@@ -336,6 +360,15 @@ def test_no_array_of_a_result_or_of_its_copy_can_be_written_to(made: dict[str, A
     assert wrong == set()
     wrong = {name for each in results for make in COPIES for name in writable(make(each))}
     assert wrong == set()
+
+
+def test_no_array_that_a_property_has_computed_can_be_written_to(made: dict[str, Any]) -> None:
+    seen: dict[int, Any] = {}
+    results = {type(each): each for each in held(dict(made), seen) if isinstance(each, Result)}
+    wrong = {name for each in results.values() for name in writable_when_computed(each)}
+    assert wrong == set()
+    copies = [pickle.loads(pickle.dumps(each)) for each in results.values()]
+    assert {name for each in copies for name in writable_when_computed(each)} == set()
 
 
 @pytest.mark.slow

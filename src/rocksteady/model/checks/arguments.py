@@ -25,6 +25,7 @@ from rocksteady.model.checks.arrays import (
     MOST_ITEMS,
     UnfitError,
     guard_result,
+    keep_arrays,
     numeric_array,
     refuse_mask_and_unit,
     scalar_of,
@@ -71,9 +72,12 @@ def checked(target: T) -> T:
 
     The signature shows types alone: the rules in annotations are taken off, and hold after the
     types of all arguments, in the order of the arguments.  Numbers without a rule, and numbers in
-    place of texts, are left to the function's own validators.
+    place of texts, are left to the function's own validators.  Arrays that a class computes once
+    cannot be written to.
     """
     guarded: T = _checked(target, numbers=False)
+    if inspect.isclass(target):
+        keep_arrays(guarded)
     return guarded
 
 

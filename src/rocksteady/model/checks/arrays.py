@@ -7,7 +7,7 @@ Fractions are taken as the nearest floats; a `decimal.Decimal` is refused everyw
 
 import functools
 import math
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from decimal import Decimal
 from fractions import Fraction
@@ -60,7 +60,10 @@ def guard_result(kind: T) -> T:
     """
     parameters = getattr(kind, "__dataclass_params__", None)
     if parameters is not None:
-        keep_arrays(kind)
+        if parameters.frozen:
+            made: Any = kind
+            kernels = getattr(kind, "KERNEL_FIELDS", ())
+            keep_arrays(kind, [each.name for each in fields(made) if each.name not in kernels])
         if parameters.eq and "__eq__" in vars(kind):
             compare_by_value(kind)
         if "to_dataset" in vars(kind):
@@ -79,15 +82,22 @@ def _give_away_datasets(kind: Any) -> None:
     kind.to_dataset = to_dataset
 
 
-def keep_arrays(kind: Any) -> None:
-    """Let the arrays of a frozen dataclass be read only: in its fields, and in tuples there.
+def keep_arrays(kind: Any, names: Sequence[str] = ()) -> None:
+    """Let arrays be read only: in some fields, in tuples there, and those of public properties.
 
-    They are views: an array that a caller has given stays writable by its own name.
+    Of properties that are computed each time there is no need.  They are views: an array that a
+    caller has given stays writable by its own name.
     """
-    if not kind.__dataclass_params__.frozen:
+    computed = {
+        name: member
+        for base in kind.__mro__
+        for name, member in vars(base).items()
+        if isinstance(member, functools.cached_property) and name[0] != "_"
+    }
+    for member in computed.values():
+        member.func = _locking(member.func)
+    if not names and not computed:
         return
-    kernels = getattr(kind, "KERNEL_FIELDS", ())
-    names = [field.name for field in fields(kind) if field.name not in kernels]
     construct = kind.__init__
 
     @functools.wraps(construct)
@@ -96,11 +106,12 @@ def keep_arrays(kind: Any) -> None:
         _lock(self, names)
 
     def restore(self: Any, state: dict[str, Any]) -> None:
-        """Take the fields of a copy, whose arrays are writable again."""
+        """Take what a copy holds, whose arrays are writable again."""
         self.__dict__.update(state)
-        _lock(self, names)
+        _lock(self, [*names, *(name for name in computed if name in state)])
 
-    kind.__init__ = make
+    if names:
+        kind.__init__ = make
     if not hasattr(kind, "__setstate__"):
         kind.__setstate__ = restore
 
@@ -161,6 +172,19 @@ def _lock(thing: Any, names: Sequence[str]) -> None:
         locked = _locked(value)
         if locked is not value:
             object.__setattr__(thing, name, locked)
+
+
+def _locking(compute: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """Return a computation of a property with read-only arrays; itself where it has them."""
+    if hasattr(compute, "locks"):  # of a base that several classes share
+        return compute
+
+    @functools.wraps(compute)
+    def locking(thing: Any) -> Any:
+        return _locked(compute(thing))
+
+    locking.locks = True  # type: ignore[attr-defined]
+    return locking
 
 
 def _locked(value: Any) -> Any:
