@@ -6,6 +6,7 @@ import dataclasses
 import functools
 import importlib
 import inspect
+import json
 import pickle
 import pkgutil
 from collections.abc import Callable, Iterator
@@ -79,6 +80,13 @@ def test_every_result_has_rows_and_no_column_mixes_numbers_with_other_things(
         for column in (column for column in frame if frame[column].dtype.kind == "O"):
             kinds = {type(value) for value in frame[column].dropna()}
             assert kinds <= {str} or kinds == {bool}, (name, column, kinds)
+
+
+def test_json_holds_the_values_of_every_result(made: dict[str, Any]) -> None:
+    for name, result in made.items():
+        if isinstance(result, Result):
+            values = result.to_dict()
+            assert json.loads(json.dumps(values, allow_nan=False)) == values, name
 
 
 def test_a_table_of_any_result_that_is_cut_keeps_its_worst_rows(made: dict[str, Any]) -> None:

@@ -154,10 +154,11 @@ class Description:
     answer: Answer | None = None
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the JSON object: all facts and rows that have a key."""
+        """Return the JSON object, in plain values: all facts and rows that have a key."""
         values = {fact.key: fact.value for fact in self.facts if fact.key}
         tables = {table.key: [dict(row) for row in table.rows] for table in self.tables}
-        return values | {key: rows for key, rows in tables.items() if key}
+        result: dict[str, Any] = plain(values | {key: tables[key] for key in tables if key})
+        return result
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return the rows of the first table; without a table one row, of the plain facts."""
@@ -188,3 +189,18 @@ def shown(value: object) -> str:
     if isinstance(value, list | tuple):
         return ", ".join(shown(each) for each in value)
     return str(value)
+
+
+def plain(value: Any) -> Any:
+    """Return a value that JSON can hold: a complex number as [re, im], nan and infinity as None."""
+    if isinstance(value, dict):
+        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
+    if hasattr(value, "tolist"):
+        return plain(value.tolist())
+    if isinstance(value, complex):
+        return [plain(value.real), plain(value.imag)]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

@@ -2,7 +2,6 @@
 
 import csv
 import json
-import math
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import chain, combinations
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TextIO
 from rocksteady import durable
 from rocksteady.errors import OutputError
 from rocksteady.results.cells import written_cell
+from rocksteady.results.description import plain
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -236,20 +236,5 @@ def json_text(schema: str, values: dict[str, Any], *, indent: int | None = None)
     indent
         Spaces of indentation; all in one line without.
     """
-    plain = _plain({"schema": schema, **values})
-    return json.dumps(plain, allow_nan=False, indent=indent, ensure_ascii=indent is None)
-
-
-def _plain(value: Any) -> Any:
-    """Return a value that JSON can hold."""
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    if hasattr(value, "tolist"):
-        return _plain(value.tolist())
-    if isinstance(value, complex):
-        return [_plain(value.real), _plain(value.imag)]
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value
+    values = plain({"schema": schema, **values})
+    return json.dumps(values, allow_nan=False, indent=indent, ensure_ascii=indent is None)
