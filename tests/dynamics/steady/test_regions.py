@@ -212,3 +212,10 @@ def test_a_region_map_holds_every_curve() -> None:
     np.testing.assert_array_equal(
         curves.symmetry_breaking, symmetry_breaking_amplitude(w, 0.8, order=3)
     )
+
+
+@every("function", [compute_region_boundaries, compute_region_map])
+def test_curves_at_no_frequency_describe_themselves(function: Any) -> None:
+    curves = function([], 0.8)
+    assert "Ω none" in repr(curves)
+    assert curves.to_dict()["existence"] == []

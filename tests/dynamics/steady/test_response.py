@@ -63,6 +63,8 @@ def test_one_frequency_is_a_curve_of_one() -> None:
         ({"frequency_hz": 1.0}, ModelError, "frequency_hz"),
         ({"frequency_ratio": 0.0}, InputError, "frequency_ratio"),
         ({"frequency_ratio": [1.0, math.nan]}, InputError, "frequency_ratio"),
+        ({"frequency_ratio": []}, InputError, "frequency_ratio"),
+        ({"frequency_ratio": [[1.0, 2.0]]}, InputError, "frequency_ratio"),
         ({"frequency_ratio": 1.0, "order": 2}, InputError, "order"),
         ({"frequency_ratio": 1.0, "branch": 3}, InputError, "branch"),
         ({"frequency_ratio": 1.0, "branch": 0}, InputError, "branch"),

@@ -336,6 +336,8 @@ def _described(
 
     def fact(name: str) -> Fact:
         values = np.asarray(getattr(curves, name))
+        if not values.size:
+            return Fact(name, values.tolist(), name.replace("_", " "), "none")
         low, high = float(np.nanmin(values)), float(np.nanmax(values))
         text = number(low) if low == high else f"{number(low)} to {number(high)}"
         return Fact(name, values.tolist(), name.replace("_", " "), text)

@@ -15,7 +15,7 @@ from rocksteady.dynamics.steady.states import (
     steady_states,
     validated_branch,
 )
-from rocksteady.errors import ModelError, Words
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -133,7 +133,7 @@ def compute_response_curve(
     Raises
     ------
     InputError
-        If a number is outside its range.
+        If a number is outside its range, or the frequencies are not one row of one or more.
     ModelError
         If not exactly one kind of frequency is given, Hz for a dimensionless block, or a block
         whose sides differ.
@@ -168,6 +168,10 @@ def compute_response_curve(
     else:
         assert frequency_ratio is not None
         ratios = np.atleast_1d(real_array("frequency_ratio", frequency_ratio))
+    if ratios.ndim > 1 or not ratios.size:
+        name = "frequency_ratio" if frequency_hz is None else "frequency_hz"
+        valid = f"a curve has its frequencies in one row, not the shape {ratios.shape}"
+        raise InputError(name, ratios.tolist(), valid, "give one or more, as [3.0, 4.0]")
     refuse_asymmetric(block, "block", "a response curve")
     states = steady_states(amplitude, ratios, block.dimensionless().restitution, order=order)
     assert states.peak is not None
