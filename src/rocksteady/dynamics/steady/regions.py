@@ -291,7 +291,7 @@ def symmetry_breaking_frequencies(
     Parameters
     ----------
     amplitude
-        A = a_max/(alpha g), from 0 to 1e50.
+        A = a_max/(alpha g), above 0, up to 1e50.
     restitution
         Ratio of angular velocities, in (0, 1].
     order
