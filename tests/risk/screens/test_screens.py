@@ -431,3 +431,5 @@ def test_the_page_has_the_worked_values_of_its_block() -> None:
     assert set(lines) >= set(NAMES)
     for name, values in worked.items():
         assert all(f"{value:.4f}" in lines[name] for value in values), name
+    shares, _, _ = found.row("p PGV/(g tan alpha)").verdict.partition(" of such")
+    assert f": {shares} |" in lines["p PGV/(g tan alpha)"]
