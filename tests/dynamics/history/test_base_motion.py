@@ -1,12 +1,13 @@
 """Values of a base motion: its largest ones, of which one is exact and one a bound."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 from scipy.integrate import cumulative_simpson
 
-from rocksteady import Piecewise
+from rocksteady import Harmonic, Piecewise, Pulse
 from rocksteady.dynamics.history.base_motion import (
     base_acceleration,
     course_from_rest,
@@ -69,3 +70,20 @@ def test_the_largest_acceleration_is_that_of_lines_and_a_bound_of_sinusoids() ->
         assert seen <= peak_acceleration(both) < 1.01 * seen
         assert peak_acceleration(both) <= largest_acceleration(both)
         assert largest_acceleration(both) == pytest.approx(max(expected, 1.3 + 0.4))
+
+
+@every(
+    ("kind", "more"),
+    [
+        (Harmonic, {}),
+        (Pulse, {"shape": "half-sine"}),
+        (FourierSeries, {"harmonics": ((1, 0.5, 0.3), (2, 0.2, 1.0))}),
+    ],
+)
+def test_the_smallest_amplitude_is_described_where_a_caller_lets_underflow_raise(
+    kind: Any, more: dict[str, Any]
+) -> None:
+    motion = kind(amplitude=5e-324, frequency_ratio=3.0, **more)
+    with np.errstate(all="raise"):
+        assert motion.describe().headline
+        assert len(motion.to_dataframe()) > 0

@@ -1,6 +1,7 @@
 """Free rocking in closed form: published numbers, time histories, quadrature, bad input."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -124,6 +125,12 @@ def test_small_and_large_amplitudes_keep_their_digits() -> None:
     )
     assert free_rocking_peaks(1e-20, 0.9, 1)[1] == pytest.approx(0.81e-20, rel=1e-13)
     assert free_rocking_peaks(0.37, 1.0, 9) == pytest.approx(np.full(10, 0.37), rel=1e-15)
+
+
+@every("more", [{}, {"alpha": 0.3}, {"one_sided": True}])
+def test_peaks_may_vanish_where_a_caller_lets_underflow_raise(more: dict[str, Any]) -> None:
+    with np.errstate(all="raise"):
+        assert free_rocking_peaks(0.5, 1e-3, 300, **more)[-1] == 0.0
 
 
 @every(("degrees", "percent"), [(10, 3.147), (15, 7.201), (20, 13.120)])

@@ -260,3 +260,10 @@ def test_a_block_against_a_wall_is_sent_to_the_free_one_whose_peaks_are_the_same
     )
     np.testing.assert_allclose(one, other, atol=1e-9)
     assert one.max() == 0.6
+
+
+def test_weights_may_vanish_where_a_caller_lets_underflow_raise() -> None:
+    peaks, block = [0.08, 0.06, 0.047, 0.036, 0.028], Block.rectangle(width=0.2, height=1.0)
+    with np.errstate(all="raise"):
+        raised = fit_restitution(peaks, block)
+    assert raised.restitution == fit_restitution(peaks, block).restitution

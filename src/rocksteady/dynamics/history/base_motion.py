@@ -183,6 +183,7 @@ def largest_acceleration(segments: Floats) -> float:
     return float((ends + segments[:, columns.AMPLITUDE]).max())
 
 
+@np.errstate(under="ignore")
 def swinging_course(segments: Floats, s: ArrayLike) -> tuple[Floats, Floats]:
     """Return velocity and displacement of a base in endless shaking, to and fro about 0."""
     a, w, phase = segments[0, [columns.AMPLITUDE, columns.FREQUENCY, columns.PHASE]]
@@ -196,6 +197,7 @@ def swinging_course(segments: Floats, s: ArrayLike) -> tuple[Floats, Floats]:
     return velocity, displacement
 
 
+@np.errstate(under="ignore")
 def course_from_rest(segments: Floats, s: ArrayLike) -> tuple[Floats, Floats]:
     """Return velocity and displacement of a base that starts from rest at 0.
 
@@ -219,6 +221,7 @@ def _place(segments: Floats, s: ArrayLike) -> tuple[NDArray[np.intp], Floats]:
     return index, times - starts[index]
 
 
+@np.errstate(under="ignore")
 def _gains(rows: Floats, since: Floats) -> tuple[Floats, Floats]:
     """Return velocity and displacement that segments starting from rest give in a time."""
     constant, slope = rows[..., columns.CONSTANT], rows[..., columns.SLOPE]
@@ -239,6 +242,7 @@ def _gains(rows: Floats, since: Floats) -> tuple[Floats, Floats]:
     return velocity, displacement
 
 
+@np.errstate(under="ignore")
 def _acceleration(rows: Floats, since: Floats) -> Floats:
     """Return the base acceleration in segments a time after their start."""
     turned = rows[..., columns.FREQUENCY] * since + rows[..., columns.PHASE]

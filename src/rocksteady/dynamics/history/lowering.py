@@ -60,7 +60,7 @@ def segment_table(
         row[columns.PHASE] = segment.phase if segment.frequency else 0.0
         if segment.harmonics:
             total, shares = shares_of(segment.harmonics)
-            row[columns.AMPLITUDE] *= total
+            row[columns.AMPLITUDE] = segment.amplitude * total
             row[columns.ORDERS] = len(shares) // 2
             row[columns.SHARES : columns.SHARES + len(shares)] = shares
     fill_bounds(table)

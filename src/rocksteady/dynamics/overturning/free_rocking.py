@@ -145,12 +145,13 @@ def free_rocking_peaks(
     kept[0] = 1.0
     if ratio > 0.0:
         kept = exp(2.0 * log(ratio) * np.arange(count + 1))
-    if alpha is not None and ALPHA("alpha", alpha) > SLENDER:
-        return _tilting_peaks(amplitude_ratio, kept, float(alpha))
-    energy = amplitude_ratio * (2.0 - amplitude_ratio) * kept
-    # 1 - sqrt(1 - q) without its cancellation
-    peaks: Floats = energy / (1.0 + np.sqrt(np.maximum(1.0 - energy, 0.0)))
-    return peaks
+    with np.errstate(under="ignore"):  # the last peaks may be 0
+        if alpha is not None and ALPHA("alpha", alpha) > SLENDER:
+            return _tilting_peaks(amplitude_ratio, kept, float(alpha))
+        energy = amplitude_ratio * (2.0 - amplitude_ratio) * kept
+        # 1 - sqrt(1 - q) without its cancellation
+        peaks: Floats = energy / (1.0 + np.sqrt(np.maximum(1.0 - energy, 0.0)))
+        return peaks
 
 
 @checked

@@ -158,6 +158,7 @@ def level_of(values: Floats, share: float) -> float:
     return float(ordered[min(place, len(ordered) - 1)])
 
 
+@np.errstate(under="ignore")
 def tempered(log_likelihood: Floats, temper: float) -> Floats:
     """Return posterior weights of records and nodes, both signs together, whose sum is 1.
 
@@ -178,6 +179,7 @@ def tempered(log_likelihood: Floats, temper: float) -> Floats:
     return np.asarray(weights / weights.sum(axis=(1, 2), keepdims=True))
 
 
+@np.errstate(under="ignore")
 def _kernel(points: Floats, grid: Floats, width: float) -> Floats:
     """Return a normal density about each point on a grid, shape (points, grid), each of sum 1."""
     z = (points[:, np.newaxis] - grid) / width

@@ -113,6 +113,7 @@ def estimate(steps: Steps, *, error: float | None) -> Estimate:
     return _spread_out(result, steps, fit, least, spread) if free >= 2 else result
 
 
+@np.errstate(under="ignore")  # 0 is the weight of what cannot be
 def _spread_out(
     estimate: Estimate,
     steps: Steps,
