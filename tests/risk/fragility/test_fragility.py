@@ -125,15 +125,17 @@ def test_without_a_median_there_is_no_answer() -> None:
 
 def test_other_states_come_first_and_those_without_a_median_not_at_all() -> None:
     lifted = state("uplift", curve(median=0.21))
-    tilted = StateFragility(state=DamageState("theta/alpha > 0.5", 0.5), plain=curve(median=0.4))
+    tilted = StateFragility(
+        state=DamageState("theta/alpha > 0.5", 0.5), plain=curve(median=0.4), given_uplift=True
+    )
     never = StateFragility(state=DamageState("half", 0.5), plain=curve([0, 0, 0, 0]))
     shown = fragility(never, lifted, tilted, state(given_uplift=True, two_stage=stages()))
-    facts = told(shown)[1]
+    sentence, facts = told(shown)
+    assert sentence.startswith("If lifted, half of them fall at ")
     assert list(facts)[:2] == ["lift", "> 0.5 alpha"]
     assert facts["lift"] == "half at 0.21 m/s of PGV"
-    assert facts["> 0.5 alpha"] == "half at 0.4 m/s of PGV"
-    assert facts["holds"] == "for blocks that lift, given PGA > g tan alpha"
-    assert "holds" not in told(fragility())[1]
+    assert facts["> 0.5 alpha"] == "if lifted, half at 0.4 m/s of PGV"
+    assert told(fragility())[0].startswith("Half of them fall at ")
 
 
 def test_in_two_stages_the_beta_is_given_uplift() -> None:
