@@ -8,8 +8,9 @@ from rocksteady.dynamics.history.start import HasStart, ImpactState, Rest, Start
 from rocksteady.errors import InputError, ModelError
 from rocksteady.explorer._program import SCENES
 from rocksteady.kernels.elementary.arrays import atan2, hypot
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import housner_restitution
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range

@@ -3,8 +3,9 @@
 import math
 from typing import Any
 
-from rocksteady.model.blocks.block import Block, in_g
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.blocks.sides import same_shape
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 from rocksteady.results.numbers import angle, length, number, quantity

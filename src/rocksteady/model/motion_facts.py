@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator
 
-from rocksteady.model.blocks.block import Block, in_g
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.facts import AnyBlock
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion

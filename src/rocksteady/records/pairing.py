@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Final, Literal
 
 from rocksteady.errors import InputError, Words
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.records.core.directions import TAIL, direction

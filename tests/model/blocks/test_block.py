@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from rocksteady import Block, DimensionlessBlock
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import Side, housner_restitution
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from tests.every import every
 from tests.strategies import logarithmic
 

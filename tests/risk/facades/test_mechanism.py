@@ -10,7 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.risk.facades.actions import Load, Moments, PushingMass, Thrust, Tie, unfavourable
 from rocksteady.risk.facades.facade import Facade, Kind
 from rocksteady.risk.facades.mechanism import Mechanism

@@ -131,7 +131,7 @@ def test_other_states_come_first_and_those_without_a_median_not_at_all() -> None
     never = StateFragility(state=DamageState("half", 0.5), plain=curve([0, 0, 0, 0]))
     shown = fragility(never, lifted, tilted, state(given_uplift=True, two_stage=stages()))
     sentence, facts = told(shown)
-    assert sentence.startswith("If lifted, half of them fall at ")
+    assert sentence.startswith("If lifted, half fall at ")
     assert list(facts)[:2] == ["lift", "> 0.5 alpha"]
     assert facts["lift"] == "half at 0.21 m/s of PGV"
     assert facts["> 0.5 alpha"] == "if lifted, half at 0.4 m/s of PGV"

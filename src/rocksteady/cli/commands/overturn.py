@@ -23,8 +23,9 @@ from rocksteady.cli.flags.parsing import axis, number
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import Block, in_g
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Harmonic, Still

@@ -16,7 +16,8 @@ from rocksteady.cli.flags.parsing import axis, restitution_from
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import Impacts, form_text
 from rocksteady.model.checks.bounds import P
 from rocksteady.model.motions.base_motion import BaseMotion

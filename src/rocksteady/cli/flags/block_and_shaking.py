@@ -12,9 +12,10 @@ from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.cli.flags.parsing import MOST_AXIS_POINTS, axis, restitution_from, single
 from rocksteady.dynamics.parameters import SIZES
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.examples import SOURCES
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution
 from rocksteady.model.blocks.sizes import METRES, TALL
 from rocksteady.model.checks.bounds import length

@@ -13,7 +13,8 @@ from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, Shaki
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, Panel, given_in, motion_flag
 from rocksteady.cli.flags.parsing import axis, number, single
 from rocksteady.errors import InputError, RecordFileError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.segments import Harmonic

@@ -9,7 +9,8 @@ from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
 from rocksteady.dynamics.basins.basin_answers import basins_answer, erosion_answer
 from rocksteady.dynamics.basins.window import axis_facts, window_text
 from rocksteady.dynamics.orbits.orbit_facts import plain_orbit
-from rocksteady.model.blocks.block import Block, in_g
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.model.facts import (
     amplitude_text,

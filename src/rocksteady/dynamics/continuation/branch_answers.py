@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from rocksteady.dynamics.parameters import SYMBOLS
-from rocksteady.model.blocks.block import Block, in_g
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.facts import AnyBlock, case_text
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.answer import Answer, aligned, left_out

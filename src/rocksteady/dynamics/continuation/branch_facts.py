@@ -6,8 +6,9 @@ from typing import Any
 
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.dynamics.steady.verdicts import multipliers_value
-from rocksteady.model.blocks.block import Block, in_g
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.facts import AnyBlock, block_text, block_values, restitution_text
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of

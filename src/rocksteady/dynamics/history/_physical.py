@@ -20,7 +20,8 @@ from rocksteady.kernels.core.tuples import Tables
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.kernels.march.facts import RunFacts
 from rocksteady.kernels.march.forces import FORCES, largest_forces
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import impact_friction
 from rocksteady.model.blocks.tops import overhang, top_displacement
 from rocksteady.model.checks.arguments import checked_result

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.dynamics.maps.cell_classes import map_counts
 from rocksteady.dynamics.parameters import AXES
-from rocksteady.model.blocks.block import in_g
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.blocks.housner_forms import ratio_words
 from rocksteady.model.equations import LINEAR_NOTE, UNLIKE
 from rocksteady.results.answer import Answer

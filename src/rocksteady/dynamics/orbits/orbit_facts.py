@@ -11,7 +11,8 @@ from rocksteady.dynamics.steady.verdicts import (
     multipliers_value,
     verdict,
 )
-from rocksteady.model.blocks.block import Block, in_g
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import AnyBlock, block_text, case_text, harmonic_values, lean_text
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion

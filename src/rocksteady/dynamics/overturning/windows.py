@@ -15,8 +15,9 @@ from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
 from rocksteady.dynamics.overturning.window_cells import kept_windows, outputs, uplifts_of
 from rocksteady.dynamics.overturning.window_lists import WindowLists, listed
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import Block, in_g
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, is_pair, rising
 from rocksteady.model.equations import Linear, Model, chosen_model

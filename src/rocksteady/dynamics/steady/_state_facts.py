@@ -12,8 +12,8 @@ from rocksteady.dynamics.steady.verdicts import (
     multipliers_value,
     verdict,
 )
-from rocksteady.model.blocks.block import in_g
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.facts import (
     amplitude_text,
     block_text,

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.caps import Cap
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.blocks.sides import Side, same_shape
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Description, Fact
@@ -119,8 +120,6 @@ def description_of(block: Measured) -> Description:
     A rectangle has a width and a height; for any other body the height is not known.  A block
     against a wall rocks on its positive side alone, and has no rates of the other.
     """
-    from rocksteady.model.blocks.block import in_g
-
     positive, negative, factor = block.positive, block.negative, block.housner_factor
     alike = block.symmetric or (block.one_sided and same_shape(positive, negative))
     width, height = block.width, block.height

@@ -11,13 +11,14 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Annotated, Any
+from typing import Annotated
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._measures import Measured
 from rocksteady.model.blocks.caps import Cap, conserving_pair, has_factor
 from rocksteady.model.blocks.examples import constructor_of
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, Restitutions
 from rocksteady.model.blocks.sides import (
     Side,
@@ -45,20 +46,6 @@ from rocksteady.model.checks.bounds import (
     restitution_of_wall,
 )
 from rocksteady.model.checks.validation import positive
-
-STANDARD_GRAVITY = 9.80665
-"""Standard acceleration of gravity [m/s^2]."""
-
-
-def in_g(acceleration_m_s2: Any) -> Any:
-    """Return an acceleration in g, which is 9.80665 m/s^2 whatever the gravity of a block.
-
-    Examples
-    --------
-    >>> in_g(4.903325)
-    0.5
-    """
-    return acceleration_m_s2 / STANDARD_GRAVITY
 
 
 @checked

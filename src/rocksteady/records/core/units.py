@@ -14,7 +14,7 @@ from itertools import repeat
 from typing import Final
 
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 
 COUNTS: Final = "counts"
 """What a file holds whose numbers are an instrument's, with or without their scale."""

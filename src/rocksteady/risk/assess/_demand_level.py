@@ -7,7 +7,8 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number

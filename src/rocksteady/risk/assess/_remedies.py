@@ -9,7 +9,8 @@ import numpy as np
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.results.numbers import chance, counted, length, number, plural
 from rocksteady.risk.assess._counts import Basis, Counts, Motions, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel, measured

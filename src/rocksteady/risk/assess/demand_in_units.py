@@ -3,7 +3,7 @@
 import numpy as np
 
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.seismic.measures.free_sides import first_side
 

@@ -6,7 +6,8 @@ from typing import Annotated
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.answer import Answer

@@ -7,7 +7,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import in_g
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.seismic.measures.scalar import Measure
 
 if TYPE_CHECKING:

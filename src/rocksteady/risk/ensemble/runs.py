@@ -10,7 +10,8 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.lowering import weight_kn
 from rocksteady.errors import InputError, Words
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import MASS
 from rocksteady.model.equations import Linear, Model, chosen_model

@@ -7,7 +7,7 @@ from typing import Annotated, Final, Literal
 
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.elementary.arrays import exp, log
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.risk.screens.spectra import damping_factor

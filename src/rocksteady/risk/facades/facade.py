@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import RESTITUTION, restitution_of_wall

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, Words
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Model, Nonlinear

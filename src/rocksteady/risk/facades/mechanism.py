@@ -7,7 +7,8 @@ from typing import Annotated
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, hypot
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_text
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range, non_negative, positive

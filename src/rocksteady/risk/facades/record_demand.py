@@ -8,7 +8,7 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.kernels.elementary.arrays import exp, log
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import in_range

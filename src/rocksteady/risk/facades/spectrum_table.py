@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.results.numbers import number

@@ -207,8 +207,8 @@ class Fragility(Result):
         """Return where half of the blocks reach the last damage state, and other states."""
         *others, last = self.states
         curve, shape = last.curve, _shape(last)
-        half = "If lifted, half" if last.given_uplift else "Half"
-        half += f" of them {_verb(last.state)} at {self._median_words(last)}"
+        half = "If lifted, half" if last.given_uplift else "Half of them"
+        half += f" {_verb(last.state)} at {self._median_words(last)}"
         if not math.isnan(shape.beta):
             half += f", {self._beta_words()}"
         if shape.step is not None:

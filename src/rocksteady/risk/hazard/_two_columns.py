@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from typing import Final
 
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.records.core.units import acceleration_unit, in_m_s2
 from rocksteady.risk.hazard._hazard_text import (
     SEPARATORS,

@@ -7,7 +7,8 @@ from typing import Final
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.records.core.numbers import number as read_number
 from rocksteady.results.description import Fact
 from rocksteady.seismic.measures.free_sides import first_side

@@ -7,7 +7,8 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import Side
 
 ALPHA, RADIUS, P, RESTITUTION = range(4)

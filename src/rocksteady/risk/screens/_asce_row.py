@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.results.numbers import number, quantity
 from rocksteady.risk.screens._asce import RockingBody, Rotations, find_rotations, rotations_text
 from rocksteady.risk.screens._rows import Case

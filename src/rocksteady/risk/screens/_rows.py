@@ -8,7 +8,8 @@ from typing import Any
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import Side, wall_ratio
 from rocksteady.results.numbers import chance, number, quantity
 from rocksteady.risk.screens._cabinets import nearest_cabinet

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import compare_by_value
 from rocksteady.model.checks.bounds import Bounds

@@ -10,7 +10,8 @@ from typing import Literal, NamedTuple
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import Side, impact_friction
 from rocksteady.seismic.measures.free_sides import first_side, free_sides
 

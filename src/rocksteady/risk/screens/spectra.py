@@ -12,7 +12,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import Side
 
 CENTIMETRES = 100.0

@@ -8,7 +8,8 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
 from rocksteady.model.motions.record import Record

@@ -7,7 +7,8 @@ from typing import Final, NamedTuple
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record

@@ -14,7 +14,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import exp, log
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record

@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.arrays import Floats, Objects
 from rocksteady.errors import InputError, Words
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Model, chosen_model

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, in_g
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY, in_g
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 from rocksteady.results.doubts import misfit_words

@@ -11,7 +11,8 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.base_motion import largest_acceleration
 from rocksteady.dynamics.history.fall import Fall
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.show.film._geometry import LYING, shape_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import figure_of, text_size

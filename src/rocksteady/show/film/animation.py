@@ -11,7 +11,8 @@ import numpy as np
 from rocksteady.dynamics.history.fall import Fall, fall_to_ground
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.pulses import Pulse

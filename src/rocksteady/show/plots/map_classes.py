@@ -15,7 +15,8 @@ from rocksteady.dynamics.maps.cell_classes import (
     flags_of_cells,
 )
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import Block, in_g
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.show.style import palette
 from rocksteady.show.style.areas import swatch
 from rocksteady.show.style.scales import Scale, scale_of

@@ -12,7 +12,8 @@ from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import ModelError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.fourier import PeriodicMotion

@@ -9,7 +9,8 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Motion
 from rocksteady.outcomes import Status

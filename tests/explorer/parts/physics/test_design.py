@@ -8,7 +8,7 @@ import pytest
 from rocksteady import Block, Harmonic, Linear, Nonlinear, Pulse, Record, Status, simulate
 from rocksteady.errors import InputError
 from rocksteady.histories import Trajectory
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import Restitution
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.pulses import PULSES

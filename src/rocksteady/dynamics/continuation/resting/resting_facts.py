@@ -8,7 +8,8 @@ import numpy as np
 
 from rocksteady.dynamics.continuation.branch_facts import SHORT, multiplier_columns, place_values
 from rocksteady.dynamics.parameters import SYMBOLS
-from rocksteady.model.blocks.block import Block, in_g
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.facts import AnyBlock, block_text, block_values, case_text
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import INFINITELY_MANY

@@ -7,7 +7,7 @@ import numpy as np
 
 from rocksteady.arrays import Bools, Floats, Integers
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.seismic.measures.intensity import Measures, compute_measures

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
-from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.risk.calibration.calibration import Calibration
