@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+import xarray
 
 from rocksteady import (
     BaseMotion,
@@ -227,3 +228,22 @@ def test_on_a_floor_or_with_vertical_motion_no_peak_of_the_ground_is_a_gate() ->
             if measure == "pga_g" and motions is floors:
                 lifts = found.state("uplift").points
                 assert any(count for level, _, count, *_ in lifts if level < gate)
+
+
+def test_blocks_of_an_ensemble_keep_their_gravity_when_some_are_taken() -> None:
+    """Of the Moon and of the Earth: each is fitted and exported as it is alone."""
+    bodies = [Block.rectangle(width=0.4, height=1.6, gravity=each) for each in (1.62, 9.80665)]
+    levels = Levels("pga_per_uplift", (0.5, 1.3, 1.8, 2.5, 4.0), beside=())
+    together = run_ensemble(bodies, SUITE, levels=levels)
+    for place, body in enumerate(bodies):
+        alone = fit_fragility(run_ensemble(body, SUITE, levels=levels), fitting=PLAIN)
+        taken = fit_fragility(together.isel(block=[place]), fitting=PLAIN)
+        assert float(taken.ensemble["gravity"].item()) == body.gravity
+        at = np.geomspace(0.02, 2.0, 9)
+        one, two = (
+            LossComponent.from_fragility(each, "block").states[-1].probability(at)
+            for each in (taken, alone)
+        )
+        np.testing.assert_array_equal(one, two)
+    joined = xarray.concat([together.isel(block=[place]) for place in (1, 0)], "block")
+    assert fit_fragility(joined, fitting=PLAIN).states[-1].curve.median > 0.0

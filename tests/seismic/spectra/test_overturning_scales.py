@@ -96,6 +96,7 @@ def test_what_is_left_out_of_the_list_is_not_taken_to_stand() -> None:
     hidden = next(place for place in places if unlisted(found, place))
     with pytest.raises(InputError, match="windows narrower than those listed are left out"):
         found.falls(0, hidden)
+    assert found.falls(0, float(found.first[0]))
     drawn = found.plot().get_legend()
     assert drawn is not None
     assert "narrower windows, not listed" in [text.get_text() for text in drawn.get_texts()]

@@ -61,11 +61,11 @@ def fragility(
                 "block": range(1, blocks + 1),
                 "alpha": ("block", [ALPHA] * blocks),
                 "p": ("block", [P] * blocks),
+                "gravity": ("block", [gravity] * blocks),
                 "vertical": [vertical],
             },
             attrs={
                 "model": "nonlinear",
-                "gravity": [gravity] * blocks,
                 "gate_g": math.nan if vertical == "with" else gravity / 9.80665 * math.tan(ALPHA),
             },
         ),

@@ -27,7 +27,6 @@ from rocksteady.risk.screens.friction import (
     FrictionNeed,
     Mode,
     first_motion,
-    lifts,
     needed_friction,
 )
 from rocksteady.seismic.measures.scalar import Measure
@@ -69,10 +68,8 @@ def onset_of(described: DescribedObject) -> Onset:
         return Onset(motion=None, friction_needed=None)
     least = NO_FRICTION if friction is None else bounds_of(friction)[0]
     blocks = [described.block, *(variant.block for variant in described.variants())]
-    # A width inside a range that the peak just lifts needs more friction than either end at rest.
-    turns = any(lifts(block, pga, vertical) for block in blocks)
-    motions = [first_motion(block, pga, least, vertical, turns=turns) for block in blocks]
-    needs = [needed_friction(block, pga, vertical, turns=turns) for block in blocks]
+    motions = [first_motion(block, pga, least, vertical) for block in blocks]
+    needs = [needed_friction(block, pga, vertical) for block in blocks]
     return Onset(
         motion=max(motions, key=MODES.index),
         friction_needed=max(needs, key=lambda need: need.largest),

@@ -70,6 +70,11 @@ def labelled(
         "draw": ("draw", np.arange(band.draws), {"long_name": "value of the restitution"}),
         "level": ("level", coordinates["level"], level),
         "block": ("block", np.arange(1, len(bodies) + 1), {"long_name": "block"}),
+        "gravity": (
+            "block",
+            [block.gravity for block in bodies],
+            {"units": "m s-2", "long_name": "acceleration of gravity"},
+        ),
         "scale": (
             ("block", "record", "level"),
             scale,

@@ -91,7 +91,7 @@ def _gate_of(ensemble: "xarray.Dataset", measure: Measure) -> float | None:
     gates = [
         (alpha if linear else tan(alpha))
         / (1.0 / in_g(gravity) if measure.name == "pga_g" else tan(alpha))
-        for alpha, gravity in zip(alphas, np.atleast_1d(ensemble.attrs["gravity"]), strict=True)
+        for alpha, gravity in zip(alphas, ensemble["gravity"].values.tolist(), strict=True)
     ]
     first = gates[0]
     return first if all(abs(gate - first) <= SAME_GATE * first for gate in gates) else None

@@ -249,7 +249,6 @@ def run_each(
                 attributes={
                     **swept.attrs,
                     "kind": "rocking ensemble",
-                    "gravity": [block.gravity for block in members],
                     "gate_g": math.nan if moved else float(limits[part].min()),
                     "runs": runs * at.shape[1] * restitution.draws,
                     "warnings": warnings_of(names, records, scale[part], arrays["status"][part]),

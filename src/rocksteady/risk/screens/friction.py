@@ -107,9 +107,7 @@ def lifts(block: Block, pga_g: float, vertical_g: float = 0.0) -> bool:
     return exceeds(pga_g, uplift_acceleration_g(block, vertical_g))
 
 
-def needed_friction(
-    block: Block, pga_g: float, vertical_g: float = 0.0, *, turns: bool | None = None
-) -> FrictionNeed:
+def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> FrictionNeed:
     """Return the friction with which a block at rest lifts, rocks and does not slide.
 
     Shenton (1996) for a rectangle, with a = tan(alpha) and A = PGA/g:
@@ -137,8 +135,6 @@ def needed_friction(
         Peak acceleration [g].
     vertical_g
         Magnitude of the vertical base acceleration at that instant [g]; default 0.
-    turns
-        Whether the block turns about its edges; default: whether the peak lifts it.
 
     Raises
     ------
@@ -156,7 +152,7 @@ def needed_friction(
     0.2115 at uplift, 0.1241 at impacts
     """
     ratio = pga_g / least_gravity_g(block, vertical_g)
-    if not (lifts(block, pga_g, vertical_g) if turns is None else turns):
+    if not lifts(block, pga_g, vertical_g):
         return FrictionNeed(at_uplift=ratio, at_impact=0.0)
     return FrictionNeed(
         at_uplift=max(_at_side(side, block, ratio) for side in free_sides(block)),
@@ -182,14 +178,7 @@ def _at_side(side: Side, block: Block, ratio: float) -> float:
     return (ratio - along * excess) / (1.0 + across * excess)
 
 
-def first_motion(
-    block: Block,
-    pga_g: float,
-    friction: float,
-    vertical_g: float = 0.0,
-    *,
-    turns: bool | None = None,
-) -> Mode:
+def first_motion(block: Block, pga_g: float, friction: float, vertical_g: float = 0.0) -> Mode:
     """Return how a block at rest answers a peak acceleration, after Shenton (1996).
 
     Below uplift and below sliding it rests.  It rocks with the friction of `needed_friction`,
@@ -198,7 +187,7 @@ def first_motion(
 
     Parameters
     ----------
-    block, pga_g, vertical_g, turns
+    block, pga_g, vertical_g
         As for `needed_friction`.
     friction
         Coefficient between block and base.
@@ -210,7 +199,7 @@ def first_motion(
     ['slides', 'slides and rocks', 'rocks']
     """
     ratio = pga_g / least_gravity_g(block, vertical_g)
-    rises = lifts(block, pga_g, vertical_g) if turns is None else turns
+    rises = lifts(block, pga_g, vertical_g)
     modes: list[Mode] = []
     for side in free_sides(block):
         slope = tan(side.alpha)

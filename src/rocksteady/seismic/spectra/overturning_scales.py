@@ -157,7 +157,8 @@ class OverturningScales(WindowLists):
         low, high = self.within[0], float(self.top[row])
         hint = "stay inside, or search further: find_overturning_scales(..., within=...)"
         factor = in_range("scale", scale, low, high, "[]", hint=hint)
-        if any(low <= factor <= high for low, high in self.intervals(row)):
+        listed = self.intervals(row)
+        if factor == self.first[row] or any(low <= factor <= high for low, high in listed):
             return True
         if any(low <= factor <= high for low, high in self._unlisted(row)):
             raise InputError(

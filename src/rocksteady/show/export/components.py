@@ -447,7 +447,7 @@ def _measure_of(fragility: Fragility) -> tuple[LossMeasure, float]:
             "compute the fragility of each block",
         )
     alpha, p = _side_of(fragility)
-    uplift = float(np.atleast_1d(fragility.ensemble.attrs["gravity"])[0]) * math.tan(alpha)
+    uplift = float(fragility.ensemble["gravity"].values[0]) * math.tan(alpha)
     match fragility.measure.name:
         case "pga_g" | "pgv_m_s" | "sa_g" as same:
             return same, 1.0

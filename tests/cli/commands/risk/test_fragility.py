@@ -189,9 +189,7 @@ def test_the_example_says_that_its_motions_are_synthetic() -> None:
         if row["damage_state"] == "overturned" and row["used"]
     ]
     short = rocksteady(command).out
-    assert short.startswith(
-        f"If lifted, half fall at {used['median']:.3g} m/s of PGV, beta "
-    )
+    assert short.startswith(f"If lifted, half fall at {used['median']:.3g} m/s of PGV, beta ")
     assert len(short.splitlines()) <= 10
     ran = rocksteady(f"{command} --more")
     assert ran.code == 0
