@@ -51,7 +51,7 @@ from rocksteady.risk.assess.described.building import Building, on_floors
 from rocksteady.risk.assess.described.facts import ObjectFacts, compute_object_facts
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of, parameter_words
 from rocksteady.risk.assess.described.schema import Options, own_states
-from rocksteady.risk.ensemble.gates import uplift_of
+from rocksteady.risk.ensemble.gates import GIVEN_UPLIFT, uplift_of
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.qualification import (
     OF_ROCKING,
@@ -339,6 +339,7 @@ class Assessment(Result):
             median = float(curve.median)
             measure = self.fragility.measure
             words = f"{measure.label} {number(median)} {measure.unit}".rstrip()
+            words += f", {GIVEN_UPLIFT}" * measure.given_uplift
             facts += [
                 Fact("median", number_or_none(median), "half fall at", words),
                 Fact("measure", measure.key),

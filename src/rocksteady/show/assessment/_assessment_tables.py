@@ -114,6 +114,7 @@ def _median_words(assessment: Assessment) -> tuple[str, str]:
     words = f"{number(median)}{unit} of {label}"
     if band is not None:
         words += f" ({span(*band)})"
+    words += f", {GIVEN_UPLIFT}" * fragility.measure.given_uplift
     low, high = curve.sampled
     beyond = "" if low <= median <= high else f"beyond what was run, {span(low, high)}{unit}"
     at_one = unit_of(assessment)
