@@ -14,7 +14,7 @@ AMPLITUDE = Bounds(0.0, LARGEST, "[]", "give a_max/(alpha g)")
 FREQUENCY_RATIO = Bounds(LOWEST_FREQUENCY_RATIO, HIGHEST_FREQUENCY_RATIO, "[]", "give omega/p")
 
 SMALLEST = 1e-140
-"""Below that amplitude, and above 0, a steady state is that at it, to the last digit."""
+"""Smallest amplitude that closed forms take: steady states below it have the same digits."""
 HIGHEST_ORDER = 999_999
 """The longest half cycle, in half periods of the shaking."""
 

@@ -292,7 +292,7 @@ def ishiyama_row(case: Case) -> Screen:
             ("V_i", impulse_velocity_m_s(case.side, case.block.gravity), "m/s"),
             *((("10 B/sqrt(H)", bounds.simple_m_s, "m/s"),) if case.on_earth else ()),
         ),
-        remark=f"Both must be exceeded, PGA {quantity(bounds.pga_g, 'g')} too."
+        remark=f"Both must be reached, PGA {quantity(bounds.pga_g, 'g')} too."
         + f" His simple rule 10 B/sqrt(H) [cm, s] gives {quantity(bounds.simple_m_s, 'm/s')}."
         * case.on_earth,
     )

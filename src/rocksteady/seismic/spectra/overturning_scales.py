@@ -62,7 +62,7 @@ MOST = 30_000
 KEPT = 256
 """Windows that are kept of a record; of more the widest."""
 LYING = 64
-"""Stretches in which the others of a record lie."""
+"""Most stretches kept of a record, in which the windows left out lie."""
 MOST_ROWS = 100
 """Windows that a summary shows."""
 ON_THE_GROUND = 1.0 - 1e-9
