@@ -182,6 +182,14 @@ def test_of_very_many_windows_the_widest_are_kept_and_the_others_counted() -> No
     assert len(found.at(0)) == 32
     assert found.left_out[0] > 0
     assert 0.0 < found.left_out_width[0] < 0.1
+    stretches = found.unlisted(0)
+    assert found.left_out_width[0] <= sum(high - low for low, high in stretches)
+    (row,) = found.to_dict()["windows"]
+    assert row["left_out_within"] == [list(ends) for ends in stretches]
+    data = found.to_dataset()
+    assert data.left_out_low.dims == ("frequency_ratio", "stretch")
+    ends = np.stack([data.left_out_low[0], data.left_out_high[0]], axis=1)
+    assert ends.tolist() == [list(pair) for pair in stretches]
 
 
 @every("w", [0.7, 3.0])
@@ -239,7 +247,7 @@ def test_progress_is_told_by_frequency() -> None:
 def test_the_dataset_and_the_table_say_what_was_found() -> None:
     found = find_overturning_windows(BLOCK, "one-sine", [5.0, 8.0])
     data = found.to_dataset()
-    assert data.sizes == {"frequency_ratio": 2, "window": 2}
+    assert data.sizes == {"frequency_ratio": 2, "window": 2, "stretch": 1}
     assert data.low.sel(frequency_ratio=8.0, window=0) == found.first[1]
     assert np.isnan(data.low.sel(frequency_ratio=8.0, window=1))
     assert (data.attrs["pulse"], data.attrs["model"]) == ("one-sine", "linear")

@@ -92,6 +92,9 @@ def test_what_is_left_out_of_the_list_is_not_taken_to_stand() -> None:
     assert 0 < len(stretches) <= 64
     assert all(below[1] < above[0] for below, above in pairwise(stretches))
     assert found.left_out_width[0] <= sum(high - low for low, high in stretches)
+    data = found.to_dataset()
+    ends = np.stack([data.left_out_low[0], data.left_out_high[0]], axis=1)
+    assert ends.tolist() == stretches
     places = [0.5 * (low + high) for low, high in stretches]
     hidden = next(place for place in places if unlisted(found, place))
     with pytest.raises(InputError, match="windows narrower than those listed are left out"):

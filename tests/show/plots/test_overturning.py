@@ -25,7 +25,7 @@ from rocksteady.overturning import OverturningWindows
 from rocksteady.show.figures.single import overturning_figure
 from rocksteady.show.plots.overturning import MODES
 from rocksteady.show.style import palette
-from rocksteady.show.style.tokens import LIGHT
+from rocksteady.show.style.tokens import HATCHES, LIGHT
 from tests.every import every
 
 
@@ -102,6 +102,23 @@ def test_every_point_has_the_fill_of_its_way_of_overturning(shape: str) -> None:
             assert hatch_at(axes, w, a) == expected, (w, a)
             seen.add(expected)
     assert len(seen) >= 3
+
+
+def test_windows_left_out_are_not_drawn_as_standing() -> None:
+    windows = find_overturning_windows(
+        DimensionlessBlock(restitution=0.9), "type-c2", [0.7, 3.0], resolution=0.01
+    )
+    listed = windows.intervals(0)
+    hidden = next(
+        middle
+        for middle in (0.5 * (low + high) for low, high in windows.unlisted(0))
+        if not any(low <= middle <= high for low, high in listed)
+    )
+    axes = plots.overturning(windows, Figure().add_subplot())
+    assert hatch_at(axes, 0.71, hidden) == HATCHES["undecided"]
+    legend = axes.get_legend()
+    assert legend is not None
+    assert "narrower windows, not listed" in [text.get_text() for text in legend.get_texts()]
 
 
 def test_the_closed_form_is_drawn_where_there_is_one() -> None:

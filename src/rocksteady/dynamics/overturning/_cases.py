@@ -76,7 +76,7 @@ def windows_at(
             rough=None if lines is table else rough,
             closest=CLOSEST if isinstance(model, Nonlinear) else 0.0,
         )
-        keep(windows_found, cell, windows, MOST_WINDOWS)
+        keep(windows_found, cell, windows)
     return windows_found
 
 

@@ -28,7 +28,7 @@ from rocksteady.dynamics.overturning.window_cells import (
     nothing_found,
     outputs,
 )
-from rocksteady.dynamics.overturning.window_lists import LEFT, SHOWN, WindowLists
+from rocksteady.dynamics.overturning.window_lists import LEFT, SHOWN, UNLISTED, WindowLists
 from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import JUMP
 from rocksteady.model.blocks.block import Block
@@ -101,6 +101,8 @@ class FatalKicks(WindowLists):
         where the block falls without a kick.
     left_out, left_out_width, undecided, unsettled
         What the search has left, shape (2 moments,).
+    left_out_low, left_out_high
+        Ends of the stretches in which the windows left out lie, shape (2 moments, stretches).
     """
 
     start: Rest | State
@@ -150,6 +152,9 @@ class FatalKicks(WindowLists):
         values["first"] = (across, self.first.reshape(shape[:2]), kick)
         for name in LEFT:
             values[name] = (across, getattr(self, name).reshape(shape[:2]), {"units": "1"})
+        for name in UNLISTED:
+            ends = getattr(self, name).reshape(*shape[:2], -1)
+            values[name] = ((*across, "stretch"), ends, kick)
         values["least"] = ("moment", self.least, kick)
         return xarray.Dataset(
             values,
@@ -448,7 +453,7 @@ def _windows_of(
         # A block that falls under next to no kick falls without one.
         begin = np.where(windows.low <= NONE, 0.0, windows.low)
         windows = windows._replace(low=begin, impacts=windows.impacts - added)
-        keep(windows_found, cell, windows, MOST_WINDOWS)
+        keep(windows_found, cell, windows)
     return windows_found
 
 

@@ -37,8 +37,17 @@ FLIGHT_LIMIT = 30_000
 """Only without loss, and barely lifted, a block has more of them in a pulse."""
 
 
-def outputs(most: int = MOST_WINDOWS) -> tuple[Output, ...]:
-    """Return the outputs of a cell that keeps a number of windows: one number per cell in each."""
+def outputs(most: int = MOST_WINDOWS, lying: int = MOST_WINDOWS) -> tuple[Output, ...]:
+    """Return the outputs of a cell: one number per cell in each.
+
+    Parameters
+    ----------
+    most
+        Windows that are kept.
+    lying
+        Stretches that are kept, in which the other windows lie.
+    """
+    ends = (("low", "lower end"), ("high", "upper end"))
     return (
         Output(name="windows", dtype=np.int32, long_name="windows that are kept"),
         Output(name="first", long_name="smallest amplitude that overturns"),
@@ -56,16 +65,11 @@ def outputs(most: int = MOST_WINDOWS) -> tuple[Output, ...]:
             Output(name=f"way_{k}", dtype=np.int64, long_name=f"side (1 + impacts) of window {k}")
             for k in range(most)
         ),
-    )
-
-
-def stretches(most: int) -> tuple[Output, ...]:
-    """Return the outputs of a cell that keeps where the windows lie that are not kept."""
-    words = (("low", "lower end"), ("high", "upper end"))
-    return tuple(
-        Output(name=f"left_{name}_{k}", long_name=f"{end} of stretch {k} of windows not kept")
-        for name, end in words
-        for k in range(most)
+        *(
+            Output(name=f"left_{name}_{k}", long_name=f"{end} of stretch {k} of windows not kept")
+            for name, end in ends
+            for k in range(lying)
+        ),
     )
 
 
@@ -84,16 +88,22 @@ def uplifts_of(sides: Floats) -> tuple[float, float]:
     return (first, first) if side > 0 else (second, second)
 
 
-def nothing_found(count: int, most: int = MOST_WINDOWS) -> dict[str, NDArray[Any]]:
+def nothing_found(
+    count: int, most: int = MOST_WINDOWS, lying: int = MOST_WINDOWS
+) -> dict[str, NDArray[Any]]:
     """Return the outputs of some cells before a search, nan or 0."""
     return {
         output.name: np.full(count, np.nan if output.dtype.kind == "f" else 0, output.dtype)
-        for output in outputs(most)
+        for output in outputs(most, lying)
     }
 
 
 def keep(
-    columns: dict[str, NDArray[Any]], cell: int, windows: Found, most: int, lying: int = 0
+    columns: dict[str, NDArray[Any]],
+    cell: int,
+    windows: Found,
+    most: int = MOST_WINDOWS,
+    lying: int = MOST_WINDOWS,
 ) -> None:
     """Write the windows of one cell into its outputs, the widest where there are many.
 
@@ -105,7 +115,7 @@ def keep(
     columns["left_out"][cell] = len(width) - len(kept)
     columns["left_out_width"][cell] = float(np.delete(width, kept).sum())
     low, high = np.delete(windows.low, kept), np.delete(windows.high, kept)
-    if lying and len(low):
+    if len(low):
         gaps = np.sort(np.argsort(high[:-1] / low[1:], kind="stable")[: lying - 1])
         for place, (begin, end) in enumerate(zip([0, *(gaps + 1)], [*gaps, -1], strict=True)):
             columns[f"left_low_{place}"][cell] = low[begin]
@@ -126,12 +136,15 @@ def rows_of(data: "Labelled", name: str, most: int) -> NDArray[Any]:
     return each
 
 
-def kept_windows(data: "Labelled") -> dict[str, Any]:
+def kept_windows(data: "Labelled", lying: int = MOST_WINDOWS) -> dict[str, Any]:
     """Return the fields of `WindowLists` from the outputs of a sweep, one row per cell."""
     kept = max(1, int(data["windows"].values.max()))
     way = rows_of(data, "way", kept).astype(np.int64)
     windows = {name: rows_of(data, name, kept) for name in ("low", "high")}
     windows |= {"impacts": np.abs(way) - 1, "side": np.sign(way)}
+    left = {f"left_out_{name}": rows_of(data, f"left_{name}", lying) for name in ("low", "high")}
+    used = max(1, int((~np.isnan(left["left_out_low"])).any(axis=0).sum()))
+    windows |= {name: ends[:, :used] for name, ends in left.items()}
     for name in ("first", "left_out_width"):
         windows[name] = data[name].values.ravel()
     for name in ("left_out", "undecided", "unsettled"):

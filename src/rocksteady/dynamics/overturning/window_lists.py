@@ -1,5 +1,6 @@
 """Lists of windows over which a block overturns: what all results that have them share."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -26,6 +27,8 @@ SHOWN = 3
 """Rows of an answer."""
 MOST_DIGITS = 6
 """Significant digits of an end of a window."""
+UNLISTED = ("left_out_low", "left_out_high")
+"""Fields on the stretches in which windows left out lie."""
 LEFT = ("left_out", "left_out_width", "undecided", "unsettled")
 """Fields on amplitudes that a search leaves out, undecided or unsettled."""
 
@@ -62,6 +65,9 @@ class WindowLists(Result):
         The smallest amplitude that overturns the block, shape (rows,); nan where none does.
     left_out, left_out_width, undecided, unsettled
         What the search has left, shape (rows,).
+    left_out_low, left_out_high
+        Ends of the stretches in which the windows left out lie, shape (rows, stretches); nan
+        beyond the last.
     """
 
     block: Block | DimensionlessBlock
@@ -77,6 +83,8 @@ class WindowLists(Result):
     left_out_width: Floats
     undecided: Integers
     unsettled: Integers
+    left_out_low: Floats
+    left_out_high: Floats
 
     def _row_of(self, index: int | str) -> int:
         """Return a row by its number, counted from the end where that is below 0."""
@@ -109,6 +117,12 @@ class WindowLists(Result):
             else:
                 intervals.append((window.low, window.high))
         return intervals
+
+    def unlisted(self, index: int | str) -> list[tuple[float, float]]:
+        """Return the stretches of one row in which windows are left out."""
+        row = self._row_of(index)
+        ends = zip(self.left_out_low[row].tolist(), self.left_out_high[row].tolist(), strict=True)
+        return [(low, high) for low, high in ends if not math.isnan(low)]
 
     @property
     def _block_fact(self) -> Fact:
@@ -197,7 +211,8 @@ class WindowLists(Result):
 
     def _left(self, row: int) -> dict[str, Any]:
         """Return what is left out, undecided or unsettled in one row."""
-        return {name: getattr(self, name)[row].item() for name in LEFT}
+        left = {name: getattr(self, name)[row].item() for name in LEFT}
+        return left | {"left_out_within": [list(ends) for ends in self.unlisted(row)]}
 
     def _variables(self, rows: str, unit: Mapping[str, str], *more: str) -> dict[str, Any]:
         """Return the windows as variables of a dataset.
@@ -211,13 +226,14 @@ class WindowLists(Result):
         more
             Further fields of shape (rows,), which stand before those of `LEFT`.
         """
-        words = dict.fromkeys(("low", "high", "first", "top"), unit)
+        words = dict.fromkeys(("low", "high", "first", "top", *UNLISTED), unit)
         words["impacts"] = {"units": "1", "long_name": f"{COUNTED_IMPACTS}; -1: no window"}
         per_window = ("low", "high", "impacts", "side")
         dims = dict.fromkeys(per_window, (rows, "window"))
+        dims |= dict.fromkeys(UNLISTED, (rows, "stretch"))
         return {
             name: (dims.get(name, (rows,)), getattr(self, name), words.get(name, {"units": "1"}))
-            for name in (*per_window, "first", *more, *LEFT)
+            for name in (*per_window, "first", *more, *LEFT, *UNLISTED)
         }
 
     @property

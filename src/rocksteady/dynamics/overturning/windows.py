@@ -76,6 +76,9 @@ class OverturningWindows(WindowLists):
     left_out, left_out_width
         Number of windows beyond the widest 32, and their total width, to within
         the steps of the search.
+    left_out_low, left_out_high
+        Ends of the stretches in which they lie, between and beside the windows listed, shape
+        (frequencies, stretches); nan beyond the last.
     undecided
         Amplitudes that were tried and whose fate could not be decided; they count as safe.
     unsettled

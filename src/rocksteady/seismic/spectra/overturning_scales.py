@@ -20,8 +20,6 @@ from rocksteady.dynamics.overturning.window_cells import (
     kept_windows,
     nothing_found,
     outputs,
-    rows_of,
-    stretches,
     uplifts_of,
 )
 from rocksteady.dynamics.overturning.window_lists import WindowLists
@@ -68,8 +66,7 @@ MOST_ROWS = 100
 ON_THE_GROUND = 1.0 - 1e-9
 """Part of g up to which the base may fall."""
 OUTPUTS = (
-    *outputs(KEPT),
-    *stretches(LYING),
+    *outputs(KEPT, LYING),
     Output(name="share", long_name="share of the range that overturns, in the log of the scale"),
     Output(name="top", long_name="largest scale that was searched"),
 )
@@ -111,7 +108,7 @@ class OverturningScales(WindowLists):
         Number of windows beyond the widest 256, and their total width.
     left_out_low, left_out_high
         Ends of the stretches in which they lie, between and beside the windows listed, shape
-        (records, 64); nan beyond the last.
+        (records, stretches); nan beyond the last.  At most 64.
     undecided
         Scales that were tried and whose fate could not be decided; they count as safe.
     unsettled
@@ -124,8 +121,6 @@ class OverturningScales(WindowLists):
     share: Floats
     pga_g: Floats
     pgv_m_s: Floats
-    left_out_low: Floats
-    left_out_high: Floats
 
     def _row_of(self, index: int | str) -> int:
         """Return a record by its name or its number."""
@@ -160,7 +155,7 @@ class OverturningScales(WindowLists):
         listed = self.intervals(row)
         if factor == self.first[row] or any(low <= factor <= high for low, high in listed):
             return True
-        if any(low <= factor <= high for low, high in self._unlisted(row)):
+        if any(low <= factor <= high for low, high in self.unlisted(row)):
             raise InputError(
                 "scale",
                 scale,
@@ -168,12 +163,6 @@ class OverturningScales(WindowLists):
                 "search about it: find_overturning_scales(..., within=...)",
             )
         return False
-
-    def _unlisted(self, row: int) -> list[list[float]]:
-        """Return the stretches in which windows of a record are left out."""
-        ends = np.stack([self.left_out_low[row], self.left_out_high[row]], axis=1)
-        unlisted: list[list[float]] = ends[~np.isnan(ends[:, 0])].tolist()
-        return unlisted
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the windows as an xarray Dataset over record and window."""
@@ -319,7 +308,6 @@ class OverturningScales(WindowLists):
             "top": float(self.top[index]),
             "share": float(self.share[index]),
             **self._left(index),
-            "left_out_within": self._unlisted(index),
         }
 
     def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
@@ -431,9 +419,7 @@ def find_overturning_scales(
         pga_g=np.array([abs(course.peak_acceleration.value) for course in courses])
         / STANDARD_GRAVITY,
         pgv_m_s=np.array([abs(course.peak_velocity.value) for course in courses]),
-        left_out_low=rows_of(data, "left_low", LYING),
-        left_out_high=rows_of(data, "left_high", LYING),
-        **kept_windows(data),
+        **kept_windows(data, LYING),
     )
 
 
@@ -448,8 +434,7 @@ def _windows_of(
 ) -> dict[str, NDArray[Any]]:
     """Return the windows of some records."""
     sides = sides_of(block, model)
-    windows_found = nothing_found(len(record), KEPT)
-    windows_found |= {end.name: np.full(len(record), np.nan) for end in stretches(LYING)}
+    windows_found = nothing_found(len(record), KEPT, LYING)
     windows_found |= {"share": np.zeros(len(record)), "top": np.full(len(record), high)}
     for cell, ground in enumerate(record):
         table = _table(block, model, ground)

@@ -25,6 +25,7 @@ from rocksteady.show.style.tokens import DASHED, MARKS, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.patches import Patch
 
 
 MODES = (
@@ -36,6 +37,8 @@ MODES = (
 the pattern."""
 STANDS = -1
 """Code of the area where the block stands, beside those numbers."""
+UNLISTED = -2
+"""Code of the stretches in which windows lie that are not listed."""
 CLOSED_FORM = {
     "linear": "closed form, without an impact",
     "nonlinear": "closed form of the linear model",
@@ -63,8 +66,9 @@ def plot_overturning(
 ) -> "Axes":
     """Draw the amplitudes at which a block falls under a pulse, over the frequency ratio.
 
-    The more impacts before the fall, the denser the pattern; where the block stands is paper. What
-    is not written upon its area is in the legend.
+    The more impacts before the fall, the denser the pattern; where the block stands is paper, and
+    where narrower windows are left out crosses are. What is not written upon its area is in the
+    legend.
     Where the pulse has one, the closed form of falling without an impact is drawn over it, dashed,
     which is that of the linear model.
 
@@ -137,6 +141,7 @@ def plot_overturning(
         rims = LineCollection(borders, colors=inks.edge, linewidths=0.8, zorder=1.6)
         axes.add_collection(rims, autolim=False)
         handles[least] = Patch(**(style | {"hatch": hatch, "linewidth": 0.6}), label=words)
+    handles |= _draw_unlisted(axes, windows, factors, by_ratio=by_ratio)
     # A wall holds the block in the first half of a reversed pulse: there is no closed form.
     held = windows.block.one_sided and windows.pulse.reverse
     if closed_form and windows.pulse.shape in THRESHOLDS and not held:
@@ -180,6 +185,26 @@ def plot_overturning(
     return axes
 
 
+def _draw_unlisted(
+    axes: "Axes", windows: OverturningWindows, factors: Floats, *, by_ratio: bool
+) -> "dict[int, Patch]":
+    """Draw the stretches in which windows are left out; return their legend entry, if any."""
+    from matplotlib.collections import PolyCollection
+
+    inks, w = inks_of(axes), windows.frequency_ratio
+    areas = []
+    for k in range(len(w)):
+        left, right = (_between(w, place, by_ratio=by_ratio) for place in (k - 1, k))
+        for low, high in windows.unlisted(k):
+            corners = [[left, low], [right, low], [right, high], [left, high]]
+            areas.append(np.array(corners) * factors)
+    if not areas:
+        return {}
+    drawn = PolyCollection(areas, **area_style(inks, "undecided"), zorder=1.4)
+    axes.add_collection(drawn, autolim=False)
+    return {UNLISTED: swatch(inks, "undecided", "narrower windows, not listed")}
+
+
 def _write_words(
     axes: "Axes", windows: OverturningWindows, factors: Floats, *, by_ratio: bool
 ) -> set[int]:
@@ -192,6 +217,8 @@ def _write_words(
     middles = 0.5 * (rows[1:] + rows[:-1]) / factors[1]
     codes = np.full((ROWS, len(w)), STANDS)
     for k in range(len(w)):
+        for least, most in windows.unlisted(k):
+            codes[(middles > least) & (middles < most), k] = UNLISTED
         for window in windows.at(k):
             inside = (middles > window.low) & (middles < window.high)
             codes[inside, k] = min(window.impacts, 2)

@@ -65,9 +65,7 @@ def plot_overturning_scales(
     handles = []
     for row, top in enumerate(scales.top.tolist()):
         axes.barh(row, top - low, BAR, left=low, facecolor=inks.paper, edgecolor=inks.edge, lw=0.6)
-    for row, (begin, end) in enumerate(zip(scales.left_out_low, scales.left_out_high, strict=True)):
-        known = ~np.isnan(begin)
-        parts = np.stack([begin, end - begin], axis=1)[known].tolist()
+        parts = [(begin, end - begin) for begin, end in scales.unlisted(row)]
         axes.broken_barh(parts, (row - 0.5 * BAR, BAR), **area_style(inks, "undecided"))
     for side, words, pattern in SIDES:
         drawn = False
