@@ -238,3 +238,14 @@ def test_the_answer_lists_the_stable_motions_first_and_starts_on_one() -> None:
 def test_the_answer_where_nothing_moves_is_that_none_was_found() -> None:
     first = rocksteady("orbits -A 0.1 -W 4 -r 0.8 --seeds 8").out.splitlines()[0]
     assert first == "No steady motion was found up to 3 periods and 6 impacts."
+
+
+def test_infinitely_many_impacts_are_an_empty_cell_as_they_are_null_in_json(tmp_path: Path) -> None:
+    file = tmp_path / "orbits.csv"
+    point = f"orbits -A 1.08 -W 0.6 -r 0.05 --csv {file}"
+    listed = rocksteady(f"{point} --json").json["orbits"]
+    counts = [orbit["impacts_per_period"] for orbit in listed]
+    assert None in counts
+    with file.open(newline="", encoding="utf-8") as stream:
+        cells = [row["impacts_per_period"] for row in csv.DictReader(stream)]
+    assert cells == ["" if count is None else str(count) for count in counts]

@@ -282,3 +282,10 @@ def test_a_result_need_not_fit_into_memory(ending: str, tmp_path: Path) -> None:
     code = [sys.executable, "-c", MEASURED, f"x.{ending}", str(tmp_path)]
     done = subprocess.run(code, capture_output=True, text=True, check=True)
     assert int(done.stdout) < 40
+
+
+def test_a_count_of_infinitely_many_is_an_empty_cell_of_a_table(tmp_path: Path) -> None:
+    counts = ("length", np.array([2, -1, 0]), {"infinitely_many": -1})
+    data = xarray.Dataset({"impacts": counts}, coords={"length": [0.1, 0.2, 0.3]})
+    write_dataset(data, tmp_path / "x.csv")
+    assert [row[1] for row in table(tmp_path / "x.csv")[1:]] == ["2", "", "0"]

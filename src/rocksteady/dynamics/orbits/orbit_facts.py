@@ -16,7 +16,6 @@ from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import AnyBlock, block_text, case_text, harmonic_values, lean_text
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
-from rocksteady.outcomes import INFINITELY_MANY
 from rocksteady.results.description import Column, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
 
@@ -157,14 +156,14 @@ def peak_facts(peaks: Sequence[float] | None, block: AnyBlock) -> list[Fact]:
 
 
 def orbit_row(number_of: int, orbit: Any) -> dict[str, Any]:
-    """Return the row of an orbit in a table: infinitely many impacts are -1."""
+    """Return the row of an orbit in a table: infinitely many impacts are None."""
     first, second = (complex(m) for m in orbit.multipliers)
     begin, values = orbit.states[0], orbit_values(orbit)
     highest, lowest = values["peaks"] or (None, None)
     row: dict[str, Any] = {
         "number": number_of,
         "period": orbit.period,
-        "impacts_per_period": INFINITELY_MANY if orbit.impacts is None else orbit.impacts,
+        "impacts_per_period": orbit.impacts,
         **{name: values[name] for name in ("rest_phases", "kind", "branch")},
         **{name: values[name] for name in ("admissible", "stable", "neutral")},
         "highest": highest,
@@ -212,7 +211,7 @@ def orbits_table(orbits: Sequence[Any], *, most: int = 200) -> Table:
     columns = [
         Column("number", "#"),
         Column("period", "period"),
-        Column("impacts_per_period", "impacts", lambda n: "inf" if n < 0 else str(n)),
+        Column("impacts_per_period", "impacts", lambda n: "inf" if n is None else str(n)),
         Column("number", "kind", kind, left=True),
         Column("number", "", lambda k: words[k][0], left=True),
         *angle_columns(orbits[0].block),

@@ -93,14 +93,19 @@ def _within(texts: Array, region: Sequence[slice], shape: tuple[int, ...]) -> Ar
     return np.broadcast_to(texts[here], shape).ravel()
 
 
-def _words(attributes: Mapping[Any, Any]) -> dict[int, str] | None:
-    """Return what the flags of a variable mean; None where it has none, or not one for each."""
+def _words(attributes: Mapping[Any, Any]) -> dict[int, str | None] | None:
+    """Return what the flags of a variable mean; None where it has none, or not one for each.
+
+    A count that is infinite has an empty cell.
+    """
+    if "infinitely_many" in attributes:
+        return {int(attributes["infinitely_many"]): None}
     values = np.atleast_1d(attributes.get("flag_values", [])).tolist()
     meanings = str(attributes.get("flag_meanings", "")).split()
     return dict(zip(values, meanings, strict=True)) if 0 < len(values) == len(meanings) else None
 
 
-def _spoken(column: Array, words: Mapping[int, str] | None) -> list[object]:
+def _spoken(column: Array, words: Mapping[int, str | None] | None) -> list[object]:
     """Return numbers as they are, and classes as words, as far as there is one for each."""
     values: list[object] = column.tolist()
     return values if words is None else [words.get(value, value) for value in values]  # type: ignore[call-overload]

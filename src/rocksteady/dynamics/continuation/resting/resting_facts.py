@@ -12,7 +12,6 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.facts import AnyBlock, block_text, block_values, case_text
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.outcomes import INFINITELY_MANY
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 
@@ -95,7 +94,7 @@ def diagram_row(branch: int, point: Any) -> dict[str, Any]:
     row: dict[str, Any] = {
         "branch": branch,
         **place_values(point),
-        "impacts": INFINITELY_MANY,
+        "impacts": None,  # infinitely many
         "symmetric": point.symmetric,
         "stable": True,
         "admissible": True,
