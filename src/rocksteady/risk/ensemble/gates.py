@@ -7,7 +7,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.gravity import in_g
+from rocksteady.model.blocks.gravity import ROUNDED, in_g
 from rocksteady.seismic.measures.scalar import Measure
 
 if TYPE_CHECKING:
@@ -17,8 +17,6 @@ GIVEN = {"nonlinear": "given PGA > g tan alpha", "linear": "given PGA > g alpha"
 """Condition of a curve of the runs that lift, by the model."""
 GIVEN_UPLIFT = "given uplift"
 """The same where no peak acceleration parts them."""
-SAME_GATE = 1e-9
-"""Relative difference of gates that rounding makes."""
 
 
 def lowest_gate(ensemble: "xarray.Dataset") -> float | None:
@@ -94,4 +92,4 @@ def _gate_of(ensemble: "xarray.Dataset", measure: Measure) -> float | None:
         for alpha, gravity in zip(alphas, ensemble["gravity"].values.tolist(), strict=True)
     ]
     first = gates[0]
-    return first if all(abs(gate - first) <= SAME_GATE * first for gate in gates) else None
+    return first if all(abs(gate - first) <= ROUNDED * first for gate in gates) else None

@@ -11,7 +11,7 @@ from typing import Literal, NamedTuple
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
+from rocksteady.model.blocks.gravity import ROUNDED, STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import Side, impact_friction
 from rocksteady.seismic.measures.free_sides import first_side, free_sides
 
@@ -19,8 +19,6 @@ Mode = Literal["rest", "rocks", "slides", "slides and rocks"]
 """How a block at rest answers a peak acceleration."""
 MODES: tuple[Mode, ...] = ("rest", "rocks", "slides and rocks", "slides")
 """All of them, the worst last: sliding alone has no answer by rocking."""
-ROUNDED = 1e-9
-"""Part by which a peak may exceed a bound that it equals, by rounding."""
 
 
 class FrictionNeed(NamedTuple):
