@@ -8,7 +8,14 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, Pulse, find_steady_states
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    Pulse,
+    find_orbits,
+    find_steady_states,
+)
 from rocksteady.errors import InputError, ModelError, RocksteadyError
 from rocksteady.formulas import steady_states
 from rocksteady.motions import FourierSeries
@@ -313,3 +320,16 @@ def test_below_what_squares_hold_the_states_are_those_of_vanishing_shaking() -> 
         assert states.amplitude.tolist() == [amplitude, amplitude]
         course = compute_steady_orbit(amplitude, 2.0, 1.0, branch=2)
         assert course.angle.max() == pytest.approx(0.245060291285869, abs=1e-14)
+
+
+def test_a_solution_that_goes_downwards_has_its_sign_here_and_its_modulus_as_an_orbit() -> None:
+    states = steady_states(6.0, 8.0, 0.8)
+    assert states.velocity[1] < 0.0
+    assert states.admissible is not None
+    assert not states.admissible[1]
+    motion = Harmonic(amplitude=6.0, frequency_ratio=8.0)
+    orbits = find_orbits(
+        DimensionlessBlock(restitution=0.8), motion, max_period=1, max_impacts=2, seeds=4
+    )
+    (orbit,) = (each for each in orbits if each.branch == 2)
+    assert [each.speed for each in orbit.states] == pytest.approx(2 * [-states.velocity[1]])

@@ -63,7 +63,9 @@ class Orbit(Result):
         Forcing periods of the whole orbit; above 1 it is subharmonic.
     states
         The orbit just after each of its impacts and at each uplift from rest, in order.  With a
-        rest they stand for infinitely many: impacts are listed until their end is proved.
+        rest they stand for infinitely many: impacts are listed until their end is proved.  Speeds
+        of an inadmissible orbit are moduli: it may go downwards there, and `SteadyStates` has the
+        sign.
     rest_phases
         Number of rests in a period of the orbit.
     symmetric

@@ -128,7 +128,8 @@ class SteadyStates(OfLinear, Result):
         Phase of the shaking at the impact that begins a positive half cycle, in (-pi, pi] [rad]
         (eqs 21, 22).
     velocity_tau
-        du/d(omega t) just after that impact (eq 19), u = theta/alpha.
+        du/d(omega t) just after that impact (eq 19), u = theta/alpha.  Below 0 an inadmissible
+        solution goes downwards there, through the floor; an `Orbit` has its modulus as speed.
     trace
         Trace of the half-cycle map of (phase, velocity), whose determinant is restitution^2.
     peak, extrema
@@ -158,7 +159,7 @@ class SteadyStates(OfLinear, Result):
 
     @cached_property
     def velocity(self) -> Floats:
-        """du/d(pt) just after that impact, as a `State` takes it."""
+        """du/d(pt) just after that impact, as a `State` takes it; signed as `velocity_tau`."""
         result: Floats = self.frequency_ratio * self.velocity_tau
         return result
 
