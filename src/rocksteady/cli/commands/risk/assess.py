@@ -205,6 +205,7 @@ def _answer(
         If a file cannot be read, the folder cannot be filled, or a motion is missing.
     """
     from rocksteady.risk.assess.assessment import assess_object
+    from rocksteady.risk.assess.cell_count import count_cells
     from rocksteady.risk.assess.described.objects import EXAMPLE, read_object
 
     output.files.check_folder(ASSESSMENT, out)
@@ -217,11 +218,13 @@ def _answer(
     read = [each for each in (file, buildings, hazard, *suite.read) if each is not None]
     output.files.check_folder(ASSESSMENT, out, read)
     announce_compilation("records.record_fates")
-    with sweeping("running the object", _cells(described, suite)) as meter:
+    known = _buildings(buildings)
+    cells = count_cells([described], suite.motions, known)
+    with sweeping("running the object", cells) as meter:
         assessment = assess_object(
             described,
             suite.motions,
-            buildings=_buildings(buildings),
+            buildings=known,
             hazard=curves,
             run=replace(run, progress=meter),
         )
@@ -229,18 +232,6 @@ def _answer(
         files = [each for each in (file, buildings, hazard, *suite.files) if each is not None]
         _write_folder(context, assessment, out, files, force=output.force)
     return assessment
-
-
-def _cells(described: "DescribedObject", suite: Suite) -> int:
-    """Return how many runs the ensemble of an object has."""
-    from rocksteady.model.motions.base_motion import BaseMotion
-
-    lifts = sum(isinstance(each, BaseMotion) for each in suite.motions)
-    ways = (len(suite.motions) + lifts) * (1 if described.block.symmetric else 2)
-    options = described.given.assessment
-    given = described.given.restitution
-    single = isinstance(given, float) or str(given).startswith("housner*")
-    return ways * options.levels * (1 if single else options.draws)
 
 
 def _answers(
@@ -263,6 +254,7 @@ def _answers(
     InputError, FlagError
         If a file cannot be read, or neither peak is given.
     """
+    from rocksteady.risk.assess.cell_count import count_cells
     from rocksteady.risk.assess.described.tables import read_objects
     from rocksteady.risk.assess.objects_table import assess_objects
 
@@ -280,13 +272,14 @@ def _answers(
     beside = [file] if buildings is None else [file, buildings]
     output.files.check_folder(ASSESSMENT, out, [*beside, *suite.read])
     announce_compilation("records.record_fates")
-    with sweeping("running objects", sum(_cells(each, suite) for each in objects)) as meter:
+    peak = {"pga_g": peaks.pga_g, "pgv_m_s": peaks.pgv_m_s}
+    known = _buildings(buildings)
+    with sweeping("running objects", count_cells(objects, suite.motions, known, **peak)) as meter:
         table = assess_objects(
             objects,
             suite.motions,
-            buildings=_buildings(buildings),
-            pga_g=peaks.pga_g,
-            pgv_m_s=peaks.pgv_m_s,
+            buildings=known,
+            **peak,
             target_probability=USUAL_TARGET if target is None else target,
             run=replace(run, progress=meter),
         )
