@@ -318,14 +318,11 @@ def held(thing: Any, seen: dict[int, Any]) -> Iterator[Any]:
 
 def writable(thing: Any) -> list[str]:
     """Return the fields whose arrays can be written to, of those that are results."""
-    kept = getattr(type(thing), "KERNEL_FIELDS", ())
     found = []
     for field in dataclasses.fields(thing):
         value = getattr(thing, field.name)
         arrays = value if isinstance(value, tuple) else (value,)
-        if field.name not in kept and any(
-            isinstance(each, np.ndarray) and each.flags.writeable for each in arrays
-        ):
+        if any(isinstance(each, np.ndarray) and each.flags.writeable for each in arrays):
             found.append(f"{type(thing).__name__}.{field.name}")
     return found
 

@@ -29,7 +29,6 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import steady_states
 from rocksteady.histories import Neighbours, Samples, Trajectory
 from rocksteady.kernels.core import tables as columns_of
-from rocksteady.kernels.core.tuples import Tables
 from rocksteady.kernels.march.forces import FORCES, FRICTION, fill_forces
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Motion
@@ -134,8 +133,7 @@ def forces(run: Trajectory, rows: np.ndarray, since: np.ndarray) -> np.ndarray:
     """Return the forces over the weight at times since the start of flights, and their ratio."""
     assert isinstance(run.block, Block)
     found = np.empty((FORCES, len(rows)))
-    tables = Tables(run.segments, run.sides)
-    fill_forces(tables, run.rows, rows, since, mass_centres(run.block), found)
+    fill_forces(run._tables, run._rows, rows, since, mass_centres(run.block), found)
     return found
 
 

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from rocksteady import Block, Linear, Nonlinear, Pulse, Record, simulate
 from rocksteady.dynamics.history.lowering import mass_centres
 from rocksteady.histories import Trajectory
-from rocksteady.kernels.core.tuples import Tables
 from rocksteady.kernels.march.forces import FORCES, fill_forces, largest_forces
 from rocksteady.model.equations import Model
 from tests.every import every
@@ -31,9 +30,8 @@ def largest(run: Trajectory, rows: Floats | None = None) -> Floats:
     """Return the largest forces of a run that ends at rest."""
     assert isinstance(run.block, Block)
     found = np.zeros(FORCES)
-    tables = Tables(run.segments, run.sides)
-    kept = run.rows if rows is None else rows
-    largest_forces(tables, kept, 0.0, mass_centres(run.block), found)
+    kept = run._rows if rows is None else rows
+    largest_forces(run._tables, kept, 0.0, mass_centres(run.block), found)
     return found
 
 
@@ -45,8 +43,8 @@ def dense(run: Trajectory, looks: int) -> Floats:
     row = np.flatnonzero((run.flights.side != 0) & (ends > run.flights.pt))
     since = (ends - run.flights.pt)[row, np.newaxis] * np.linspace(0.0, 1.0, looks)
     forces = np.empty((FORCES, since.size))
-    tables, index = Tables(run.segments, run.sides), np.repeat(row, looks)
-    fill_forces(tables, run.rows, index, since.ravel(), mass_centres(run.block), forces)
+    index = np.repeat(row, looks)
+    fill_forces(run._tables, run._rows, index, since.ravel(), mass_centres(run.block), forces)
     most: Floats = forces.max(axis=1)
     return most
 
@@ -75,5 +73,5 @@ def test_a_force_within_a_sample_is_found_finely() -> None:
 def test_without_a_flight_there_is_no_force() -> None:
     run = simulate(BLOCKS["rectangle"], GROUND.scaled(1e-3))
     assert np.isnan(largest(run)).all()
-    assert np.isnan(largest(run, run.rows[:0])).all()
+    assert np.isnan(largest(run, run._rows[:0])).all()
     assert run.forces_per_weight is None

@@ -245,7 +245,7 @@ class Physical:
         least = block.positive.alpha
         if not block.one_sided:
             least = min(least, block.negative.alpha)
-        ratio = tan(least) if is_nonlinear(self.sides) else least
+        ratio = tan(least) if is_nonlinear(self._tables.sides) else least
         return float(ratio) * (block.gravity / STANDARD_GRAVITY)
 
     @cached_property
@@ -393,6 +393,17 @@ class Physical:
         fastest = float(np.abs(self._landings.velocity_before).max(initial=0.0))
         return self.block.width * (self.block.alpha * self.block.p * fastest)
 
+    @property
+    def _tables(self) -> Tables:
+        """The tables for kernels, which can be written to."""
+        return Tables(vars(self)["segments"], vars(self)["sides"])
+
+    @property
+    def _rows(self) -> Floats:
+        """The rows for kernels, which can be written to."""
+        rows: Floats = vars(self)["rows"]
+        return rows
+
     @cached_property
     def _forces(self) -> tuple[float, float, float] | None:
         """Largest force across and down over the weight, and ratio of both, while the block rocks.
@@ -401,11 +412,11 @@ class Physical:
         """
         if self._shaken_block is None:
             return None
-        rows, last = self.rows, self._facts.last
+        rows, last = self._rows, self._facts.last
         if self._facts.passing >= 0:
             rows, last = rows[: self._facts.passing + 1], self._facts.since
         largest = np.empty(FORCES)
         centres = mass_centres(self._shaken_block)
-        largest_forces(Tables(self.segments, self.sides), rows, last, centres, largest)
+        largest_forces(self._tables, rows, last, centres, largest)
         across, down, ratio = largest.tolist()
         return None if math.isnan(across) else (across, down, ratio)

@@ -18,7 +18,6 @@ from rocksteady.dynamics.history.start import Rest, Start
 from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.tables import is_nonlinear
-from rocksteady.kernels.core.tuples import Tables
 from rocksteady.kernels.elementary.arrays import sin, tan
 from rocksteady.kernels.march.facts import LANDING_ROWS, RunFacts, fill_landings, run_facts
 from rocksteady.kernels.march.replay import fill_states
@@ -86,8 +85,7 @@ class Trajectory(Described):
     def _timed(self) -> tuple[Floats, RunFacts]:
         """Pivot time at which each row begins, and the facts of the run."""
         starts = np.empty(len(self.rows))
-        tables = Tables(self.segments, self.sides)
-        return starts, run_facts(tables, self.rows, int(self.status), starts)
+        return starts, run_facts(self._tables, self._rows, int(self.status), starts)
 
     @property
     def _facts(self) -> RunFacts:
@@ -189,7 +187,7 @@ class Trajectory(Described):
         negative, positive = self.balances
         if self.block.one_sided:
             negative = -math.inf
-        if not is_nonlinear(self.sides):
+        if not is_nonlinear(self._tables.sides):
             return negative, positive
         first, second = self.sides[:, columns.ALPHA].tolist()
         return negative * (tan(second) / second), positive * (tan(first) / first)
@@ -212,8 +210,7 @@ class Trajectory(Described):
     def _landings(self) -> Impacts:
         """All impacts, however slow."""
         landings = np.empty((LANDING_ROWS, len(self.rows)))
-        tables = Tables(self.segments, self.sides)
-        count = fill_landings(tables, self.rows, self._timed[0], landings)
+        count = fill_landings(self._tables, self._rows, self._timed[0], landings)
         pt, half_cycles, phase, side, before, after = landings[:, :count]
         return Impacts(
             pt=pt,
@@ -234,7 +231,7 @@ class Trajectory(Described):
         """
         durations = self.rows[:, columns.ROW_DURATION].copy()
         durations[-1] = self._facts.last
-        course = Course(self.rows, self.segments, self.sides, durations, self.flights.pt)
+        course = Course(self._rows, *self._tables, durations, self.flights.pt)
         return growth_of(course, self._landings)
 
     @cached_property
@@ -313,7 +310,7 @@ class Trajectory(Described):
         index = np.searchsorted(self.flights.pt, flat, side="right") - 1
         since = np.maximum(flat - self.flights.pt[index], 0.0)
         states = np.empty((3, len(flat)))
-        fill_states(self.segments, self.sides, self.rows, index, since, states)
+        fill_states(*self._tables, self._rows, index, since, states)
         angle, velocity, acceleration = states.reshape(3, *times.shape)
         harmonic = isinstance(self.motion, PeriodicMotion)
         return Samples(
@@ -331,7 +328,7 @@ class Trajectory(Described):
         """Return kinetic and potential energy above rest."""
         rows = self.sides[np.where(angle < 0.0, 1, 0)]
         lean, square = rows[..., columns.LEAN], np.square(rows[..., columns.RATE])
-        if is_nonlinear(self.sides):
+        if is_nonlinear(self._tables.sides):
             alpha, tilt = rows[..., columns.ALPHA], np.abs(angle) / lean
             # cos x - cos y as a product, which keeps the digits of small angles.
             raised = sin(alpha * (1.0 - 0.5 * tilt)) * sin(0.5 * alpha * tilt)

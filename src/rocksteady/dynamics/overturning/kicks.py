@@ -375,13 +375,14 @@ def find_fatal_kicks(
         angle[times == 0.0], velocity[times == 0.0] = begun.angle, begun.velocity
     else:
         angle[times == 0.0] = velocity[times == 0.0] = 0.0
+    sides = course.sides.copy()  # kernels take no read-only arrays
     cells = [
         Kicked(
             angle=float(u),
             velocity=float(v),
             direction=direction,
             table=table,
-            sides=course.sides,
+            sides=sides,
         )
         for table, u, v in zip(tables, angle, velocity, strict=True)
         for direction in SIGNS

@@ -56,7 +56,8 @@ class UnfitError(Exception):
 def guard_result(kind: T) -> T:
     """Let a frozen result stay as it is, and be equal to its copies where it compares by value.
 
-    Its arrays cannot be written to, except `KERNEL_FIELDS` of its class: kernels take no others.
+    Its arrays cannot be written to.  Those of `KERNEL_FIELDS` of its class stay writable in the
+    `vars` of a result: kernels take no others.
     """
     parameters = getattr(kind, "__dataclass_params__", None)
     if parameters is not None:
@@ -64,11 +65,26 @@ def guard_result(kind: T) -> T:
             made: Any = kind
             kernels = getattr(kind, "KERNEL_FIELDS", ())
             keep_arrays(kind, [each.name for each in fields(made) if each.name not in kernels])
+            for name in kernels:
+                setattr(kind, name, _shown(name))
         if parameters.eq and "__eq__" in vars(kind):
             compare_by_value(kind)
         if "to_dataset" in vars(kind):
             _give_away_datasets(kind)
     return kind
+
+
+def _shown(name: str) -> property:
+    """Return a field whose array is read only when it is read, and writable where it is kept."""
+
+    def show(thing: Any) -> Any:
+        return _locked(vars(thing)[name])
+
+    def keep(thing: Any, value: Any) -> None:
+        flags = getattr(value, "flags", None)
+        vars(thing)[name] = value if flags is None or flags.writeable else value.copy()
+
+    return property(show, keep, doc="A table as kernels take it, read only.")
 
 
 def _give_away_datasets(kind: Any) -> None:
