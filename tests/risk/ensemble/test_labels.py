@@ -19,7 +19,8 @@ def told(
     count = len(records)
     factors = np.ones((2, count, 3)) if scale is None else scale
     ends = np.full((2, count, 3), int(Status.AT_REST)) if status is None else status
-    found: list[str] = json.loads(warnings_of(NAMES[:count], records, factors, ends))
+    copied = np.zeros((count, 2), dtype=bool)
+    found: list[str] = json.loads(warnings_of(NAMES[:count], records, factors, ends, copied))
     return found
 
 

@@ -361,7 +361,8 @@ def test_warnings_count_what_they_warn_of() -> None:
         levels=Levels("scale", [1.0, 30.0], beside=()),
         restitution=RestitutionBand(draws=1),
     )
-    alike, large, lost = json.loads(found.attrs["warnings"])
+    flat, alike, large, lost = json.loads(found.attrs["warnings"])
+    assert flat.startswith("2 of 3 records have no vertical component")
     assert "once more" in alike
     assert "30" in large
     assert "50 %" in large
@@ -370,6 +371,20 @@ def test_warnings_count_what_they_warn_of() -> None:
     assert count > 0
     clean = run_ensemble(SYMMETRIC, SUITE, levels=Levels("scale", [1.0], beside=()))
     assert json.loads(clean.attrs["warnings"]) == []
+
+
+def test_copies_of_runs_without_vertical_motion_are_marked() -> None:
+    found = ensemble()
+    assert found.copied.dims == ("record", "vertical")
+    assert found.copied.values.tolist() == [[False, True], [False, False], [False, True]]
+    repeated = found.isel(record=[0, 2]).status
+    assert (repeated.isel(vertical=0) == repeated.isel(vertical=1)).all()
+    (words,) = (each for each in json.loads(found.attrs["warnings"]) if "vertical" in each)
+    assert words.startswith("2 of 3 records have no vertical component")
+    levels = Levels(levels=[0.5], beside=())
+    for motions, ways in (((MOTIONS[1],), None), (SUITE, None), (MOTIONS, Ways(vertical=True))):
+        other = run_ensemble(SYMMETRIC, motions, levels=levels, ways=ways)
+        assert "copied" not in other.coords
 
 
 def test_vertical_motion_needs_a_record_and_full_equations() -> None:

@@ -79,6 +79,12 @@ def ways_to_run(
     return ways
 
 
+def copies_of(grounds: Sequence[GroundShaking], lifts: Sequence[str]) -> NDArray[np.bool_]:
+    """Return which runs are copies for want of a vertical component, shape (records, lifts)."""
+    flat = [[ground.vertical is None and lift != lifts[0] for lift in lifts] for ground in grounds]
+    return np.array(flat)
+
+
 def fates(
     motion: Objects,
     block: Objects,

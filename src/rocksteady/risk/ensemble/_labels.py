@@ -11,7 +11,7 @@ from rocksteady.arrays import Floats
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import number, plural
 from rocksteady.risk.ensemble import qualification
 from rocksteady.risk.ensemble.levels import Levels, measured
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
@@ -82,6 +82,9 @@ def labelled(
         ),
     }
     columns |= side_coordinates(bodies)
+    if coordinates["copied"].any():
+        words_of_copy = {"long_name": "copy of the run without a vertical component"}
+        columns["copied"] = (("record", "vertical"), coordinates["copied"], words_of_copy)
     two = "negative_alpha" in columns
     for prefix, side, column in (("", "positive", 0), ("negative_", "negative", 1))[: 1 + two]:
         columns[f"{prefix}restitution"] = (
@@ -114,10 +117,19 @@ def labelled(
 
 
 def warnings_of(
-    names: Sequence[str], records: Sequence[Record], scale: Floats, status: NDArray[Any]
+    names: Sequence[str],
+    records: Sequence[Record],
+    scale: Floats,
+    status: NDArray[Any],
+    copied: NDArray[np.bool_],
 ) -> str:
     """Return sentences on what to mind, as a list in JSON."""
     remarks = []
+    if flat := int(copied.any(axis=1).sum()):
+        remarks.append(
+            f"{flat} of {plural(len(names), 'record')} have no vertical component: their runs with "
+            "it are copies, which count in shares and curves so that all records weigh the same."
+        )
     alike: dict[tuple[float, bytes], list[str]] = {}
     for name, record in zip(names, records, strict=True):
         alike.setdefault((record.dt_s, record.acceleration_m_s2.tobytes()), []).append(name)

@@ -17,7 +17,7 @@ from rocksteady.model.checks.bounds import MASS
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.risk.ensemble._cases import Body, fates, ways_to_run, whole
+from rocksteady.risk.ensemble._cases import Body, copies_of, fates, ways_to_run, whole
 from rocksteady.risk.ensemble._labels import labelled, warnings_of
 from rocksteady.risk.ensemble._uplift import uplift_limits, uplift_times
 from rocksteady.risk.ensemble.levels import Levels
@@ -95,7 +95,8 @@ def run_ensemble(
         `Trajectory.base_force_kn`, nan of a fall and without uplift), over ``block``, ``record``,
         ``direction``, ``vertical``, ``draw`` and ``level``.  Coordinates are ``scale``, the factor
         of the accelerations, ``restitution``, ``alpha`` and ``p``, and ``im_NAME`` for each measure
-        of the records as they are.
+        of the records as they are; and, where some records alone have a vertical component,
+        ``copied``, true of the runs with it of the others.
 
     Raises
     ------
@@ -234,6 +235,7 @@ def run_each(
     # Uplift does not depend on the restitution.
     rocked = arrays["peak_angle"] > 0.0
     arrays["uplift_time_s"] = np.where(rocked, times[:, :, :, :, np.newaxis], np.nan)
+    copied = copies_of(grounds, lifts)
     ensembles = []
     for each, row, part in zip(levels, at, parts, strict=True):
         members = blocks[part]
@@ -245,13 +247,20 @@ def run_each(
                 each,
                 scale[part],
                 restitution,
-                coordinates={"direction": list(directions), "vertical": list(lifts), "level": row},
+                coordinates={
+                    "direction": list(directions),
+                    "vertical": list(lifts),
+                    "level": row,
+                    "copied": copied,
+                },
                 attributes={
                     **swept.attrs,
                     "kind": "rocking ensemble",
                     "gate_g": math.nan if moved else float(limits[part].min()),
                     "runs": runs * at.shape[1] * restitution.draws,
-                    "warnings": warnings_of(names, records, scale[part], arrays["status"][part]),
+                    "warnings": warnings_of(
+                        names, records, scale[part], arrays["status"][part], copied
+                    ),
                 },
             )
         )

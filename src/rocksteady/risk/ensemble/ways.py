@@ -17,8 +17,9 @@ class Ways:
         "both" (default) for the records as they are and reversed, True or False for one of the two.
     vertical
         "both" (default) for runs with and without the vertical components, where there are any;
-        True or False for one of the two.  A record without one has the same run twice.  Components
-        act with the sign of their files, upwards positive, reversed horizontal records too.
+        True or False for one of the two.  A record without one has the same run twice, so that all
+        records weigh the same; ``copied`` marks the second.  Components act with the sign of their
+        files, upwards positive, reversed horizontal records too.
 
     Raises
     ------
