@@ -1,4 +1,4 @@
-"""Steps of degree 10 against 50 digits and the long series, and landings against its search."""
+"""Steps of degree 8 and 10 against 50 digits and the long series, landings against its search."""
 
 import math
 from typing import Any
@@ -11,6 +11,7 @@ from rocksteady.kernels.core.tables import FOUND
 from rocksteady.kernels.core.typed import FALSE
 from rocksteady.kernels.linear.short import DOUBT, LANDS
 from rocksteady.kernels.nonlinear._expansion import (
+    BRIEF,
     DEGREE,
     Course,
     bounds_over,
@@ -146,7 +147,7 @@ def test_what_a_step_leaves_out_is_as_little_as_it_may() -> None:
     rng, work = np.random.default_rng(3), np.empty((WORK_ROWS, TERMS))
     exact = most = 0
     for _ in range(sample_size(20_000, 1_000)):
-        alpha, step = 10.0 ** rng.uniform(-2.0, 0.0), 10.0 ** rng.uniform(-2.0, -0.3)
+        alpha, step = 10.0 ** rng.uniform(-2.0, 0.0), 10.0 ** rng.uniform(-3.0, -0.3)
         shaking, slope = rng.normal(0.0, 2.0), rng.normal() * 10.0 ** rng.uniform(-1.0, 2.0)
         weight, weight_slope = rng.uniform(0.3, 1.7), rng.normal()
         angle = rng.uniform(0.0, 1.2) * 10.0 ** -rng.uniform(0.0, 6.0)
@@ -167,6 +168,28 @@ def test_what_a_step_leaves_out_is_as_little_as_it_may() -> None:
         most += error > 1e-12 * moved
     assert exact > sample_size(10_000, 500)
     assert most < 1e-3 * exact
+
+
+def test_a_brief_step_takes_degree_8_where_that_is_exact() -> None:
+    rng, work = np.random.default_rng(8), np.empty((WORK_ROWS, TERMS))
+    cases, longer = sample_size(4_000, 200), 0
+    for _ in range(cases):
+        alpha, step = rng.uniform(0.05, 0.5), rng.uniform(0.2, 2.0) * BRIEF
+        angle, velocity = 10.0 ** -rng.uniform(0.0, 9.0), rng.normal() * 10.0 ** -rng.uniform(0, 4)
+        shaking, slope = rng.normal(), rng.normal() * 100.0
+        at = Instant(0.0, angle, velocity, 0.0, 1.0, FALSE)
+        course, enough = middle_step(StepDrive(alpha, shaking, slope, 1.0, 0.0), at, step, 1e-15)
+        expand_series(Drive(alpha, shaking, slope, 0.0, 0.0, 0.0, 0.0), at, step, 1e-30, work)
+        terms = np.abs(work[ANGLE, :11]) * step ** np.arange(11)
+        most = 1e-15 * terms[:4].max()
+        left = terms[8] + step * step * terms[7]
+        if abs(left / most - 1.0) < 1e-6:
+            continue  # either
+        eighth = step <= BRIEF and left <= most
+        assert (course.ninth == course.tenth == 0.0) == eighth
+        assert enough or not eighth
+        longer += step <= BRIEF and not eighth
+    assert longer > 0.02 * cases
 
 
 def test_landings_are_those_of_the_search() -> None:

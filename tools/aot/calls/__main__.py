@@ -41,6 +41,7 @@ def small_calls(entries: dict[str, Callable[..., Any]]) -> list[Call]:
             call, f"record, {k}", 8, nonlinear=nonlinear, samples=60, scattered=k > 1
         )
         batches.record_steady_states(call, f"steady, {k}", 20, shapes=k != 3)
+    batches.record_records(call, "brief", 40, nonlinear=True, samples=60, brief=True)
     histories.record_histories(call)
     histories.record_small_parts(call)
     histories.record_motions(call)

@@ -9,8 +9,17 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.kernels.batch.attractors import REAL_COLUMNS, WHOLE_COLUMNS
-from rocksteady.kernels.core.tables import ALPHA, CEILING, LEAN, PEAK_COLUMNS, RATE, RESTITUTION
+from rocksteady.kernels.core.tables import (
+    ALPHA,
+    CEILING,
+    DURATION,
+    LEAN,
+    PEAK_COLUMNS,
+    RATE,
+    RESTITUTION,
+)
 from rocksteady.kernels.elementary.arrays import exp
+from rocksteady.kernels.nonlinear._expansion import BRIEF
 from rocksteady.model.motions.pulses import Pulse
 from tools.aot.calls.drawn import CENTRES, PULSES, SLENDER, Drawn
 from tools.aot.calls.recorder import Recorder
@@ -113,6 +122,7 @@ def record_records(
     nonlinear: bool,
     samples: int,
     scattered: bool = False,
+    brief: bool = False,
 ) -> None:
     """Record the fates of blocks under a record.
 
@@ -124,12 +134,16 @@ def record_records(
         Of the record.
     scattered
         Whether restitution scatters from impact to impact.
+    brief
+        Whether the blocks are so large that all their samples are brief steps.
     """
     drawn = Drawn.by_name(name)
     segments = drawn.segments("record", nonlinear=nonlinear, samples=samples)
     sides = drawn.sides(count, nonlinear=nonlinear, scattered=scattered)
     sides[:, :, LEAN] *= drawn.rng.uniform(0.5, 3.0, count)[:, np.newaxis]
     sides[:, :, RATE] *= drawn.rng.uniform(0.3, 3.0, count)[:, np.newaxis]
+    if brief:
+        sides[:, :, RATE] *= BRIEF / (segments[:-1, DURATION].max() * sides[:, :, RATE].max())
     status, impacts = np.zeros(count, np.int64), np.zeros(count, np.int64)
     after = np.full(count, AFTERWARDS)
     peaks = np.zeros((count, PEAK_COLUMNS))

@@ -84,7 +84,7 @@ def fate_of(segments: Floats, sides: Floats, angle: float, velocity: float) -> F
     if status != columns.OVERTURNED:
         return Fate(int(status), 0, end.impacts, float(peaks[columns.PEAK_ANGLE]))
     # Its peak counts until it passes its slenderness for good: in the last flight that rose above
-    # it, unless it has turned back since, which an impulse may do unseen, or began there.
+    # it, unless it may have come back to it since, as an impulse may do unseen, or began there.
     again, flights, before = start, end.flights, 0.0
     passed = peaks[columns.PASSING_SIDE] != 0.0 and peaks[columns.PASSING_AGAIN] == 0.0
     if passed and not segments[:, columns.JUMP].any():

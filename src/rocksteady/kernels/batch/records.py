@@ -6,8 +6,8 @@ base, where its impacts are known, none of its tops.
 
 The peaks of a block that falls are those until it passes its slenderness for good, and only the
 proof of its fall says which passage was the last.  So the march keeps its last passage, and that
-flight alone is marched once more, with its row; all flights are where the block has turned back
-since, above its slenderness or just below it.
+flight alone is marched once more, with its row; all flights are where the block may have come back
+to its slenderness since.
 """
 
 import numpy as np
@@ -90,8 +90,8 @@ def queued_record_fates(
 ) -> None:
     """Do what `record_fates` does in the linear model, for the blocks taken from a queue.
 
-    `hardest` is what `rocksteady.kernels.batch.waiting.fill_hardest` fills.  A block that falls
-    after it has turned back above its slenderness is LEFT_OVER where peaks are wanted: to find
+    `hardest` is what `rocksteady.kernels.batch.waiting.fill_hardest` fills.  A block that falls,
+    and may have come back to its slenderness unseen, is LEFT_OVER where peaks are wanted: to find
     them takes a table as long as its motion.
     """
     _record_fates(queue, hardest, segments, blocks, limit, fates, FALSE, FALSE)

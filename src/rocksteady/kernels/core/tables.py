@@ -47,6 +47,8 @@ that it leaves to: chatter has no end of slower ones."""
 SMALLEST_BOUNCE = 1e-8
 """Chatter slower than this (du/ds) may come to rest in a run whose flights are kept: its bounces
 are below 1e-16 of alpha."""
+SURELY_ABOVE = 1.0 + 1e-12
+"""Least angle that is above the slenderness, rounding included."""
 SAFELY = 1.0 - 1e-9
 """Part of its uplift value up to which no sample lifts a block, rounding included."""
 
@@ -103,7 +105,7 @@ PASSING_VELOCITY = 6
 PASSING_SEGMENT = 7
 PASSING_HALF_CYCLES = 8
 PASSING_PHASE = 9
-PASSING_AGAIN = 10  # 1 where the block may have turned back since, above the slenderness or below
+PASSING_AGAIN = 10  # 1 where the block may have come back to its slenderness since
 PASSAGE_COLUMNS = 11
 
 ROCKING = int(Status.ROCKING)
@@ -151,8 +153,9 @@ def keep_passage(
 ) -> None:
     """Keep a flight that rises above its slenderness, and the peaks before it.
 
-    Above the slenderness y'' >= -|a| in either model, so that a flight which begins there with at
-    least |a| times its duration does not turn.
+    Above the slenderness y'' >= -|a| in either model, so that a flight which begins there stays
+    above ``y + y' t - |a| t^2/2``.  That is lowest at an end: where it is above the slenderness at
+    the end of the flight too, the passage that was kept is still the last.
     """
     angle, velocity, later_angle, span, ceiling = rise
     if later_angle <= 1.0:
@@ -164,8 +167,10 @@ def keep_passage(
         peaks[PASSING_SEGMENT] = state.segment
         peaks[PASSING_HALF_CYCLES], peaks[PASSING_PHASE] = state.half_cycles, state.phase
         peaks[PASSING_AGAIN] = 0.0
-    elif velocity < 0.0 or (ceiling > 0.0 and velocity < ceiling * span):
-        peaks[PASSING_AGAIN] = 1.0
+    elif velocity < 0.0 or ceiling > 0.0:
+        lowest = angle + span * (velocity - 0.5 * ceiling * span)
+        if not lowest > SURELY_ABOVE:  # so too where it is no number, of an endless flight
+            peaks[PASSING_AGAIN] = 1.0
 
 
 @inlined

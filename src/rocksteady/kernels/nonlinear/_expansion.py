@@ -1,16 +1,18 @@
-"""The step that a nonlinear flight takes: of degree 10 where that does, or else the long series.
+"""The step that a nonlinear flight takes: of degree 8 or 10 where that does, or the long series.
 
 Without a sinusoid, as between two samples of a record, each coefficient follows from those before
 it, with S and C of `rocksteady.kernels.nonlinear.series`.  Sums are written out, the products that
 are known last at their end, so that no processor waits for more than it must.  The step of length
-t is exact where a_10 t^10 and a_9 t^11, of its last coefficients, are negligible, as in the series.
+t is exact where a_n t^n and a_(n-1) t^(n+1), of its last coefficients, are negligible, as in the
+series.  A brief step takes degree 8 where that is exact: so do nearly all samples of a record
+whose interval is short for the block.
 """
 
 import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.core.typed import TRUE
+from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.elementary.circular import SMALL_ANGLE, sincos_near, small_sinc_cos
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear.drive import Drive, Instant, StepDrive
@@ -23,6 +25,8 @@ from rocksteady.kernels.nonlinear.series import (
 )
 
 DEGREE = 10
+BRIEF = 0.01
+"""Longest step, in a side's time, for which degree 8 is tried."""
 
 
 class Course(NamedTuple):
@@ -41,7 +45,7 @@ class Course(NamedTuple):
 
 @compiled
 def middle_step(drive: StepDrive, at: Instant, step: float, left_out: float) -> tuple[Course, bool]:
-    """Return the coefficients of a step, and whether they are enough.
+    """Return the coefficients of a step, of degree 8 or 10, and whether they are enough.
 
     Parameters
     ----------
@@ -62,21 +66,40 @@ def middle_step(drive: StepDrive, at: Instant, step: float, left_out: float) -> 
     force = drive.shaking * cosine - drive.weight * sine
     if at.lifting:
         force = max(force, 0.0)
-    return course_from(drive, at.angle, at.velocity, sine, cosine, force, step, left_out)
+    if step <= BRIEF:
+        course = course_from(drive, at.velocity, sine, cosine, force, TRUE)
+        if is_enough(course, at.angle, at.velocity, step, left_out, TRUE):
+            return course, True
+    course = course_from(drive, at.velocity, sine, cosine, force, FALSE)
+    return course, is_enough(course, at.angle, at.velocity, step, left_out, FALSE)
+
+
+@inlined
+def is_enough(
+    course: Course, angle: float, velocity: float, step: float, left_out: float, brief: bool
+) -> bool:
+    """Return whether degree 10, or 8 of a brief step, is exact over the step."""
+    squared = step * step
+    power = squared * squared * squared * step
+    largest = max(
+        abs(angle),
+        abs(velocity) * step,
+        squared * abs(course.second),
+        squared * step * abs(course.third),
+    )
+    before = course.seventh if brief else course.ninth
+    last = course.eighth if brief else course.tenth
+    power *= 1.0 if brief else squared
+    allowed = left_out * largest
+    left = power * (squared * abs(before) + step * abs(last))
+    return (left <= allowed) & (allowed < math.inf)
 
 
 @inlined
 def course_from(
-    drive: StepDrive,
-    angle: float,
-    velocity: float,
-    sine: float,
-    cosine: float,
-    force: float,
-    step: float,
-    left_out: float,
-) -> tuple[Course, bool]:
-    """Return what `middle_step` does, from S, C and y'' at its start."""
+    drive: StepDrive, velocity: float, sine: float, cosine: float, force: float, brief: bool
+) -> Course:
+    """Return the coefficients from S, C and y'' at the start, of a brief step to degree 8."""
     alpha, shaking, shaking_slope, weight, weight_slope = drive
     square = alpha * alpha
     v0, s0, c0 = velocity, sine, cosine
@@ -105,6 +128,10 @@ def course_from(
     c6 = (v1 * s4 + v2 * s3 + v3 * s2 + v4 * s1 + v0 * s5 + v5 * s0) * (square * (1.0 / 6.0))
     force = (shaking_slope * c5 - weight_slope * s5) + (shaking * c6 - weight * s6)
     v7 = force * (1.0 / 7.0)
+    second, third, fourth = 0.5 * v1, v2 * (1.0 / 3.0), 0.25 * v3
+    fifth, sixth, seventh, eighth = v4 * (1.0 / 5.0), v5 * (1.0 / 6.0), v6 * (1.0 / 7.0), 0.125 * v7
+    if brief:
+        return Course(second, third, fourth, fifth, sixth, seventh, eighth, 0.0, 0.0)
     s7 = (v1 * c5 + v2 * c4 + v3 * c3 + v4 * c2 + v5 * c1 + v0 * c6 + v6 * c0) * (-1.0 / 7.0)
     c7 = (v1 * s5 + v2 * s4 + v3 * s3 + v4 * s2 + v5 * s1 + v0 * s6 + v6 * s0) * (
         square * (1.0 / 7.0)
@@ -119,28 +146,8 @@ def course_from(
     )
     force = (shaking_slope * c7 - weight_slope * s7) + (shaking * c8 - weight * s8)
     v9 = force * (1.0 / 9.0)
-    course = Course(
-        0.5 * v1,
-        v2 * (1.0 / 3.0),
-        0.25 * v3,
-        v4 * (1.0 / 5.0),
-        v5 * (1.0 / 6.0),
-        v6 * (1.0 / 7.0),
-        0.125 * v7,
-        v8 * (1.0 / 9.0),
-        v9 * (1.0 / 10.0),
-    )
-    squared = step * step
-    fourths = squared * squared
-    largest = max(
-        abs(angle),
-        abs(v0) * step,
-        squared * abs(course.second),
-        squared * step * abs(course.third),
-    )
-    last = squared * abs(course.ninth) + step * abs(course.tenth)
-    allowed = left_out * largest
-    return course, (fourths * fourths * step * last <= allowed) & (allowed < math.inf)
+    ninth, tenth = v8 * (1.0 / 9.0), v9 * (1.0 / 10.0)
+    return Course(second, third, fourth, fifth, sixth, seventh, eighth, ninth, tenth)
 
 
 @compiled

@@ -5,9 +5,16 @@ Fields of a lane are offsets into one flat array.
 
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import SMALL_ANGLE, small_sinc_cos
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import inlined
 from rocksteady.kernels.machine_code.width import side_by_side
-from rocksteady.kernels.nonlinear._expansion import bounds_over, course_from, state_after
+from rocksteady.kernels.nonlinear._expansion import (
+    BRIEF,
+    Course,
+    bounds_over,
+    course_from,
+    is_enough,
+    state_after,
+)
 from rocksteady.kernels.nonlinear._zeros import stays_above
 from rocksteady.kernels.nonlinear.drive import WEIGHTLESS, StepDrive
 
@@ -39,9 +46,12 @@ LANES = side_by_side(32)
 FIELDS = 18
 
 
-@compiled
-def step_lanes(lanes: Floats) -> None:
-    """Take lanes through a sample, as `kernels.nonlinear.samples` does."""
+@inlined
+def step_lanes(lanes: Floats, brief: bool) -> None:
+    """Take lanes through a sample, as `kernels.nonlinear.samples` does.
+
+    `brief` is whether the samples of all lanes are.
+    """
     for j in range(LANES):
         y, v = lanes[ANGLE + j], lanes[VELOCITY + j]
         alpha, span = lanes[ALPHA + j], lanes[DURATION + j] * lanes[RATE + j]
@@ -54,7 +64,12 @@ def step_lanes(lanes: Floats) -> None:
         sine = sinc * (1.0 - y)
         force = shaking * cosine - weight * sine
         driven = StepDrive(alpha, shaking, shaking_slope, weight, lift_slope)
-        course, exact = course_from(driven, y, v, sine, cosine, force, span, lanes[LEFT_OUT + j])
+        course = course_from(driven, v, sine, cosine, force, brief)
+        short = brief or span <= BRIEF
+        exact = is_enough(course, y, v, span, lanes[LEFT_OUT + j], short)
+        second, third, fourth, fifth, sixth, seventh, eighth, ninth, tenth = course
+        ninth, tenth = 0.0 if short else ninth, 0.0 if short else tenth
+        course = Course(second, third, fourth, fifth, sixth, seventh, eighth, ninth, tenth)
         bend = 2.0 * course.second
         third, _ = bounds_over(course, span)
         later_y, later_v = state_after(course, y, v, span)
