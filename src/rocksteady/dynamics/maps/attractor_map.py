@@ -20,6 +20,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
+from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START
 from rocksteady.sweep.cases.labelled import as_dataset
@@ -39,6 +40,7 @@ def map_attractors(
     max_cycles: int = 2000,
     refine: int | None = None,
     model: Model | None = None,
+    floor: Floor | None = None,
     run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Compute the attractor of a block over a grid of parameters.
@@ -73,6 +75,9 @@ def map_attractors(
         a border of kinds, periods or impacts.  Not with a store.
     model
         `Linear()` (default) or `Nonlinear()`, some forty times slower, for a `Block`.
+    floor
+        A `rocksteady.motions.Floor` on which the block stands, a `Block` under a `Harmonic`: motion
+        and axes are those of the ground, and each cell has the lasting shaking of the floor.
     run
         Executor, store and progress, as for `evaluate`.
 
@@ -107,6 +112,7 @@ def map_attractors(
         cycles=max_cycles,
         refine=refine,
         model=model,
+        floor=floor,
         run=run,
     )
     return as_dataset(cells)

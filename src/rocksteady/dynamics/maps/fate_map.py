@@ -15,6 +15,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
+from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START, NO_START_LABEL
 from rocksteady.sweep.cases.labelled import as_dataset
@@ -35,6 +36,7 @@ def map_fates(
     cycles: int = 200,
     refine: int | None = None,
     model: Model | None = None,
+    floor: Floor | None = None,
     run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Compute the fate of a block after a given time, over a grid of parameters.
@@ -49,7 +51,7 @@ def map_fates(
         As for `map_attractors`: any parameter of block, motion and start may be an axis.
     cycles
         Forcing periods that each motion is followed for, at most (default 200).
-    refine, model, run
+    refine, model, floor, run
         As for `map_attractors`; a border is one of fates.
 
     Returns
@@ -89,6 +91,7 @@ def map_fates(
         cycles=cycles,
         refine=refine,
         model=model,
+        floor=floor,
         run=run,
     )
     return as_dataset(cells)

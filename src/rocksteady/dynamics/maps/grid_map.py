@@ -17,6 +17,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.housner_forms import Impacts
 from rocksteady.model.equations import Model, chosen_model
+from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -71,6 +72,7 @@ def map_of(
     cycles: int | None,
     refine: int | None,
     model: Model | None,
+    floor: Floor | None,
     run: Execution | None,
 ) -> "Labelled":
     """Return the answers to a question over a grid of parameters.
@@ -86,6 +88,7 @@ def map_of(
         fixed=fixed,
         housner=housner,
         model=chosen_model(model, block),
+        floor=floor,
     )
     scenario.check({axis.name: axis.points for axis in grid.axes})
     periods = FORCING_PERIODS(question.counted, question.cycles if cycles is None else cycles)

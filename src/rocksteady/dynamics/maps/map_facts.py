@@ -50,6 +50,7 @@ def describe(dataset: "Labelled") -> Description:
         Fact("fate", fates),
         Fact("cycles", cycles, "followed for", f"{cycles} periods at most"),
         Fact("model", _model(dataset), "model"),
+        *([Fact("floor", dataset.attrs["floor"], "stands on")] if "floor" in dataset.attrs else []),
         *_parameters(dataset),
         Fact("counts", counts),
         Fact("shares", {word: count / cells for word, count in counts.items()}),
@@ -111,6 +112,7 @@ def _answer(
             ("falls", f"{falls:,} of {plural(cells, 'cell')} ({_axes(dataset)})"),
             ("rocks", ", ".join(kinds)),
             ("left out", "; ".join(missing)),
+            ("stands on", str(given.get("floor", ""))),
             ("linear model", UNLIKE if linear else ""),
             ("computed", model),
         ],
@@ -159,6 +161,7 @@ def headline(dataset: "Labelled") -> str:
         parts.append(f"from {given['angle']:g},{given['velocity']:g}")
     if given.get("phase"):
         parts.append(f"phase {given['phase']:.4g} rad")
+    parts += [given["floor"]] if "floor" in given else []
     parts.append(f"{_model(dataset)} model")
     fates = "fate" in dataset
     what = f"The block after {_cycles(dataset)} periods" if fates else "What the block settles to"
