@@ -48,7 +48,7 @@ def test_a_floor_lags_by_the_closed_form_at_resonance() -> None:
 
 @pytest.mark.parametrize("phase", [0.0, 2.0])
 def test_each_cell_settles_to_what_the_floor_alone_leads_to(phase: float) -> None:
-    cells = map_attractors(BLOCK, axes={**AXES, "phase": phase}, floor=FLOOR)
+    cells = map_attractors(BLOCK, FLOOR, axes={**AXES, "phase": phase})
     assert cells.attrs["floor"] == FLOOR.label
     for place, (acceleration, hertz) in enumerate(product(*AXES.values())):
         alone = find_attractor(BLOCK, moved(acceleration, hertz, phase))
@@ -68,7 +68,7 @@ def test_each_cell_settles_to_what_the_floor_alone_leads_to(phase: float) -> Non
 def test_each_fate_is_that_of_one_simulation(nonlinear: bool) -> None:
     model = Nonlinear() if nonlinear else None
     start = State(angle=0.2, velocity=-0.1)
-    cells = map_fates(BLOCK, axes=AXES, start=start, cycles=6, floor=FLOOR, model=model)
+    cells = map_fates(BLOCK, FLOOR, axes=AXES, start=start, cycles=6, model=model)
     labels = cells.fate.attrs["flag_meanings"].split()
     for place, (acceleration, hertz) in enumerate(product(*AXES.values())):
         motion = moved(acceleration, hertz)
@@ -80,7 +80,7 @@ def test_each_fate_is_that_of_one_simulation(nonlinear: bool) -> None:
 def test_sizes_move_under_one_floor() -> None:
     ground = {"acceleration_m_s2": 1.0, "frequency_hz": 1.6}
     widths = [0.4, 0.6, 0.9]
-    cells = map_attractors(BLOCK, axes={"width": widths, **ground}, floor=FLOOR)
+    cells = map_attractors(BLOCK, FLOOR, axes={"width": widths, **ground})
     for place, width in enumerate(widths):
         block = Block.rectangle(width=width, height=2.0, restitution=BLOCK.restitution)
         motion = FLOOR.motion(Harmonic.from_si(block, **ground), block)
@@ -108,15 +108,12 @@ def test_arrays_of_cells_are_the_nouns_to_the_last_bit() -> None:
         assert math.cos(shaking.phase - expected.phase) == pytest.approx(1.0)
 
 
-def test_a_floor_has_hertz_and_one_sinusoid() -> None:
-    series = FourierSeries(amplitude=1.0, frequency_ratio=2.0, harmonics=((1, 1.0, 0.0),))
-    with pytest.raises(ModelError, match="floor"):
-        map_attractors(BLOCK, series, axes={"amplitude": [1.0, 2.0]}, floor=FLOOR)
-    bare, motion = DimensionlessBlock(restitution=0.9), Harmonic(amplitude=1.0, frequency_ratio=2.0)
-    with pytest.raises(ModelError, match="floor"):
-        map_fates(bare, motion, axes={"amplitude": [1.0, 2.0]}, floor=FLOOR)
-    with pytest.raises(InputError, match="floor"):
-        map_fates(BLOCK, motion, axes={"amplitude": [1.0, 2.0]}, floor=1.7)  # type: ignore[arg-type]
+def test_a_floor_has_hertz_and_a_ground() -> None:
+    axes = {"amplitude": [1.0, 2.0]}
+    with pytest.raises(InputError, match="motion"):
+        map_attractors(BLOCK, FLOOR, axes=axes)
+    with pytest.raises(ModelError, match="no hertz"):
+        map_fates(DimensionlessBlock(restitution=0.9), FLOOR, axes={**axes, "frequency_ratio": 2.0})
 
 
 def test_a_series_of_one_sinusoid_keeps_the_amplitude_of_the_ground() -> None:
@@ -130,8 +127,11 @@ def test_a_series_of_one_sinusoid_keeps_the_amplitude_of_the_ground() -> None:
     factors = [0.5, 1.0, 1.5]
     sizes = [factor * ground.amplitude for factor in factors]
     cells = map_attractors(BLOCK, on_floor, axes={"amplitude": sizes})
+    ratio = ground.frequency_ratio
     direct = map_attractors(
-        BLOCK, ground, axes={"amplitude": sizes}, floor=Floor(frequencies_hz=1.7)
+        BLOCK,
+        Floor(frequencies_hz=1.7),
+        axes={"amplitude": sizes, "frequency_ratio": ratio},
     )
     assert (cells.kind == direct.kind).all()
     assert cells.highest.values == pytest.approx(direct.highest.values, rel=1e-9, nan_ok=True)

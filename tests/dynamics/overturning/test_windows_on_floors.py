@@ -4,6 +4,7 @@ import math
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 
 from rocksteady import (
@@ -82,7 +83,7 @@ def test_windows_are_those_of_a_record_of_the_floor() -> None:
     times, hertz = 4000, 0.8
     dt = 1.0 / (hertz * times)
     samples = [math.sin(2.0 * math.pi * k / times) for k in range(times)] + [0.0, 0.0]
-    ground = Record(acceleration_m_s2=samples, dt_s=dt)
+    ground = Record(acceleration_m_s2=np.array(samples), dt_s=dt)
     moved = floor_motion(ground, tolerance=1e-5, **MODES)
     scales = find_overturning_scales(BLOCK, moved, within=(0.5, 8.0))
     found = find_overturning_windows(BLOCK, "one-sine", [ratio_of(hertz)], floor=FLOOR)

@@ -81,11 +81,11 @@ def maps(
     sweep.check(output)
     case = map_case(shaking, block, start)
     equations = equations_for(model, case.body)
-    storey, motion = floor.of(case.body), None
+    motion = floor.of(case.body)
     if series.given:
         moving = [name for name in case.axes if name in RESIZED | FREQUENCY.keys()]
         along = moving[0] if moving else "amplitude"
-        motion, storey = floor.along(along, series.of(case.motion), case.body), None
+        motion = floor.along(along, series.of(case.motion), case.body)
     colouring = _colouring(by, output, fates=fate)
     if output.plot is not None:
         _check_drawable(case)
@@ -114,7 +114,6 @@ def maps(
             cycles=cycles,
             refine=refine,
             model=equations,
-            floor=storey,
             run=shown,
         )
     description = describe(cells)

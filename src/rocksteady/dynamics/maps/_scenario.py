@@ -101,7 +101,7 @@ class Scenario:
     model
         `Linear()` or `Nonlinear()`, which needs a `Block`.
     floor
-        On which the block stands, a `Block`; amplitude and phase are then those of the ground.
+        Floor of a `Block`; amplitude and phase are then those of the ground.
 
     Raises
     ------
@@ -141,7 +141,9 @@ class Scenario:
         object.__setattr__(self, "model", chosen_model(self.model, self.block))
         check_sizes(self.block, self.given)
         self._check_restitution()
-        self._check_floor()
+        if self.floor is not None and not isinstance(self.block, Block):
+            valid = "a block of which only the restitution is known has no hertz"
+            raise ModelError("motion", self.floor, valid, "give a Block")
         self._check_motion()
         self._check_start()
 
@@ -357,15 +359,6 @@ class Scenario:
                 "a block of which only the restitution is known has no slenderness",
                 "give a Block, as Block.rectangle(width=..., height=...)",
             )
-
-    def _check_floor(self) -> None:
-        if self.floor is not None and not isinstance(self.block, Block):
-            valid = "a block of which only the restitution is known has no hertz"
-            raise ModelError("floor", self.floor, valid, "give a Block")
-        if self.floor is not None and isinstance(self.motion, FourierSeries):
-            valid = "it turns each harmonic of a series by itself"
-            hint = "give floor_motion(series, ...) as the motion, where no frequency or size moves"
-            raise ModelError("floor", self.floor, valid, hint)
 
     def _check_motion(self) -> None:
         given = set(self.given)

@@ -33,14 +33,13 @@ if TYPE_CHECKING:
 @checked
 def map_attractors(
     block: Block | DimensionlessBlock,
-    motion: PeriodicMotion | None = None,
+    motion: PeriodicMotion | Floor | None = None,
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | HasStart | None = None,
     max_cycles: int = 2000,
     refine: int | None = None,
     model: Model | None = None,
-    floor: Floor | None = None,
     run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Compute the attractor of a block over a grid of parameters.
@@ -52,7 +51,8 @@ def map_attractors(
     ----------
     block, motion, start
         What is not in `axes` stays as it is given here.  A `Harmonic` keeps its two ratios, also
-        where a size moves.  Without a motion, `axes` names its amplitude and frequency.
+        where a size moves.  Without a motion, `axes` names its amplitude and frequency; so it does
+        of the ground with a `rocksteady.motions.Floor`, whose lasting shaking a `Block` then has.
     axes
         Values, shape (points,), by parameter, in the order of the dimensions; a number fixes one.
 
@@ -75,9 +75,6 @@ def map_attractors(
         a border of kinds, periods or impacts.  Not with a store.
     model
         `Linear()` (default) or `Nonlinear()`, some forty times slower, for a `Block`.
-    floor
-        A `rocksteady.motions.Floor` on which the block stands, a `Block` under a `Harmonic`: motion
-        and axes are those of the ground, and each cell has the lasting shaking of the floor.
     run
         Executor, store and progress, as for `evaluate`.
 
@@ -112,7 +109,6 @@ def map_attractors(
         cycles=max_cycles,
         refine=refine,
         model=model,
-        floor=floor,
         run=run,
     )
     return as_dataset(cells)

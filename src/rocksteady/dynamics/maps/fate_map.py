@@ -29,14 +29,13 @@ if TYPE_CHECKING:
 @checked
 def map_fates(
     block: Block | DimensionlessBlock,
-    motion: PeriodicMotion | None = None,
+    motion: PeriodicMotion | Floor | None = None,
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | HasStart | None = None,
     cycles: int = 200,
     refine: int | None = None,
     model: Model | None = None,
-    floor: Floor | None = None,
     run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Compute the fate of a block after a given time, over a grid of parameters.
@@ -51,7 +50,7 @@ def map_fates(
         As for `map_attractors`: any parameter of block, motion and start may be an axis.
     cycles
         Forcing periods that each motion is followed for, at most (default 200).
-    refine, model, floor, run
+    refine, model, run
         As for `map_attractors`; a border is one of fates.
 
     Returns
@@ -91,7 +90,6 @@ def map_fates(
         cycles=cycles,
         refine=refine,
         model=model,
-        floor=floor,
         run=run,
     )
     return as_dataset(cells)

@@ -65,14 +65,13 @@ class Question:
 def map_of(
     question: Question,
     block: Block | DimensionlessBlock,
-    motion: PeriodicMotion | None,
+    motion: PeriodicMotion | Floor | None,
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | HasStart | None,
     cycles: int | None,
     refine: int | None,
     model: Model | None,
-    floor: Floor | None,
     run: Execution | None,
 ) -> "Labelled":
     """Return the answers to a question over a grid of parameters.
@@ -80,10 +79,11 @@ def map_of(
     Parameters and errors are those of `rocksteady.map_attractors`.
     """
     grid, fixed, housner = _grid(axes)
+    floor = motion if isinstance(motion, Floor) else None
     scenario = Scenario(
         axes=grid.names,
         block=block,
-        motion=motion,
+        motion=None if isinstance(motion, Floor) else motion,
         start=start_of(start),
         fixed=fixed,
         housner=housner,

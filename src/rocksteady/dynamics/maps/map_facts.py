@@ -44,13 +44,13 @@ def describe(dataset: "Labelled") -> Description:
     name = "fate" if fates else "kind"
     counts, longer = map_counts(dataset)
     cells = cell_count(dataset)
-    cycles = _cycles(dataset)
+    cycles, floor = _cycles(dataset), dataset.attrs.get("floor")
     facts = [
         *grid_facts(dataset),
         Fact("fate", fates),
         Fact("cycles", cycles, "followed for", f"{cycles} periods at most"),
         Fact("model", _model(dataset), "model"),
-        *([Fact("floor", dataset.attrs["floor"], "stands on")] if "floor" in dataset.attrs else []),
+        Fact("floor", floor, "stands on" if floor else ""),
         *_parameters(dataset),
         Fact("counts", counts),
         Fact("shares", {word: count / cells for word, count in counts.items()}),

@@ -57,7 +57,7 @@ class OverturningWindows(WindowLists):
     block, pulse
         Block and pulse; only the shape of the pulse counts.
     floor
-        On which the block stands; amplitudes and frequencies are those of the ground.
+        Floor of the block, or None; amplitudes and frequencies are those of the ground.
     model
         `Linear()` or `Nonlinear()`.
     frequency_ratio
@@ -115,7 +115,7 @@ class OverturningWindows(WindowLists):
 
     def describe(self) -> Description:
         """Return the windows by frequency, in g and Hz too where the block has a size."""
-        block, pulse = self.block, self.pulse
+        block, pulse, floor = self.block, self.pulse, self._floor_text
         least, most = (amplitude_text(block, end) for end in self.within)
         facts = [
             self._block_fact,
@@ -123,7 +123,7 @@ class OverturningWindows(WindowLists):
             Fact("reversed", pulse.reverse),
             Fact("oscillations", pulse.oscillations),
             Fact("phase", pulse.phase),
-            *([] if self.floor is None else [Fact("floor", self.floor.label, "stands on")]),
+            Fact("floor", floor or None, "stands on" if floor else ""),
             Fact("model", self.model.name, "model"),
             Fact("amplitudes", list(self.within), "searched", f"{least} to {most}"),
             Fact("resolution", self.resolution),
@@ -137,8 +137,7 @@ class OverturningWindows(WindowLists):
             most=MOST_ROWS,
             severity=lambda row: -row["low"],
         )
-        where = "" if self.floor is None else ", of the ground"
-        notes = [f"A is a/(alpha g){where}."]
+        notes = [f"A is a/(alpha g){', of the ground' if floor else ''}."]
         stands = [number(row["frequency_ratio"]) for row in rows if not row["modes"]]
         if stands:
             notes.append(
@@ -159,8 +158,8 @@ class OverturningWindows(WindowLists):
             )
         headline = (
             f"Overturning: {self._pulse_text} pulse, "
-            + ("" if self.floor is None else f"{self.floor.label}, ")
-            + f"{case_text(block)}, {self.model.name} model"
+            f"{floor}{', ' if floor else ''}"
+            f"{case_text(block)}, {self.model.name} model"
         )
         tables = [windows, Table("windows", rows)]
         return Description(headline, facts, tables, notes, answer=self._answer(rows))
@@ -181,8 +180,12 @@ class OverturningWindows(WindowLists):
         ]
         shown, pulse = self._by_first, f"{self._pulse_text} pulse"
         searched = f"{write(self.within[0])} to {write(self.within[1])}{self._missing}"
-        stands_on = "" if self.floor is None else self.floor.label
-        facts = [("stands on", stands_on), self._undecided, ("searched", searched), self._computed]
+        facts = [
+            ("stands on", self._floor_text),
+            self._undecided,
+            ("searched", searched),
+            self._computed,
+        ]
         if not shown:
             at = names[0] if len(names) == 1 else f"all {len(names)} frequencies"
             top = write(self.within[1])
@@ -216,6 +219,11 @@ class OverturningWindows(WindowLists):
     def _pulse_text(self) -> str:
         """The pulse in a word or two."""
         return f"reversed {self.pulse.shape}" if self.pulse.reverse else self.pulse.shape
+
+    @property
+    def _floor_text(self) -> str:
+        """The floor in words; empty on the ground."""
+        return "" if self.floor is None else self.floor.label
 
     def _row(self, index: int) -> dict[str, Any]:
         """Return all that is known at one of the frequencies."""
