@@ -58,7 +58,7 @@ LONGEST_MESSAGE = 400
 """Characters of what typer finds wrong, which shows arguments whole."""
 
 NO_FLOOR = (
-    "floors are flags of commands with one motion",
+    "floors are flags of commands with a motion, and this one has none or follows two axes of it",
     "give the shaking of the floor, of which rocksteady attractor --floor-hz states the amplitude",
 )
 """What is valid, and what to do, of flags of floors where a command has none."""

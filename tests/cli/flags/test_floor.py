@@ -1,12 +1,22 @@
 """Flags of floors: the same motion as `floor_motion`, levels of the ground, one line a mistake."""
 
+import itertools
 import math
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from rocksteady import Block, Nonlinear, Pulse, Record, find_attractor, floor_motion, simulate
+from rocksteady import (
+    Block,
+    Nonlinear,
+    Pulse,
+    Record,
+    find_attractor,
+    find_overturning_windows,
+    floor_motion,
+    simulate,
+)
 from rocksteady.motions import Floor, FourierSeries
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
@@ -156,9 +166,12 @@ def test_a_mistake_is_one_line(flags: str, words: list[str], file: Path) -> None
         f"simulate {SIZE} --start 0.6,0",
         f"screens {SIZE} --pga-g 0.3",
         f"assess {SIZE} --pga-g 0.3 --pgv-m-s 0.3",
-        f"basins {SIZE} --accel-g 0.1:0.4:3 --freq-hz 1",
+        f"basins {SIZE} --accel-g 0.1 --freq-hz 1:2:3",
         f"steady {SIZE} --accel-g 0.4 --freq-hz 1:2:3",
-        f"map {SIZE} --accel-g 0.4 --freq-hz 1:2:3",
+        f"map {SIZE} --accel-g 0.4 --freq-hz 1:2:3 --harmonic 1,1,0 --harmonic 2,1,0",
+        "map --width-m 0.4 --height-m 1:2:3 --accel-g 0.4 --freq-hz 1 --harmonic 2,1,0",
+        "map -A 1:2:3 -W 2 -r 0.8",
+        f"steady {SIZE} --accel-g 0.1:0.4:3 --freq-hz 1",
         f"bifurcate {SIZE} --accel-g 0.4 --freq-hz 1:2:3",
         f"curves {SIZE} --accel-g 0.1:0.4:3 --freq-hz 1:2:3",
         "certify orbit -A 2 -W 2 -r 0.8",
@@ -182,9 +195,68 @@ def test_a_floor_stands_in_the_file_or_beside_it(tmp_path: Path) -> None:
     assert "--buildings has the floor of each object" in refused(line)
 
 
-def test_hertz_need_a_block_and_windows_of_pulses_a_ground() -> None:
-    line = refused("simulate -A 2 -W 2 -r 0.8 --pulse one-sine --floor-hz 2")
+@pytest.mark.parametrize("command", ["simulate -A 2", "overturn", "map -A 1:2:3"])
+def test_hertz_need_a_block(command: str) -> None:
+    pulse = "" if command.startswith("map") else "--pulse one-sine"
+    line = refused(f"{command} -W 2 -r 0.8 {pulse} --floor-hz 2")
     assert "--floor-hz" in line
     assert "describe a block" in line
-    line = refused(f"overturn {SIZE} --pulse one-sine --freq-hz 1 --floor-hz 2")
-    assert "--floor-hz" in line
+
+
+def test_windows_of_a_pulse_are_those_of_the_ground_below_the_floor() -> None:
+    values = rocksteady(
+        f"overturn {SIZE} --pulse one-sine --accel-g 1.5 --freq-hz 1:2:2 --json {FLOOR}"
+    ).json
+    found = find_overturning_windows(
+        BLOCK,
+        "one-sine",
+        [2.0 * math.pi * hertz / BLOCK.p for hertz in (1.0, 2.0)],
+        within=(0.05, 1.5 * 9.80665 / BLOCK.uplift_acceleration),
+        floor=Floor(**MODES),
+    )
+    for row, first in zip(values["windows"], found.first.tolist(), strict=True):
+        assert row["first"] == pytest.approx(first, rel=1e-9)
+        for factor, status in ((0.999, "standing"), (1.0 + 1e-7, "overturned")):
+            size = repr(first * factor)
+            ratio = repr(row["frequency_ratio"])
+            alone = f"simulate {SIZE} --pulse one-sine -A {size} -W {ratio} --json {FLOOR}"
+            assert (rocksteady(alone).json["status"] == "overturned") == (status == "overturned")
+    assert values["floor"] == Floor(**MODES).label
+
+
+def test_cells_of_a_map_are_those_of_single_motions() -> None:
+    axes = "--accel-g 0.05:0.2:2 --freq-hz 1.2:2:2"
+    counts = rocksteady(f"map {SIZE} {axes} --json {FLOOR}").json["counts"]
+    kinds: dict[str, int] = {}
+    for size, hertz in itertools.product((0.05, 0.2), (1.2, 2.0)):
+        alone = f"attractor {SIZE} --accel-g {size} --freq-hz {hertz} --json {FLOOR}"
+        kind = rocksteady(alone).json["kind"]
+        kinds[kind] = kinds.get(kind, 0) + 1
+    assert {kind: count for kind, count in counts.items() if count} == kinds
+
+
+@pytest.mark.parametrize("start", ["", "--start 0.1,0 "])
+def test_an_axis_of_amplitudes_is_that_of_the_ground(start: str) -> None:
+    factor = Floor(frequencies_hz=3.0).amplification(2.0).item()
+    lows = {"": (0.05, 0.25), "--floor-hz 3": (0.05 / factor, 0.25 / factor)}
+    direct, floor = (
+        rocksteady(
+            f"bifurcate {SIZE} {start}--accel-g {low!r}:{high!r}:9 --freq-hz 2 "
+            f"--harmonic 1,1,0 {flags} --json --max-period 1 --max-branches 1"
+        ).json["branches"]
+        for flags, (low, high) in lows.items()
+    )
+    ends = [[end for each in branches for end in each["within"]] for branches in (direct, floor)]
+    assert [factor * end for end in ends[1]] == pytest.approx(ends[0], rel=1e-6)
+
+
+def test_a_safe_basin_erodes_as_on_the_ground_at_the_amplitude_of_the_floor() -> None:
+    floor = Floor(frequencies_hz=3.0)
+    factor, lead = floor.amplification(2.0).item(), floor.phase_lead(2.0).item()
+    window = "--angles=-1:1:24 --velocities=-1:1:24 --cycles 20 --freq-hz 2 --json"
+    found, direct = (
+        rocksteady(f"basins {SIZE} {window} --accel-g 0:{high!r}:4 {flags}").json
+        for high, flags in ((0.3, "--floor-hz 3"), (0.3 * factor, f"--harmonic 1,1,{lead!r}"))
+    )
+    for one, other in zip(found["erosion"], direct["erosion"], strict=True):
+        assert one["safe_share"] == pytest.approx(other["safe_share"], rel=1e-12)

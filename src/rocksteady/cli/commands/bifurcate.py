@@ -10,8 +10,10 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import Range, SeriesFlags, range_of
+from rocksteady.cli.flags.record_files import FloorFlags
 from rocksteady.cli.flags.sweep_start import SweepStart
 from rocksteady.model.checks.validation import positive, whole_number
+from rocksteady.model.motions.segments import Harmonic
 
 branch_flag = options.Panel("Branches")
 LONGEST_AXIS = 20_000
@@ -52,6 +54,7 @@ DOUBLINGS = 6
 def bifurcate(
     shaking: ShakingFlags,
     series: SeriesFlags,
+    floor: FloorFlags,
     block: BlockFlags,
     output: OutputFlags,
     start: SweepStart,
@@ -113,6 +116,10 @@ def bifurcate(
     whole_number("doublings", count, at_least=1, at_most=8, hint="give a whole number")
     whole_number("cycles", cycles, at_least=1, at_most=1_000_000, hint="give a whole number")
     check_top(top, output)
+    begins = replace(span.motion, phase=start.first_phase)
+    motion = floor.along(span.parameter, series.of(begins), span.body)
+    if isinstance(motion, Harmonic):
+        span = replace(span, amplitude=motion.amplitude)
     sweeping = check_sweeps(span, start, no_sweeps=no_sweeps)
 
     announce_compilation("chains.fill_chain")
@@ -133,7 +140,7 @@ def bifurcate(
     with progress("following", 1, lines=False) as done:
         diagram = find_bifurcations(
             span.body,
-            series.of(replace(span.motion, phase=start.first_phase)),
+            motion,
             span.parameter,
             within=(span.values[0], span.values[-1]),
             values=span.values if sweeping else 0,
@@ -163,7 +170,7 @@ def bifurcate(
         f"--cycles {cycles}" if cycles != CYCLES else "",
         "--model nonlinear" if model == "nonlinear" else "",
     ]
-    further = options.follow_up("bifurcate", shaking, series, block, start, *flags)
+    further = options.follow_up("bifurcate", shaking, series, floor, block, start, *flags)
     output.leave(
         "bifurcate",
         description,

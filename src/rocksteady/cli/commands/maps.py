@@ -12,8 +12,9 @@ from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.flags.map_axes import MapCase, MapStartFlags, map_case
+from rocksteady.cli.flags.map_axes import FREQUENCY, RESIZED, MapCase, MapStartFlags, map_case
 from rocksteady.cli.flags.range import SeriesFlags
+from rocksteady.cli.flags.record_files import FloorFlags
 from rocksteady.cli.flags.sweep import SweepFlags, sweep_flag
 from rocksteady.errors import InputError
 
@@ -47,6 +48,7 @@ def maps(
     context: typer.Context,
     shaking: ShakingFlags,
     series: SeriesFlags,
+    floor: FloorFlags,
     block: BlockFlags,
     start: MapStartFlags,
     sweep: SweepFlags,
@@ -79,6 +81,11 @@ def maps(
     sweep.check(output)
     case = map_case(shaking, block, start)
     equations = equations_for(model, case.body)
+    motion = floor.of(case.body)
+    if series.given:
+        moving = [name for name in case.axes if name in RESIZED | FREQUENCY.keys()]
+        along = moving[0] if moving else "amplitude"
+        motion = floor.along(along, series.of(case.motion), case.body)
     colouring = _colouring(by, output, fates=fate)
     if output.plot is not None:
         _check_drawable(case)
@@ -101,7 +108,7 @@ def maps(
         cells = map_of(
             FATES if fate else ATTRACTORS,
             case.body,
-            series.of(case.motion) if series.given else None,
+            motion,
             axes={**case.axes, **case.fixed},
             start=case.start.of(case.motion.frequency_ratio),
             cycles=cycles,
@@ -126,7 +133,9 @@ def maps(
         "" if refine is None else f"--refine {refine}",
         "" if sweep.out is None else f"--out {quoted(sweep.out)} --resume",
     ]
-    further = options.follow_up("map", shaking, series, block, start, *chosen, "--plot map.png")
+    further = options.follow_up(
+        "map", shaking, series, floor, block, start, *chosen, "--plot map.png"
+    )
     output.leave(
         "map",
         replace(description, notes=[*description.notes, _speed(meter)]),

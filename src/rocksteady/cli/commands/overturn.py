@@ -146,7 +146,7 @@ def overturn(
     else:
         _refuse("a search without --kick", of_kicks)
         _refuse("a search without --record", {"--scales": scales})
-        recorded.given(reading, pulse=pulse.given)
+        recorded.given(reading, pulse=pulse.given, on_floor=pulse.given)
         body = block.described()
         equations = equations_for(model, body, Still())
         if not pulse.given:
@@ -160,7 +160,10 @@ def overturn(
         ratios = sorted(set(size.of(body)[1]))
         unit = Harmonic(amplitude=1.0, frequency_ratio=ratios[0])
         shape = pulse.of(unit, phase=phase, reverse=recorded.reverse)
-        within = _range(body, amplitude, accel_g)
+        floor = reading.of(body)
+        from rocksteady.model.motions.floor import LEAST_LIFT
+
+        within = _range(body, amplitude, accel_g, 1.0 if floor is None else LEAST_LIFT)
         if len(ratios) < 2:
             refuse(
                 {"--plot": output.plot},
@@ -171,6 +174,7 @@ def overturn(
         from rocksteady.show.figures.single import overturning_figure
 
         how: dict[str, Any] = {"within": within, "resolution": resolution, "model": equations}
+        how["floor"] = floor
         search = Search(
             find=partial(find_overturning_windows, body, shape, ratios, **how),
             words="searching frequencies",
@@ -356,7 +360,7 @@ def _motions(
 
 
 def _range(
-    body: Block | DimensionlessBlock, amplitude: str | None, accel_g: str | None
+    body: Block | DimensionlessBlock, amplitude: str | None, accel_g: str | None, least: float
 ) -> tuple[float, float] | None:
     """Return the range of amplitudes that the flags name; None where they name none.
 
@@ -368,7 +372,7 @@ def _range(
     if amplitude is not None and accel_g is not None:
         raise both("--amplitude/-A", "--accel-g", valid="at most one of the two is the range")
     # Of an asymmetric block the other side may lift sooner.
-    lowest = min(ratio for _, ratio, _ in body.dimensionless().sides)
+    lowest = least * min(ratio for _, ratio, _ in body.dimensionless().sides)
     if accel_g is None:
         return None if amplitude is None else _ends("--amplitude/-A", amplitude, lowest)
     if isinstance(body, DimensionlessBlock):

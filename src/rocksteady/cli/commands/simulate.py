@@ -165,14 +165,12 @@ def next_command(
     if recorded.record:
         whole = replace(recorded, scale=None, pga_g=None)
         return options.follow_up("overturn", whole, reading, block, full)
-    if pulse.given and reading.floor is not None:  # windows of a pulse are those on the ground
-        return options.follow_up(
-            "simulate", pulse, shaking, recorded, reading, block, full, "--csv run.csv"
-        )
     if pulse.given:
         phase = "" if start.phase is None else f"--phase {start.phase!r}"
         frequency = replace(shaking, amplitude=None, accel_g=None, accel_m_s2=None)
-        return options.follow_up("overturn", pulse, frequency, recorded, phase, block, full)
+        return options.follow_up(
+            "overturn", pulse, frequency, recorded, reading, phase, block, full
+        )
     if isinstance(motion, Still):
         begin = start.start if "," in start.start else "0,0"
         return options.follow_up("overturn --kick", f"--start {begin}", block, full)

@@ -59,7 +59,12 @@ def steady(
     amplitudes, ratios = shaking.of(body)
     for parameter, values in (("amplitude", amplitudes), ("frequency_ratio", ratios)):
         if len(values) > 1:
-            floor.refuse_axis(parameter)
+            refuse(
+                {"--floor-hz": floor.floor_hz},
+                f"{options.FLAG_OF_ARGUMENT[parameter]} is an axis, and axes of closed forms are "
+                "those of the shaking at the block",
+                "draw what it settles to with rocksteady map, or give one amplitude and frequency",
+            )
     if len(amplitudes) == len(ratios) == 1:
         amplitudes = [floor.on_floor(shaking.at(body), body).amplitude]
     if len(set(order or (1,))) > 1 and len(ratios) == 1:

@@ -16,6 +16,7 @@ from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.motions.fourier import FourierSeries
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.rendering import printable
@@ -121,20 +122,39 @@ class FloorFlags:
                 }
             )
 
-    def refuse_axis(self, parameter: str) -> None:
-        """Refuse a floor beside an axis of the shaking, which is that at the block.
+    def of(self, body: Any) -> "Floor | None":
+        """Return the floor under a block; None of the ground.
 
         Raises
         ------
-        FlagError
-            If there is one.
+        InputError, FlagError
+            As for `floor`; and if the block has no p.
         """
-        refuse(
-            {"--floor-hz": self.floor_hz},
-            f"{FLAG_OF_ARGUMENT[parameter]} is an axis, and axes are those of the shaking at the "
-            "block",
-            "give one amplitude and one frequency, or the axis of the floor without it",
-        )
+        if self.floor is not None and not isinstance(body, Block):
+            raise FlagError(
+                "--floor-hz", self.floor_hz, "hertz need a block with a p", "describe a block"
+            )
+        return self.floor
+
+    def along(self, parameter: str | None, motion: Any, body: Any) -> Any:
+        """Return the motion of the floor where a parameter moves, its amplitude the ground's.
+
+        Raises
+        ------
+        InputError, FlagError
+            As for `on_floor`; and if the hertz move.
+        """
+        if self.floor is None or parameter in (None, "restitution"):
+            return self.on_floor(motion, body)
+        if parameter not in ("amplitude", "acceleration_m_s2", "phase"):
+            flag, hint = FLAG_OF_ARGUMENT[parameter], "give rocksteady map that axis, as a sinusoid"
+            valid = f"{flag} is an axis here, and each frequency has its own shaking of the floor"
+            raise FlagError("--floor-hz", self.floor_hz, valid, f"{hint}, or one frequency here")
+        if isinstance(motion, Harmonic):
+            self.on_floor(motion, body)  # for its note
+            wave = {name: getattr(motion, name) for name in ("amplitude", "frequency_ratio")}
+            motion = FourierSeries(**wave, harmonics=((1, 1.0, 0.0),), phase=motion.phase)
+        return self.on_floor(motion, body)
 
     def on_floor(self, motion: Any, body: Any = None) -> Any:
         """Return the motion of the floor; on the ground the motion itself.
@@ -148,10 +168,8 @@ class FloorFlags:
         """
         if self.floor is None:
             return motion
-        if not isinstance(body, Block) and hasattr(motion, "segments"):
-            raise FlagError(
-                "--floor-hz", self.floor_hz, "hertz need a block with a p", "describe a block"
-            )
+        if hasattr(motion, "segments"):
+            self.of(body)
         moved = self.floor.motion(motion, body)
         if isinstance(moved, Harmonic):
             factor = self.floor.amplification(moved.frequency_ratio * body.p / (2.0 * math.pi))

@@ -34,6 +34,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.housner_forms import Restitution, form_text
 from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
+from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 
 AMPLITUDES = frozenset({"amplitude", "acceleration_m_s2"})
@@ -99,6 +100,8 @@ class Scenario:
         block's own; None (default) for the block's own.
     model
         `Linear()` or `Nonlinear()`, which needs a `Block`.
+    floor
+        Floor of a `Block`; amplitude and phase are then those of the ground.
 
     Raises
     ------
@@ -122,6 +125,7 @@ class Scenario:
     fixed: tuple[tuple[str, float], ...] = ()
     housner: float | None = None
     model: Model = field(default_factory=Linear)
+    floor: Floor | None = None
 
     def __post_init__(self) -> None:
         """Validate each part, and whether they go together."""
@@ -137,6 +141,9 @@ class Scenario:
         object.__setattr__(self, "model", chosen_model(self.model, self.block))
         check_sizes(self.block, self.given)
         self._check_restitution()
+        if self.floor is not None and not isinstance(self.block, Block):
+            valid = "a block of which only the restitution is known has no hertz"
+            raise ModelError("motion", self.floor, valid, "give a Block")
         self._check_motion()
         self._check_start()
 
@@ -213,6 +220,8 @@ class Scenario:
             attributes["start"] = "state" if moved else "rest"
         if isinstance(self.motion, FourierSeries):
             attributes["harmonics"] = str(self.motion.harmonics)
+        if self.floor is not None:
+            attributes["floor"] = self.floor.label
         attributes["model"] = self.model.name
         return attributes
 
@@ -233,6 +242,9 @@ class Scenario:
         restitution: Restitution | None = given.get("restitution", block_restitution)
         block = block_of(self.block, self.sizes, given, restitution)
         shaking: PeriodicMotion = shaking_of(block, given)
+        if self.floor is not None and isinstance(block, Block):
+            size, phase = self._felt(shaking.amplitude, shaking.frequency_ratio, block.p)
+            shaking = replace(shaking, amplitude=float(size), phase=shaking.phase + float(phase))
         if isinstance(self.motion, FourierSeries):
             ratios = {name: getattr(shaking, name) for name in ("amplitude", "frequency_ratio")}
             shaking = replace(self.motion, phase=shaking.phase, **ratios)
@@ -280,6 +292,10 @@ class Scenario:
             if self.sizes:
                 given.setdefault("restitution", felt.restitution)
                 given.setdefault("alpha", felt.alpha)
+            if self.floor is not None:
+                ratio = given["frequency_ratio"]
+                given["amplitude"], lead = self._felt(given["amplitude"], ratio, felt.p)
+                given["phase"] = given.get("phase", 0.0) + lead
         full = {name: np.full(count, value) for name, value in given.items()}
         sides = self._sides(full, count)
         shaken = full["amplitude"], full["frequency_ratio"], sides
@@ -300,6 +316,14 @@ class Scenario:
             phase=phase,
             there=exists,
         )
+
+    def _felt(
+        self, amplitude: float | Floats, ratio: float | Floats, p: float | Floats
+    ) -> tuple[Floats, Floats]:
+        """Return the amplitude on the floor, and by how much its phase is ahead."""
+        assert self.floor is not None
+        hertz = ratio * p / (2.0 * math.pi)
+        return amplitude * self.floor.amplification(hertz), self.floor.phase_lead(hertz)
 
     def _sides(self, given: Mapping[str, Floats], count: int) -> Floats:
         """Return the sides of the blocks of many cells."""

@@ -20,6 +20,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
+from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START
 from rocksteady.sweep.cases.labelled import as_dataset
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
 @checked
 def map_attractors(
     block: Block | DimensionlessBlock,
-    motion: PeriodicMotion | None = None,
+    motion: PeriodicMotion | Floor | None = None,
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | HasStart | None = None,
@@ -50,7 +51,8 @@ def map_attractors(
     ----------
     block, motion, start
         What is not in `axes` stays as it is given here.  A `Harmonic` keeps its two ratios, also
-        where a size moves.  Without a motion, `axes` names its amplitude and frequency.
+        where a size moves.  Without a motion, `axes` names its amplitude and frequency; so it does
+        of the ground with a `rocksteady.motions.Floor`, whose lasting shaking a `Block` then has.
     axes
         Values, shape (points,), by parameter, in the order of the dimensions; a number fixes one.
 

@@ -15,6 +15,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
+from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START, NO_START_LABEL
 from rocksteady.sweep.cases.labelled import as_dataset
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 @checked
 def map_fates(
     block: Block | DimensionlessBlock,
-    motion: PeriodicMotion | None = None,
+    motion: PeriodicMotion | Floor | None = None,
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | HasStart | None = None,

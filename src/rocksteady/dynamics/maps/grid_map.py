@@ -17,6 +17,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.housner_forms import Impacts
 from rocksteady.model.equations import Model, chosen_model
+from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -64,7 +65,7 @@ class Question:
 def map_of(
     question: Question,
     block: Block | DimensionlessBlock,
-    motion: PeriodicMotion | None,
+    motion: PeriodicMotion | Floor | None,
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | HasStart | None,
@@ -78,14 +79,16 @@ def map_of(
     Parameters and errors are those of `rocksteady.map_attractors`.
     """
     grid, fixed, housner = _grid(axes)
+    floor = motion if isinstance(motion, Floor) else None
     scenario = Scenario(
         axes=grid.names,
         block=block,
-        motion=motion,
+        motion=None if isinstance(motion, Floor) else motion,
         start=start_of(start),
         fixed=fixed,
         housner=housner,
         model=chosen_model(model, block),
+        floor=floor,
     )
     scenario.check({axis.name: axis.points for axis in grid.axes})
     periods = FORCING_PERIODS(question.counted, question.cycles if cycles is None else cycles)

@@ -44,12 +44,13 @@ def describe(dataset: "Labelled") -> Description:
     name = "fate" if fates else "kind"
     counts, longer = map_counts(dataset)
     cells = cell_count(dataset)
-    cycles = _cycles(dataset)
+    cycles, floor = _cycles(dataset), dataset.attrs.get("floor")
     facts = [
         *grid_facts(dataset),
         Fact("fate", fates),
         Fact("cycles", cycles, "followed for", f"{cycles} periods at most"),
         Fact("model", _model(dataset), "model"),
+        Fact("floor", floor, "stands on" if floor else ""),
         *_parameters(dataset),
         Fact("counts", counts),
         Fact("shares", {word: count / cells for word, count in counts.items()}),
@@ -111,6 +112,7 @@ def _answer(
             ("falls", f"{falls:,} of {plural(cells, 'cell')} ({_axes(dataset)})"),
             ("rocks", ", ".join(kinds)),
             ("left out", "; ".join(missing)),
+            ("stands on", str(given.get("floor", ""))),
             ("linear model", UNLIKE if linear else ""),
             ("computed", model),
         ],
@@ -159,6 +161,7 @@ def headline(dataset: "Labelled") -> str:
         parts.append(f"from {given['angle']:g},{given['velocity']:g}")
     if given.get("phase"):
         parts.append(f"phase {given['phase']:.4g} rad")
+    parts += [given["floor"]] if "floor" in given else []
     parts.append(f"{_model(dataset)} model")
     fates = "fate" in dataset
     what = f"The block after {_cycles(dataset)} periods" if fates else "What the block settles to"

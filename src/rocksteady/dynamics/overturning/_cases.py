@@ -2,6 +2,7 @@
 
 import functools
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any
@@ -10,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.dynamics.history.lowering import only_side, segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
-from rocksteady.dynamics.overturning.scan import scan
+from rocksteady.dynamics.overturning.scan import MANY, MOST, Fates, scan
 from rocksteady.dynamics.overturning.window_cells import (
     CLOSEST,
     MOST_WINDOWS,
@@ -25,7 +26,9 @@ from rocksteady.kernels.core.tables import CEILING, LEFT_OUT
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.pulses import Pulse
+from rocksteady.model.motions.segments import Piecewise, segments_of
 
 MOST_LINES = 1000
 """Segments of a pulse from which on a nonlinear search goes by fewer of them."""
@@ -50,20 +53,28 @@ def windows_at(
     low: float,
     high: float,
     resolution: float,
+    floor: Floor | None = None,
 ) -> dict[str, NDArray[Any]]:
     """Return the windows at some frequencies."""
     table, sides = _tables(block, model, pulse)
-    uplifts = uplifts_of(sides)
+    uplifts: Sequence[float] = uplifts_of(sides)
     lines, quick = table, sides
-    if isinstance(model, Nonlinear) and len(table) > MOST_LINES:
+    if isinstance(model, Nonlinear) and len(table) > MOST_LINES and floor is None:
         tolerance = max(ROUGH, pulse.tolerance)
         lines, _ = _tables(block, model, replace(pulse, tolerance=tolerance))
         quick = sides.copy()
         quick[:, LEFT_OUT] = np.maximum(sides[:, LEFT_OUT], ROUGH_LEFT_OUT)
     windows_found = nothing_found(len(frequency_ratio))
     for cell, ratio in enumerate(frequency_ratio.tolist()):
+        speed = ratio
+        if floor is not None:
+            moved = replace(pulse, frequency_ratio=ratio)
+            (table, uplifts), speed = _on_floor(floor, block, model, moved), 1.0
+            lines = table
         exact, rough = (
-            functools.partial(follow, ratio=ratio, table=rows, sides=lanes)
+            functools.partial(
+                follow if floor is None else _uncounted, ratio=speed, table=rows, sides=lanes
+            )
             for rows, lanes in ((table, sides), (lines, quick))
         )
         windows = scan(
@@ -75,9 +86,32 @@ def windows_at(
             keep=MOST_WINDOWS,
             rough=None if lines is table else rough,
             closest=CLOSEST if isinstance(model, Nonlinear) else 0.0,
+            most=MOST if floor is None else 3 * MOST,
+            numbered=floor is None,
         )
+        if floor is not None:
+            windows = windows._replace(impacts=windows.impacts - MANY)
         keep(windows_found, cell, windows)
     return windows_found
+
+
+def _uncounted(amplitude: Floats, **how: Any) -> Fates:
+    """Return the fates under a motion whose impacts are many, and make no windows of their own."""
+    fates = follow(amplitude, **how)
+    return fates._replace(impacts=fates.impacts + MANY)
+
+
+def _on_floor(
+    floor: Floor, block: Block | DimensionlessBlock, model: Model, pulse: Pulse
+) -> tuple[Floats, list[float]]:
+    """Return the segments of a floor, and the amplitudes of its pulse at which a side lifts."""
+    assert isinstance(block, Block)
+    moved: Any = floor.motion(pulse, block)
+    table, sides = _tables(block, model, moved)
+    lines, sign = segments_of(moved)[:-1], only_side(sides)  # 0 where both sides are free
+    ends = [a for p in lines for a in (p.constant, p.constant + p.slope * p.duration)]
+    peak = max(sign * end if sign else abs(end) for end in ends)
+    return table, [uplift / peak for uplift in uplifts_of(sides)]
 
 
 def load_kernel(block: Block | DimensionlessBlock, model: Model, pulse: Pulse) -> None:
@@ -87,7 +121,9 @@ def load_kernel(block: Block | DimensionlessBlock, model: Model, pulse: Pulse) -
 
 
 @lru_cache(maxsize=8)
-def _tables(block: Block | DimensionlessBlock, model: Model, pulse: Pulse) -> tuple[Floats, Floats]:
+def _tables(
+    block: Block | DimensionlessBlock, model: Model, pulse: Pulse | Piecewise
+) -> tuple[Floats, Floats]:
     """Return the segments of a pulse, without the still base after it, and the block's sides."""
     sides = sides_of(block, model)
     if isinstance(model, Linear):

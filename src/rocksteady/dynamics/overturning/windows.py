@@ -14,7 +14,7 @@ from rocksteady.dynamics.overturning._cases import BATCH, load_kernel, windows_a
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
 from rocksteady.dynamics.overturning.window_cells import kept_windows, outputs, uplifts_of
 from rocksteady.dynamics.overturning.window_lists import WindowLists, listed
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.gravity import in_g
@@ -22,6 +22,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, is_pair, rising
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import amplitude_text, case_text, restitution_values
+from rocksteady.model.motions.floor import LEAST_LIFT, Floor
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -55,6 +56,8 @@ class OverturningWindows(WindowLists):
     ----------
     block, pulse
         Block and pulse; only the shape of the pulse counts.
+    floor
+        Floor of the block, or None; amplitudes and frequencies are those of the ground.
     model
         `Linear()` or `Nonlinear()`.
     frequency_ratio
@@ -88,6 +91,7 @@ class OverturningWindows(WindowLists):
 
     pulse: Pulse
     frequency_ratio: Floats
+    floor: Floor | None = None
 
     def _row_of(self, index: int | str) -> int:
         """Return a frequency by its number."""
@@ -107,13 +111,14 @@ class OverturningWindows(WindowLists):
             attrs={
                 "pulse": self.pulse.shape,
                 "reversed": int(self.pulse.reverse),
+                **({} if self.floor is None else {"floor": self.floor.label}),
                 **self._searched,
             },
         )
 
     def describe(self) -> Description:
         """Return the windows by frequency, in g and Hz too where the block has a size."""
-        block, pulse = self.block, self.pulse
+        block, pulse, floor = self.block, self.pulse, self._floor_text
         least, most = (amplitude_text(block, end) for end in self.within)
         facts = [
             self._block_fact,
@@ -121,6 +126,7 @@ class OverturningWindows(WindowLists):
             Fact("reversed", pulse.reverse),
             Fact("oscillations", pulse.oscillations),
             Fact("phase", pulse.phase),
+            Fact("floor", floor or None, "stands on" if floor else ""),
             Fact("model", self.model.name, "model"),
             Fact("amplitudes", list(self.within), "searched", f"{least} to {most}"),
             Fact("resolution", self.resolution),
@@ -134,7 +140,7 @@ class OverturningWindows(WindowLists):
             most=MOST_ROWS,
             severity=lambda row: -row["low"],
         )
-        notes = ["A is a/(alpha g)."]
+        notes = [f"A is a/(alpha g){', of the ground' if floor else ''}."]
         stands = [number(row["frequency_ratio"]) for row in rows if not row["modes"]]
         if stands:
             notes.append(
@@ -154,7 +160,9 @@ class OverturningWindows(WindowLists):
                 "ended before all of them."
             )
         headline = (
-            f"Overturning: {self._pulse_text} pulse, {case_text(block)}, {self.model.name} model"
+            f"Overturning: {self._pulse_text} pulse, "
+            f"{floor}{', ' if floor else ''}"
+            f"{case_text(block)}, {self.model.name} model"
         )
         tables = [windows, Table("windows", rows)]
         return Description(headline, facts, tables, notes, answer=self._answer(rows))
@@ -175,7 +183,12 @@ class OverturningWindows(WindowLists):
         ]
         shown, pulse = self._by_first, f"{self._pulse_text} pulse"
         searched = f"{write(self.within[0])} to {write(self.within[1])}{self._missing}"
-        facts = [self._undecided, ("searched", searched), self._computed]
+        facts = [
+            ("stands on", self._floor_text),
+            self._undecided,
+            ("searched", searched),
+            self._computed,
+        ]
         if not shown:
             at = names[0] if len(names) == 1 else f"all {len(names)} frequencies"
             top = write(self.within[1])
@@ -210,11 +223,16 @@ class OverturningWindows(WindowLists):
         """The pulse in a word or two."""
         return f"reversed {self.pulse.shape}" if self.pulse.reverse else self.pulse.shape
 
+    @property
+    def _floor_text(self) -> str:
+        """The floor in words; empty on the ground."""
+        return "" if self.floor is None else self.floor.label
+
     def _row(self, index: int) -> dict[str, Any]:
         """Return all that is known at one of the frequencies."""
         ratio, intervals = float(self.frequency_ratio[index]), self.intervals(index)
         closed = None
-        if self.pulse.shape in THRESHOLDS and isinstance(self.model, Linear):
+        if self.pulse.shape in THRESHOLDS and isinstance(self.model, Linear) and self.floor is None:
             closed = float(threshold_without_impact(self.block, self.pulse, ratio))
         row: dict[str, Any] = {
             "frequency_ratio": ratio,
@@ -280,6 +298,7 @@ def find_overturning_windows(
     within: tuple[float, float] | None = None,
     resolution: float | None = None,
     model: Model | None = None,
+    floor: Floor | None = None,
     run: Execution | None = None,
 ) -> OverturningWindows:
     """Find all windows of amplitude in which a pulse overturns a block, over the frequency.
@@ -309,6 +328,10 @@ def find_overturning_windows(
         Largest step of the first amplitudes, as a part of them (default 0.002).
     model
         `Linear()`, in closed form, or `Nonlinear()`; by default nonlinear for a `Block`.
+    floor
+        A `rocksteady.motions.Floor` on which the block stands, a `Block`: at each frequency the
+        motion is `floor_motion` of the pulse; amplitudes are those of the ground, by default from
+        0.05 of uplift.  Impacts are many there: they vary in a window, and do not part any.
     run
         Executor, store and progress, as for `evaluate`; a cell is a frequency.
 
@@ -342,9 +365,13 @@ def find_overturning_windows(
     unit = _unit(pulse, axis.points)
     chosen = chosen_model(model, block, unit)
     # What counts of a block of the linear model is dimensionless.
-    body = bare if isinstance(chosen, Linear) else block
+    body = bare if isinstance(chosen, Linear) and floor is None else block
+    if floor is not None and not isinstance(block, Block):
+        raise ModelError("floor", floor, "its hertz need a block with a p", "give a Block")
     uplifts = uplifts_of(sides_of(body, chosen))
     usual = min(*uplifts, 1.0), min(max(TOP, UPLIFTS * max(uplifts)), HIGHEST)
+    if floor is not None:
+        usual = LEAST_LIFT * usual[0], usual[1]
     low, high = range_of(usual if within is None else within)
     hint = "give a part of the amplitude, as 0.002"
     part = RESOLUTION if resolution is None else resolution
@@ -359,6 +386,7 @@ def find_overturning_windows(
             low=low,
             high=high,
             resolution=step,
+            floor=floor,
         ),
         Grid(axes=(axis,)),
         outputs(),
@@ -370,6 +398,7 @@ def find_overturning_windows(
         pulse=unit,
         model=chosen,
         frequency_ratio=axis.points,
+        floor=floor,
         within=(low, high),
         resolution=step,
         **kept_windows(data),

@@ -45,6 +45,8 @@ MOST_SAMPLES = 5_000_000
 """Of the record of a floor."""
 
 DEFAULT_TOLERANCE = 1e-3
+LEAST_LIFT = 0.05
+"""Part of the acceleration that lifts a block from which on searches try motions of a ground."""
 
 AnyMotion = TypeVar(
     "AnyMotion", Record, BaseMotion, Record | BaseMotion, Harmonic, FourierSeries, Motion
@@ -148,13 +150,27 @@ class Floor:
         InputError
             If one is none of these.
         """
+        sine, cosine = self._shares(frequency_hz)
+        return hypot(sine, cosine)
+
+    def phase_lead(self, frequency_hz: "ArrayLike") -> "Floats":
+        """Return by how much the floor's phase is ahead of the ground's then, (-pi, pi] [rad].
+
+        Parameters and errors are those of `amplification`.
+        """
+        sine, cosine = self._shares(frequency_hz)
+        return atan2(cosine, sine)
+
+    def _shares(self, frequency_hz: "ArrayLike") -> "tuple[Floats, Floats]":
+        """Return the sine's and the cosine's share of the floor under a lasting sine of size 1."""
         import numpy as np
 
         given = np.asarray(frequency_hz, dtype=np.float64)
         if not ((given >= 1.0 / LARGEST) & (given <= LARGEST)).all():
             valid = f"all must lie in [{1.0 / LARGEST:g}, {LARGEST:g}]"
             raise InputError("frequency_hz", frequency_hz, valid, "give frequencies in Hz")
-        return np.asarray(hypot(*self._modes_at(1.0).shares(2.0 * math.pi * given)))
+        sine, cosine = self._modes_at(1.0).shares(2.0 * math.pi * given)
+        return np.asarray(sine), np.asarray(cosine) + np.zeros_like(given)
 
     def motion(
         self, motion: AnyMotion, block: Block | None = None, *, tolerance: float = DEFAULT_TOLERANCE

@@ -122,9 +122,7 @@ def basins(
         "give --phase for harmonic shaking, or add --record or --pulse",
     )
     body, scale, moving = _case(shaking, block, window.phase)
-    if moving is not None and moving[0] != "restitution":
-        reading.refuse_axis(moving[0])
-    motion = reading.on_floor(series.of(scale), body)
+    motion = reading.along(None if moving is None else moving[0], series.of(scale), body)
     equations = equations_for(model, body)
     eroding = moving is not None and moving[0] == "amplitude" and not shares
     _refuse(moving, window.seed, entropy, eroding=eroding, shares=shares, exponent=exponent)
