@@ -20,7 +20,9 @@ from matplotlib.path import Path
 from rocksteady import Block, DimensionlessBlock, find_overturning_windows, plots
 from rocksteady.errors import InputError
 from rocksteady.formulas import free_rocking_period, overturning_amplitude
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.equations import Nonlinear
+from rocksteady.motions import Floor
 from rocksteady.overturning import OverturningWindows
 from rocksteady.show.figures.single import overturning_figure
 from rocksteady.show.plots.overturning import MODES
@@ -119,6 +121,22 @@ def test_windows_left_out_are_not_drawn_as_standing() -> None:
     legend = axes.get_legend()
     assert legend is not None
     assert "narrower windows, not listed" in [text.get_text() for text in legend.get_texts()]
+
+
+def test_on_a_floor_falls_are_of_one_kind_from_the_least_amplitude_on() -> None:
+    block = Block.rectangle(width=0.5, height=2.0)
+    windows = find_overturning_windows(
+        block, "one-sine", [2.4, 2.8], resolution=0.05, floor=Floor(frequencies_hz=1.7)
+    )
+    axes = plots.overturning(windows, Figure().add_subplot(), legend="right")
+    assert not axes.lines
+    written = [text.get_text() for text in axes.texts]
+    if legend := axes.get_legend():
+        written += [text.get_text() for text in legend.get_texts()]
+    assert "falls" in written
+    assert not any("impact" in text for text in written)
+    low = windows.within[0] * block.uplift_acceleration / STANDARD_GRAVITY
+    assert axes.get_ylim()[0] == pytest.approx(low)
 
 
 def test_the_closed_form_is_drawn_where_there_is_one() -> None:

@@ -71,7 +71,7 @@ class OverturningWindows(WindowLists):
         Windows that touch differ in their impacts or their side.
     impacts
         Impacts before the block overturns, as `Impacts` counts them, the same shape; -1 beyond the
-        last.  Ten or more vary in a window, and those at its lower end stand here.
+        last.  Ten or more, and on a floor all, vary in a window: those at its lower end stand here.
     side
         Side on which it falls, +1 or -1; 0 beyond the last.
     first

@@ -35,6 +35,8 @@ MODES = (
 )
 """Words, pattern and least number of impacts of each way of falling: the more impacts, the denser
 the pattern."""
+FALLS = (("falls", "/", 0),)
+"""The same on a floor, where impacts vary in a window."""
 STANDS = -1
 """Code of the area where the block stands, beside those numbers."""
 UNLISTED = -2
@@ -70,7 +72,7 @@ def plot_overturning(
     where narrower windows are left out crosses are. What is not written upon its area is in the
     legend.
     Where the pulse has one, the closed form of falling without an impact is drawn over it, dashed,
-    which is that of the linear model.
+    which is that of the linear model.  On a floor impacts vary in a window, and there is none.
 
     Parameters
     ----------
@@ -123,14 +125,14 @@ def plot_overturning(
     by_ratio = len(w) > 2 and spaced_by_ratio(w)
     low, high = windows.within
     uplift = min(ratio for _, ratio, _ in windows.block.dimensionless().sides)
-    low = max(low, uplift) if high > uplift else low
+    low = max(low, uplift) if high > uplift and windows.floor is None else low
     right, up = (scale_of(name, windows.block) for name in ("frequency_ratio", "amplitude"))
     factors = np.array([right.factor, up.factor])
     parts = _parts(windows, by_ratio=by_ratio)
     style = area_style(inks, "falls")
     handles: dict[int, Patch] = {}
     lines: list[Line2D] = []
-    for words, hatch, least in MODES:
+    for words, hatch, least in _ways(windows):
         if not parts[least]:
             continue
         outlines = [part * factors for part in parts[least]]
@@ -142,9 +144,9 @@ def plot_overturning(
         axes.add_collection(rims, autolim=False)
         handles[least] = Patch(**(style | {"hatch": hatch, "linewidth": 0.6}), label=words)
     handles |= _draw_unlisted(axes, windows, factors, by_ratio=by_ratio)
-    # A wall holds the block in the first half of a reversed pulse: there is no closed form.
-    held = windows.block.one_sided and windows.pulse.reverse
-    if closed_form and windows.pulse.shape in THRESHOLDS and not held:
+    # None on a floor, and where a wall holds the block in the first half of a reversed pulse.
+    without = windows.floor is not None or (windows.block.one_sided and windows.pulse.reverse)
+    if closed_form and windows.pulse.shape in THRESHOLDS and not without:
         spread = np.geomspace if by_ratio else np.linspace
         fine = spread(w[0], w[-1], 400)
         threshold = threshold_without_impact(windows.block, windows.pulse, fine)
@@ -221,10 +223,10 @@ def _write_words(
             codes[(middles > least) & (middles < most), k] = UNLISTED
         for window in windows.at(k):
             inside = (middles > window.low) & (middles < window.high)
-            codes[inside, k] = min(window.impacts, 2)
+            codes[inside, k] = _way(windows, window)
     words = {
         least: (text.removeprefix("falls ") if least else text, inks.falls)
-        for text, _, least in MODES
+        for text, _, least in _ways(windows)
     }
     words[STANDS] = ("stands", inks.paper)
     return write_words(axes, (np.array(between) * factors[0], rows), codes, words)
@@ -305,7 +307,7 @@ def _parts(windows: OverturningWindows, *, by_ratio: bool) -> dict[int, list[Flo
     """
     w = windows.frequency_ratio
     parts: dict[int, list[Floats]] = {least: [] for _, _, least in MODES}
-    columns = [_merged(windows.at(k)) for k in range(len(w))]
+    columns = [_merged(windows, k) for k in range(len(w))]
     growing: dict[int, list[tuple[float, float, float]]] = {}  # by their place in this column
     for k, column in enumerate(columns):
         before = _between(w, k - 1, by_ratio=by_ratio)
@@ -337,11 +339,21 @@ class _Drawn(NamedTuple):
     """Least number of impacts, as in `MODES`."""
 
 
-def _merged(windows: Sequence[OverturningWindow]) -> list[_Drawn]:
+def _ways(windows: OverturningWindows) -> tuple[tuple[str, str, int], ...]:
+    """Return the ways of falling that are told apart."""
+    return MODES if windows.floor is None else FALLS
+
+
+def _way(windows: OverturningWindows, window: OverturningWindow) -> int:
+    """Return the least number of impacts of the way of a window."""
+    return min(window.impacts, len(_ways(windows)) - 1)
+
+
+def _merged(windows: OverturningWindows, index: int) -> list[_Drawn]:
     """Return the windows of a frequency, those of one way that touch as one."""
     merged: list[_Drawn] = []
-    for window in sorted(windows, key=lambda item: item.low):
-        way = min(window.impacts, 2)
+    for window in sorted(windows.at(index), key=lambda item: item.low):
+        way = _way(windows, window)
         if merged and merged[-1].way == way and window.low <= merged[-1].high * TOUCHING:
             merged[-1] = merged[-1]._replace(high=max(merged[-1].high, window.high))
         else:
