@@ -174,7 +174,7 @@ def test_an_orbit_that_the_table_does_not_hold_is_left_over() -> None:
 
 
 def test_a_block_whose_whole_motion_is_to_be_seen_again_is_left_over() -> None:
-    """It falls after it has turned back above its slenderness."""
+    """It falls, and may have come back to its slenderness before."""
     arguments = CASES["record_fates"][1]()
     wanted = CASES["record_fates"][1]()
     record_fates(*wanted)

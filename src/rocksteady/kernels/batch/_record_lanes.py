@@ -15,11 +15,9 @@ from rocksteady.kernels.core import rides
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.tables import Floats, March, left_out_of
 from rocksteady.kernels.core.tuples import Tables
-from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats2, Integers2
 from rocksteady.kernels.nonlinear import sample_lanes as lane
-from rocksteady.kernels.nonlinear._expansion import BRIEF
 from rocksteady.kernels.nonlinear.proofs import HALF_PI
 from rocksteady.kernels.nonlinear.sample_lanes import LANES, step_lanes
 
@@ -92,7 +90,6 @@ def taken(lanes: Floats, wholes: Integers2, j: int, ride: Floats) -> March:
 @compiled
 def step(lanes: Floats, wholes: Integers2, segments: Floats2, limit: int) -> int:
     """Take lanes through a sample where it is plain; return how many stay where they are."""
-    longest = 0.0
     for j in range(LANES):
         segment = wholes[SEGMENT, j] & OFFSETS
         # The march takes over in a run of samples alone, and below the limit.
@@ -103,11 +100,7 @@ def step(lanes: Floats, wholes: Integers2, segments: Floats2, limit: int) -> int
         lanes[lane.SLOPE + j] = segments[segment, columns.SLOPE]
         lanes[lane.LIFT + j] = segments[segment, columns.LIFT]
         lanes[lane.LIFT_SLOPE + j] = segments[segment, columns.LIFT_SLOPE]
-        longest = max(longest, lanes[lane.DURATION + j] * lanes[lane.RATE + j])
-    if longest <= BRIEF:
-        step_lanes(lanes, TRUE)
-    else:
-        step_lanes(lanes, FALSE)
+    step_lanes(lanes)
     waiting = 0
     for j in range(LANES):
         passed = 1 if lanes[lane.PASSES + j] > 0.0 else 0

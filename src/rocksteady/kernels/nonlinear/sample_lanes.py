@@ -4,6 +4,7 @@ Fields of a lane are offsets into one flat array.
 """
 
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.elementary.circular import SMALL_ANGLE, small_sinc_cos
 from rocksteady.kernels.machine_code.compilation import inlined
 from rocksteady.kernels.machine_code.width import side_by_side
@@ -47,11 +48,20 @@ FIELDS = 18
 
 
 @inlined
-def step_lanes(lanes: Floats, brief: bool) -> None:
-    """Take lanes through a sample, as `kernels.nonlinear.samples` does.
+def step_lanes(lanes: Floats) -> None:
+    """Take lanes through a sample, as `kernels.nonlinear.samples` does."""
+    longest = 0.0
+    for j in range(LANES):
+        longest = max(longest, lanes[DURATION + j] * lanes[RATE + j])
+    if longest <= BRIEF:
+        _step(lanes, TRUE)
+    else:
+        _step(lanes, FALSE)
 
-    `brief` is whether the samples of all lanes are.
-    """
+
+@inlined
+def _step(lanes: Floats, brief: bool) -> None:
+    """Take lanes through a sample; `brief` is whether the samples of all are."""
     for j in range(LANES):
         y, v = lanes[ANGLE + j], lanes[VELOCITY + j]
         alpha, span = lanes[ALPHA + j], lanes[DURATION + j] * lanes[RATE + j]
