@@ -98,6 +98,11 @@ def test_a_share_of_runs_is_stated_as_a_count_with_its_interval() -> None:
         "It lifts at 0.2 g; the demand is 0.5 g and 0.4 m/s. In 6 of 20 runs that lift at the "
         "demand it falls. What matters most is the mass centre: over its range 10 to 30 % fall."
     )
+    # The answer lies outside the bar where it is by another curve.
+    curve = answered(Probability(value=0.5, basis="curve"), cases=cases)
+    assert curve.reason.endswith(
+        "over its range 10 to 30 % fall by the runs about the demand, 30 % as described."
+    )
     # None of the runs, and all of them, are no per cents.
     for share, words in (
         (0.0, "None of its 20 runs that lift fall at"),

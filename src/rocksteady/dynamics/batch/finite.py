@@ -59,7 +59,8 @@ class Fate(NamedTuple):
 def fate_of(segments: Floats, sides: Floats, angle: float, velocity: float) -> Fate:
     """Return what becomes of a block from a state on, as `simulate` finds it.
 
-    All but the peak is the same to the last bit; the peak is to within rounding, because it is
+    All but the peak is the same to the last bit, on a record where `Trajectory.growth` is below
+    some 1e12, beyond which rounding decides; the peak is to within rounding, because it is
     kept on the way and not read off a history.
 
     Parameters

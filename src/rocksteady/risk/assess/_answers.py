@@ -9,7 +9,7 @@ from rocksteady.results.answer import MOST_ROWS, Answer, left_out
 from rocksteady.results.doubts import FEW_RECORDS, misfit_words
 from rocksteady.results.numbers import chance, counted, interval, number, plural, quantity
 from rocksteady.risk.assess._remedies import Remedy, cheapest
-from rocksteady.risk.assess._sensitivity import bar_words, tornado
+from rocksteady.risk.assess._sensitivity import as_described, bar_words, tornado
 from rocksteady.risk.assess.described.objects import parameter_words
 
 FEWEST_ROWS = 5
@@ -87,7 +87,7 @@ def answer_of_object(result: Any) -> Answer:
         sentence = f"No answer yet: {at} lies outside the levels of the runs."
         count, verdict = f"{by_curve}{band}; {count}", f"provisional: {verdict}"
     matters = [
-        f"{parameter_words(bar['parameter'])}: {bar_words(bar)}"
+        f"{parameter_words(bar['parameter'])}: {bar_words(bar)}{as_described(bar, value)}"
         for bar in tornado(result.cases, result.basis)[:1]
         if bar_words(bar)
     ]

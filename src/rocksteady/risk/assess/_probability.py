@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from rocksteady.model.blocks.block import Block
 from rocksteady.results.doubts import MOST_MISFIT, far_above
 from rocksteady.results.numbers import chance, number, plural
 from rocksteady.risk.assess._counts import Basis, Motions, count_runs, is_fitted
@@ -195,6 +196,29 @@ def fit_fragilities(
     bands = [band_of(each, most=each.given.assessment.draws) for each in objects]
     ensembles = _run_objects(objects, motions, levels, bands, run=run)
     return [fit_fragility(ensemble, fitting=fitting) for ensemble in ensembles]
+
+
+def fitted_probability(
+    described: DescribedObject,
+    block: Block,
+    motions: Motions,
+    level: DemandLevel,
+    *,
+    run: Execution | None = None,
+) -> float:
+    """Return the probability at a demand by the curve of a changed object; nan without a curve.
+
+    Its levels and restitutions are those of `fit_fragilities`.
+    """
+    options, measure = described.given.assessment, level.measure
+    levels = replace(levels_of(measure, block, motions, options.levels), beside=())
+    band = band_of(described, most=options.draws)
+    (ensemble,) = run_each([block], motions, levels=[levels], restitution=band, run=run)
+    fitting = FitOptions(states=[OVERTURNED], bands=None, measures=())
+    curve = fit_fragility(ensemble, fitting=fitting).state(OVERTURNED).curve
+    if not is_fitted(curve):
+        return math.nan
+    return float(curve.probability(np.array([level.of(measure, block)]))[0])
 
 
 def _run_objects(

@@ -14,6 +14,7 @@ from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.results.numbers import chance, counted, length, number, plural
 from rocksteady.risk.assess._counts import Basis, Counts, Motions, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel, measured
+from rocksteady.risk.assess._probability import fitted_probability
 from rocksteady.risk.assess._sensitivity import (
     CENTRE,
     MOST_DRAWS,
@@ -40,10 +41,12 @@ ROUNDS = 16
 """Runs of the changed object after which the search ends; halves alone need 8 for a width."""
 MARGIN = 0.1
 """Share of a bracket that a step keeps from both ends."""
+ASIDE = 0.4
+"""Part of `FINEST` by which a step goes beyond the change that is thought to be the least."""
 SMALLEST = 1e-3
 """Probability below which a step takes every other for the same."""
-NO_FALLS = "not worked out: the runs about the demand are within the target as they are"
-"""Of remedies where the runs about the demand have nothing to remedy."""
+WITHIN = "not worked out: the object is within the target as it is"
+"""Of remedies where there is nothing to remedy."""
 STAYS = "not worked out: the demand lifts an end of its ranges alone, not the object as described"
 """Of remedies where the object as described stays where it stands."""
 NO_LIFT = "not worked out: no run lifts the object so changed at the demand"
@@ -106,7 +109,7 @@ class Remedy:
 
 
 class Search:
-    """The probability of falling of a changed object, fitted, and as counted in its own runs.
+    """The probability of falling of a changed object, by the method of the object as described.
 
     Parameters
     ----------
@@ -129,6 +132,7 @@ class Search:
         self.described, self.motions, self.level = described, motions, level
         self.target, self.run = target, run
         self.made: dict[Block, Counts] = {}
+        self.cases: dict[Block, Case] = {}
         self.unknown = False
         at_one = measured(motions, level.measure)
         pga = measured(motions, Measure("pga_g")) * (level.value / at_one)
@@ -180,8 +184,22 @@ class Search:
             )
         return self.made[block]
 
+    def case(self, block: Block) -> Case:
+        """Return the probability of a changed object, as `probability_of` gives the object's own.
+
+        Its curve goes through runs at all levels; the runs about the demand are counted.
+        """
+        if block not in self.cases:
+            rests, found = stays(self.described, block), math.nan
+            if not rests:
+                found = fitted_probability(
+                    self.described, block, self.motions, self.level, run=self.run
+                )
+            self.cases[block] = case_of("", "", self.runs(block), rests=rests, by_levels=found)
+        return self.cases[block]
+
     def least(self, made: Callable[[float], Body], most: float) -> tuple[float | None, Case]:
-        """Return the least change, from 0 to `most`, whose own fitted probability is the target.
+        """Return the least change, from 0 to `most`, whose own probability is the target.
 
         Every step runs the changed object, and its own fit is what counts.  The search ends with
         two changes, 1 % of the object apart: one is above the target, the other, which is
@@ -192,31 +210,33 @@ class Search:
         # Fitted probabilities at both ends, as distances from the target.
         above = below = 0.0
         best: tuple[float | None, Case] | None = None
-        rounds = 0
+        rounds, enough = 0, False
         while True:
             block = block_of(made(change))
-            counts = self.runs(block)
-            case = case_of("", "", counts, rests=stays(self.described, block))
+            case = self.case(block)
             rounds += 1
             if case.probability <= self.target:
                 # An end that has stood twice counts half, so that the other comes to it.
-                above *= 0.5
-                best, high, below = (change, case), change, self._beyond(case)
+                above *= 0.5 if enough else 1.0
+                best, high, below, enough = (change, case), change, self._beyond(case), True
             elif math.isnan(case.probability):
                 self.unknown = True
                 break
             elif change == most or rounds == ROUNDS:
                 break
             else:
-                below *= 0.5
-                low, above = change, self._beyond(case)
+                below *= 1.0 if enough else 0.5
+                low, above, enough = change, self._beyond(case), False
             if best is None:
-                change = self._guess(block, self.curve_of(counts, block), made, (low, most))
+                change = self._guess(block, case, made, (low, most))
                 continue
             apart = math.log1p(high) - math.log1p(low)
             if apart <= math.log1p(FINEST) or rounds == ROUNDS:
                 break
-            part = min(max(above / (above - below), MARGIN), 1.0 - MARGIN) if above else 0.5
+            part = above / (above - below) if above else 0.5
+            # To the other side of where the target is thought to be, so that both ends come near.
+            part += ASIDE * FINEST / apart * (-1.0 if enough else 1.0)
+            part = min(max(part, MARGIN), 1.0 - MARGIN)
             change = math.expm1(math.log1p(low) + part * apart)
         return (None, case) if best is None else best
 
@@ -241,7 +261,7 @@ class Search:
     @property
     def idle(self) -> str:
         """Why no change of the object as described is needed."""
-        return STAYS if stays(self.described, self.described.block) else NO_FALLS
+        return STAYS if stays(self.described, self.described.block) else WITHIN
 
     def _beyond(self, case: Case) -> float:
         """Return by how much a probability is above the target, in standard deviations."""
@@ -256,16 +276,21 @@ class Search:
     def _guess(
         self,
         block: Block,
-        curve: FragilityCurve,
+        case: Case,
         made: Callable[[float], Body],
         reach: tuple[float, float],
     ) -> float:
-        """Return a change further than one that is not enough, from the curve of its runs."""
+        """Return a change further than one that is not enough, by the runs about the demand.
+
+        Their curve has to come down by as many standard deviations as the probability.
+        """
         from scipy.optimize import brentq
+        from scipy.special import ndtr, ndtri
 
         low, most = reach
-        here = max(self.fitted(block, curve), SMALLEST)
-        aim = min(self.target, 0.5 * here)
+        curve = self.curve_of(self.runs(block), block)
+        here = min(max(self.fitted(block, curve), SMALLEST), 1.0 - SMALLEST)
+        aim = float(ndtr(ndtri(here) - self._beyond(case)))
 
         def excess(tried: float) -> float:
             return self.fitted(self.described.block_of(made(tried)), curve) - aim
@@ -333,7 +358,7 @@ def _ballast(search: Search) -> Remedy:
     """Return the least ballast at the base."""
     body = search.described.body
     if body.centre_height <= BALLAST_HEIGHT_M:
-        case = case_of("", "", search.runs(search.described.block))
+        case = search.case(search.described.block)
         return _of_runs(case, "ballast", "the mass centre is at the base already")
 
     def made(share: float) -> Body:

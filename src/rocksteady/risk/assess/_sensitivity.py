@@ -163,7 +163,14 @@ def stays(described: DescribedObject, block: Block) -> bool:
     return not lifts(block, demand.pga_g, demand.vertical_at_peak_g)
 
 
-def case_of(parameter: str, change: str, counts: Counts, *, rests: bool = False) -> Case:
+def case_of(
+    parameter: str,
+    change: str,
+    counts: Counts,
+    *,
+    rests: bool = False,
+    by_levels: float = math.nan,
+) -> Case:
     """Return a case of its counts; 0 where the demand's PGA does not lift the block.
 
     Parameters
@@ -174,14 +181,20 @@ def case_of(parameter: str, change: str, counts: Counts, *, rests: bool = False)
         Runs about the demand.
     rests
         Whether the demand's PGA does not lift the block; default False.
+    by_levels
+        Probability by a curve through more levels, which takes the place of that of these counts;
+        nan (default) without one.
     """
     curve = counts.curve()
     fell, trials = counts.totals(THE_DEMAND)
-    probability = float(curve.probability(np.array([counts.levels[THE_DEMAND]]))[0])
+    probability, has_curve = by_levels, not math.isnan(by_levels)
+    if not has_curve and is_fitted(curve):
+        probability = float(curve.probability(np.array([counts.levels[THE_DEMAND]]))[0])
+        has_curve = True
     counted = fell / trials if trials else math.nan
     # A step, or no curve, has no value between the levels: the share is all there is.
-    fitted = 0.0 if rests else probability if is_fitted(curve) else counted
-    by_curve = is_fitted(curve) and far_above(fitted, counted) == fitted
+    fitted = 0.0 if rests else probability if has_curve else counted
+    by_curve = has_curve and far_above(fitted, counted) == fitted
     return Case(
         parameter=parameter,
         change=change,
@@ -236,6 +249,23 @@ def bar_words(bar: Mapping[str, Any]) -> str:
     if low == high or not math.isfinite(bar["low"] + bar["high"]):
         return ""
     return f"{low.removesuffix(' %')} to {high}"
+
+
+def as_described(bar: Mapping[str, Any], value: float | None) -> str:
+    """Return the middle of a bar in words where the answer lies outside it, or else nothing.
+
+    Bars are of runs about the demand, the answer may be of runs at all levels.
+
+    Examples
+    --------
+    >>> as_described({"low": 0.0, "high": 0.08, "base": 0.01}, 0.12)
+    ', 1.0 % as described'
+    >>> as_described({"low": 0.0, "high": 0.2, "base": 0.11}, 0.12)
+    ''
+    """
+    if value is None or bar["low"] <= value <= bar["high"]:
+        return ""
+    return f", {end_words(bar['base'])} as described"
 
 
 def by_one_method(cases: Sequence[Case], basis: Basis | None) -> list[float]:

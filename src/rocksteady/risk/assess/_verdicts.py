@@ -8,7 +8,7 @@ from rocksteady.results.numbers import chance, counted, interval, number, plural
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._probability import NO_ANSWER, Onset, Probability
 from rocksteady.risk.assess._remedies import Remedy
-from rocksteady.risk.assess._sensitivity import Case, bar_words, tornado
+from rocksteady.risk.assess._sensitivity import Case, as_described, bar_words, tornado
 from rocksteady.risk.assess.described.facts import ObjectFacts
 from rocksteady.risk.assess.described.objects import parameter_words
 from rocksteady.risk.assess.two_numbers import share_words
@@ -180,5 +180,8 @@ def _reason(findings: Findings, lifts: str) -> str:
     for widest in tornado(findings.cases, findings.answer.basis)[:1]:
         if ends := bar_words(widest):
             name = parameter_words(widest["parameter"])
-            reason += f" What matters most is the {name}: over its range {ends} fall."
+            reason += f" What matters most is the {name}: over its range {ends} fall"
+            if about := as_described(widest, findings.answer.value):
+                reason += f" by the runs about the demand{about}"
+            reason += "."
     return reason

@@ -380,7 +380,7 @@ class Assessment(Result):
             )
         elif self.cases and self.probability:
             warnings.append(
-                "What matters and what helps is fitted to runs at "
+                "What matters is fitted to runs at "
                 f"{MULTIPLES[0]:g} to {MULTIPLES[-1]:g} times the demand alone, which give "
                 f"{chance(self.cases[0].probability)} for the object as described; the "
                 "probability is "
@@ -416,8 +416,8 @@ def assess_object(
 
     The steps of practice: check and derive; uplift and sliding first, and where friction governs no
     probability is given; published formulas side by side; an ensemble of runs by the full
-    equations; fragility; one thing changed at a time; risk under hazard curves; remedies, found on
-    the fitted probability and confirmed by runs of the changed object.
+    equations; fragility; one thing changed at a time; risk under hazard curves; remedies, each by
+    runs of the changed object at all levels.
 
     Parameters
     ----------
@@ -528,10 +528,7 @@ def _rocking(
     )
     remedies: tuple[Remedy, ...] = ()
     if answer.value and answer.value > findings.target:
-        # Where the runs about the demand give less than the answer, remedies owe the same factor.
-        share = min(1.0, cases[0].probability / answer.value) if cases[0].probability else 1.0
-        goal = findings.target * share
-        remedies = find_remedies(Search(described, suite, level, goal, inner))
+        remedies = find_remedies(Search(described, suite, level, findings.target, inner))
     assessed = replace(
         assessment,
         fragility=fragility,

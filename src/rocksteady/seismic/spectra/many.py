@@ -63,7 +63,8 @@ def simulate_many(
     """Simulate many blocks on many records at many levels, from rest.
 
     Every cell is what `simulate` finds for the block and the scaled record: the same status and
-    impacts, and peaks to a part of 1e-12, times one and `Trajectory.growth`.  A block against a
+    impacts, and peaks to a part of 1e-12, times one and `Trajectory.growth`.  Where that growth is
+    above some 1e12, rounding decides on all of them, and they may differ.  A block against a
     wall (`Block.against_wall`) feels the sign of a record: it leaves the wall where the base
     accelerates to its positive side, and the reversed record is another motion.
 
