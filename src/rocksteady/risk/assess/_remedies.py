@@ -190,12 +190,12 @@ class Search:
         Its curve goes through runs at all levels; the runs about the demand are counted.
         """
         if block not in self.cases:
-            rests, found = stays(self.described, block), math.nan
+            rests, by_levels = stays(self.described, block), math.nan
             if not rests:
-                found = fitted_probability(
+                by_levels = fitted_probability(
                     self.described, block, self.motions, self.level, run=self.run
                 )
-            self.cases[block] = case_of("", "", self.runs(block), rests=rests, by_levels=found)
+            self.cases[block] = case_of("", "", self.runs(block), rests=rests, by_levels=by_levels)
         return self.cases[block]
 
     def least(self, made: Callable[[float], Body], most: float) -> tuple[float | None, Case]:

@@ -340,7 +340,7 @@ class _Drawn(NamedTuple):
 
 
 def _ways(windows: OverturningWindows) -> tuple[tuple[str, str, int], ...]:
-    """Return the ways of falling that are told apart."""
+    """Return the ways of falling that differ in a picture."""
     return MODES if windows.floor is None else FALLS
 
 
