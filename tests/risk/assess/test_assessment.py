@@ -20,7 +20,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import chance, length
-from rocksteady.risk.assess import _remedies
+from rocksteady.risk.assess import _probability, _remedies
 from rocksteady.risk.assess._counts import THE_DEMAND
 from rocksteady.risk.assess._probability import onset_of, probability_of
 from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, find_remedies
@@ -273,6 +273,19 @@ def test_the_friction_cap_is_the_slope_of_the_block_with_a_higher_mass_centre(
     cap = next(each for each in found.remedies if each.name == "friction cap")
     assert cap.value == pytest.approx(0.17 / (1.1 * 0.9))
     assert cap.change == pytest.approx(1.0 - 0.17 / (1.1 * 0.9) / 0.5)
+
+
+def test_a_changed_object_whose_runs_give_no_curve_is_counted(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def lost(*_: object, **__: object) -> None:
+        raise InputError("ensemble", 0.016, "too many runs lose contact", "take lower levels")
+
+    monkeypatch.setattr(_probability, "fit_fragility", lost)
+    statue = described()
+    case = Search(statue, SUITE, level_of(statue, SUITE), 0.1, None).case(statue.block)
+    assert (case.basis, case.probability) == ("count", case.fell / case.trials)
+    assert 0 < case.fell < case.trials
 
 
 def test_a_target_out_of_reach_has_no_width_and_one_reached_needs_none(

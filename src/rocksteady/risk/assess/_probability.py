@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.results.doubts import MOST_MISFIT, far_above
 from rocksteady.results.numbers import chance, number, plural
@@ -215,7 +216,10 @@ def fitted_probability(
     band = band_of(described, most=options.draws)
     (ensemble,) = run_each([block], motions, levels=[levels], restitution=band, run=run)
     fitting = FitOptions(states=[OVERTURNED], bands=None, measures=())
-    curve = fit_fragility(ensemble, fitting=fitting).state(OVERTURNED).curve
+    try:
+        curve = fit_fragility(ensemble, fitting=fitting).state(OVERTURNED).curve
+    except InputError:  # under vertical motion too many of its runs lose contact
+        return math.nan
     if not is_fitted(curve):
         return math.nan
     return float(curve.probability(np.array([level.of(measure, block)]))[0])

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -195,7 +195,10 @@ class Search:
                 by_levels = fitted_probability(
                     self.described, block, self.motions, self.level, run=self.run
                 )
-            self.cases[block] = case_of("", "", self.runs(block), rests=rests, by_levels=by_levels)
+            case = case_of("", "", self.runs(block), rests=rests, by_levels=by_levels)
+            if not rests and math.isnan(by_levels):
+                case = replace(case, fitted=case.counted, basis="count")
+            self.cases[block] = case
         return self.cases[block]
 
     def least(self, made: Callable[[float], Body], most: float) -> tuple[float | None, Case]:
