@@ -25,7 +25,6 @@ from rocksteady.risk.assess._counts import THE_DEMAND
 from rocksteady.risk.assess._probability import onset_of, probability_of
 from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, find_remedies
 from rocksteady.risk.assess._sensitivity import tornado, vary
-from rocksteady.risk.assess._vertical_levels import levels_of
 from rocksteady.risk.assess.assessment import Assessment, _curve_over, assess_object
 from rocksteady.risk.assess.described.objects import (
     EXAMPLE,
@@ -33,6 +32,8 @@ from rocksteady.risk.assess.described.objects import (
     parameter_words,
     read_object,
 )
+from rocksteady.risk.ensemble.contact_levels import levels_in_contact
+from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fragility.fit_fragility import compute_fragility
@@ -257,7 +258,9 @@ def test_a_remedy_meets_the_target_by_the_method_of_the_objects_own_probability(
         fragility = compute_fragility(
             wider,
             SUITE,
-            levels=levels_of(Measure("pgv_m_s"), wider, SUITE, wide.given.assessment.levels),
+            levels=levels_in_contact(
+                Levels("pgv_m_s"), [wider], SUITE, count=wide.given.assessment.levels
+            ),
             restitution=RestitutionBand(draws=wide.given.assessment.draws),
             fitting=fitting,
         )

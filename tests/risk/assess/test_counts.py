@@ -19,6 +19,7 @@ def counts_of(fell: list[int], lifted: list[int] | None = None) -> Counts:
         trials=np.full((len(fell), 1), RUNS),
         lifted=np.array(tried).reshape(-1, 1),
         fell=np.array(fell).reshape(-1, 1),
+        without=0,
         measure=("PGV", "m/s"),
         given_uplift=True,
     )

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import rocksteady as rs
 from rocksteady.risk.assess._counts import MULTIPLES, THE_DEMAND, Counts
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._sensitivity import (
@@ -15,10 +16,11 @@ from rocksteady.risk.assess._sensitivity import (
     levels_about,
     stays,
     tornado,
+    vary,
 )
 from rocksteady.risk.assess.described.objects import DescribedObject, parameter_words
 from rocksteady.risk.screens.friction import uplift_acceleration_g
-from rocksteady.seismic.measures.scalar import Measure
+from rocksteady.seismic.measures.scalar import Measure, compute_measure
 from tests.every import every
 
 RECORDS = 12
@@ -41,6 +43,7 @@ def counts(shares: list[float], *, lifted: int = 5) -> Counts:
         trials=np.full((RECORDS, 5), 6),
         lifted=tried,
         fell=fell,
+        without=0,
         measure=("PGV", "m/s"),
         given_uplift=True,
     )
@@ -151,3 +154,22 @@ def test_bars_are_of_one_method_and_what_the_pga_does_not_lift_is_no_fall() -> N
         assert {bar["base"] for bar in bars} == {of}
         assert (bars[0]["low"], bars[0]["high"]) == (0.0, of)
         assert bars[1]["high"] == (0.7 if basis == "count" else worse.fitted)
+
+
+def test_runs_whose_base_falls_at_g_are_left_out_of_the_case_of_vertical_motion() -> None:
+    across = rs.motions.make_synthetic_suite(4, seed=3)
+    up = rs.motions.make_synthetic_suite(4, seed=4)
+    pairs = [rs.BaseMotion(a, b.scaled(2.0)) for a, b in zip(across, up, strict=True)]
+    level = DemandLevel(measure=Measure("pgv_m_s"), value=1.0, words="")
+    case = vary(described(assessment={"draws": 1}), pairs, level)[-1]
+    # Oracle: single runs of the same motions at the same levels.
+    velocity, block = Measure("pgv_m_s"), described().block
+    ends = [
+        rs.simulate(block, pair.scaled(factor / compute_measure(record, velocity))).status
+        for record, pair in zip(across, pairs, strict=True)
+        for factor in levels_about(level)
+    ]
+    lost = sum(end is rs.Status.LOST_CONTACT for end in ends)
+    assert 0 < lost < len(ends)
+    assert case.parameter == "vertical motion"
+    assert f"{lost} runs left out whose base falls at g" in case.change

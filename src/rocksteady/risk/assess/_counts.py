@@ -12,6 +12,7 @@ from rocksteady.model.checks.confidence import share_interval
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
+from rocksteady.risk.ensemble.contact_levels import ANSWERS
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
@@ -44,7 +45,9 @@ class Counts:
     levels
         Levels of the measure, shape (levels,).
     trials, lifted, fell
-        Numbers of runs, shape (records, levels).
+        Numbers of runs with an answer, shape (records, levels).
+    without
+        Number of runs without an answer: the vertical motion of their base falls at g.
     measure
         Name and unit of the levels.
     given_uplift
@@ -55,6 +58,7 @@ class Counts:
     trials: Integers
     lifted: Integers
     fell: Integers
+    without: int
     measure: tuple[str, str]
     given_uplift: bool
 
@@ -102,8 +106,9 @@ def count_runs(ensemble: "xarray.Dataset", blocks: Sequence[Block]) -> list[Coun
     """Return the counts of each block; for a symmetric one mirror images are counted once."""
     order = ("block", "record", "level", "direction", "vertical", "draw")
     runs = ensemble[["status", "peak_angle"]].transpose(*order)
-    fell = runs["status"].values == int(Status.OVERTURNED)
-    lifted = runs["peak_angle"].values > 0.0
+    status = runs["status"].values
+    fell, answered = status == int(Status.OVERTURNED), np.isin(status, ANSWERS)
+    lifted = (runs["peak_angle"].values > 0.0) & answered
     level = ensemble["level"]
     levels = np.asarray(level.values, dtype=np.float64)
     unit = str(level.attrs["units"])
@@ -111,14 +116,14 @@ def count_runs(ensemble: "xarray.Dataset", blocks: Sequence[Block]) -> list[Coun
     counts = []
     for place, block in enumerate(blocks):
         kept = slice(0, 1) if block.symmetric else slice(None)
-        own_fell, own_lifted = (each[place, :, :, kept] for each in (fell, lifted))
-        shape, count = own_fell.shape[:2], int(np.prod(own_fell.shape[2:]))
+        own_fell, own_lifted, tried = (each[place, :, :, kept] for each in (fell, lifted, answered))
         counts.append(
             Counts(
                 levels=levels,
-                trials=np.full(shape, count, dtype=np.int64),
+                trials=tried.sum((2, 3, 4), dtype=np.int64),
                 lifted=own_lifted.sum((2, 3, 4), dtype=np.int64),
                 fell=own_fell.sum((2, 3, 4), dtype=np.int64),
+                without=int(tried.size - tried.sum()),
                 measure=measure,
                 given_uplift=str(ensemble.attrs["measure"]) in VELOCITIES,
             )

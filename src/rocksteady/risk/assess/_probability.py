@@ -14,9 +14,9 @@ from rocksteady.results.numbers import chance, number, plural
 from rocksteady.risk.assess._counts import Basis, Motions, count_runs, is_fitted
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._sensitivity import MOST_DRAWS, band_of
-from rocksteady.risk.assess._vertical_levels import levels_of
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
-from rocksteady.risk.ensemble.levels import Levels
+from rocksteady.risk.ensemble.contact_levels import levels_in_contact
+from rocksteady.risk.ensemble.levels import DEFAULT_MEASURES, Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_each
 from rocksteady.risk.ensemble.ways import Ways
@@ -188,12 +188,16 @@ def fit_fragilities(
     sides in another.  The first sweep is kept in the store of `run`, further ones beside it: in
     runs-2.zarr, runs-3.zarr and so on beside runs.zarr.
     """
+    beside = DEFAULT_MEASURES if fitting.measures is None else fitting.measures
     levels = [
-        levels_of(intensity, described.block, moved, described.given.assessment.levels)
+        levels_in_contact(
+            Levels(intensity, beside=beside),
+            [described.block],
+            moved,
+            count=described.given.assessment.levels,
+        )
         for described, moved, intensity in zip(objects, motions, intensities, strict=True)
     ]
-    if fitting.measures is not None:
-        levels = [replace(each, beside=fitting.measures) for each in levels]
     bands = [band_of(each, most=each.given.assessment.draws) for each in objects]
     ensembles = _run_objects(objects, motions, levels, bands, run=run)
     return [fit_fragility(ensemble, fitting=fitting) for ensemble in ensembles]
@@ -212,7 +216,7 @@ def fitted_probability(
     Its levels and restitutions are those of `fit_fragilities`.
     """
     options, measure = described.given.assessment, level.measure
-    levels = replace(levels_of(measure, block, motions, options.levels), beside=())
+    levels = levels_in_contact(Levels(measure, beside=()), [block], motions, count=options.levels)
     band = band_of(described, most=options.draws)
     (ensemble,) = run_each([block], motions, levels=[levels], restitution=band, run=run)
     fitting = FitOptions(states=[OVERTURNED], bands=None, measures=())

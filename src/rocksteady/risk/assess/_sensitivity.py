@@ -12,7 +12,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.doubts import far_above
-from rocksteady.results.numbers import chance
+from rocksteady.results.numbers import chance, plural
 from rocksteady.risk.assess._counts import (
     MULTIPLES,
     THE_DEMAND,
@@ -127,7 +127,9 @@ def vary(
         (shaken,) = run_at(
             [base], motions, level.measure, levels, restitution=band, vertical=True, run=run
         )
-        words = f"with {len(lifted)} components"
+        words = f"with {plural(len(lifted), 'component')}"
+        if shaken.without:
+            words += f"; {plural(shaken.without, 'run')} left out whose base falls at g"
         cases.append(case_of("vertical motion", words, shaken, rests=stays(described, base)))
     return tuple(cases)
 

@@ -51,6 +51,7 @@ from rocksteady.risk.assess.described.building import Building, on_floors
 from rocksteady.risk.assess.described.facts import ObjectFacts, compute_object_facts
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of, parameter_words
 from rocksteady.risk.assess.described.schema import Options, own_states
+from rocksteady.risk.ensemble.contact_levels import words_of_shorter
 from rocksteady.risk.ensemble.gates import GIVEN_UPLIFT, uplift_of
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.qualification import (
@@ -367,7 +368,9 @@ class Assessment(Result):
                 warnings.append(
                     f"No PGA is given: the probability holds where {peak} is above {lift}."
                 )
-            warnings += [*self._shortened(self.fragility), self.beyond]
+            last = float(self.fragility.ensemble["level"].values[-1])
+            levels = Levels(self.fragility.measure)
+            warnings += [*words_of_shorter(levels, [self.facts.block], last), self.beyond]
         if self.described.demand.vertical_at_peak_g:
             warnings.append(
                 "The vertical motion of the demand decides on uplift and sliding; the runs have "
@@ -388,19 +391,6 @@ class Assessment(Result):
             )
         warnings += [remark for risk in self.risks for remark in risk.remarks]
         return list(dict.fromkeys(filter(None, warnings)))
-
-    def _shortened(self, fragility: Fragility) -> list[str]:
-        """Return a sentence where the vertical motion ends the levels early."""
-        usual = Levels(fragility.measure).levels_for([self.facts.block])[-1]
-        last = float(fragility.ensemble["level"].values[-1])
-        if last >= usual * (1.0 - 1e-9):
-            return []
-        measure = fragility.measure
-        return [
-            f"The levels end at {measure.label} {number(last)} {measure.unit}".rstrip()
-            + f", not at {number(usual)}: the vertical motion of stronger records falls at g, and "
-            "such runs have no answer."
-        ]
 
 
 @checked

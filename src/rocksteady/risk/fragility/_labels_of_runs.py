@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, Words
 from rocksteady.outcomes import Status
+from rocksteady.risk.ensemble.contact_levels import ANSWERS, MOST_WITHOUT
 from rocksteady.risk.fragility.damage_states import DamageState, exceeding
 from rocksteady.seismic.measures.scalar import DEFAULT, Measure
 
@@ -16,9 +17,6 @@ if TYPE_CHECKING:
     import xarray
 
 
-MOST_WITHOUT = 0.01
-"""Share of the runs that may end without an answer."""
-ANSWERS = (Status.ROCKING, Status.AT_REST, Status.OVERTURNED)
 DIMENSIONS = ("block", "record", "direction", "vertical", "draw", "level")
 VARIANTS = (2, 3, 4)
 """Axes of the runs of one block on one record at one level."""

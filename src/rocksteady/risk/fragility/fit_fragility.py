@@ -16,6 +16,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import plural
+from rocksteady.risk.ensemble.contact_levels import levels_in_contact, words_of_shorter
 from rocksteady.risk.ensemble.gates import lowest_gate, uplift_of, which_lift
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
@@ -36,6 +37,7 @@ from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
 from rocksteady.seismic.measures.scalar import Measure
+from rocksteady.seismic.spectra.many import blocks_of
 from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
@@ -130,7 +132,8 @@ def compute_fragility(
     Parameters
     ----------
     blocks, motions, levels, restitution, ways, mass_kg, run
-        As for `run_ensemble`; several blocks are pooled.
+        As for `run_ensemble`; several blocks are pooled.  Default levels end where the vertical
+        motion of more than 1 % of the runs would leave them without an answer.
     fitting
         As for `fit_fragility`.
 
@@ -162,17 +165,23 @@ def compute_fragility(
     ('separated', (0.2, 0.3))
     """
     began = time.perf_counter()
+    bodies, asked = blocks_of(blocks), Levels() if levels is None else levels
     ensemble = run_ensemble(
-        blocks,
+        bodies,
         motions,
-        levels=levels,
+        levels=levels_in_contact(asked, bodies, motions, ways=ways),
         restitution=restitution,
         ways=ways,
         mass_kg=mass_kg,
         run=run,
     )
     fragility = fit_fragility(ensemble, fitting=fitting)
-    return replace(fragility, seconds=time.perf_counter() - began)
+    shorter = words_of_shorter(asked, bodies, float(ensemble["level"].values[-1]))
+    return replace(
+        fragility,
+        warnings=(*shorter, *fragility.warnings),
+        seconds=time.perf_counter() - began,
+    )
 
 
 def _fitted(

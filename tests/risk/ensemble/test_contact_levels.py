@@ -1,14 +1,15 @@
-"""Levels of an assessment under vertical motion: the base that falls at g ends them."""
+"""Default levels under vertical motion: the base that falls at g ends them."""
 
 import numpy as np
 import pytest
 
 import rocksteady as rs
-from rocksteady.risk.assess._vertical_levels import contact_levels, levels_of
+from rocksteady.risk.ensemble.contact_levels import contact_levels, levels_in_contact
 from rocksteady.seismic.measures.scalar import Measure
 
 STATUE = rs.Block.asymmetric(left=0.17, right=0.27, height=1.6)
 MEASURE = Measure("p_pgv_per_uplift")
+USUAL = rs.risk.Levels(MEASURE)
 
 
 def suite(vertical: float) -> list[rs.BaseMotion]:
@@ -23,7 +24,7 @@ def suite(vertical: float) -> list[rs.BaseMotion]:
 def test_contact_is_lost_exactly_above_the_contact_level() -> None:
     # Oracle: the march itself, of a free base motion just below and just above g downwards.
     pairs = suite(0.5)[:3]
-    for pair, level in zip(pairs, contact_levels(MEASURE, STATUE, pairs), strict=True):
+    for pair, level in zip(pairs, contact_levels(USUAL, [STATUE], pairs)[0], strict=True):
         up = pair.vertical
         assert isinstance(up, rs.Record)
         assert isinstance(pair.horizontal, rs.Record)
@@ -39,12 +40,39 @@ def test_contact_is_lost_exactly_above_the_contact_level() -> None:
         assert above is rs.Status.LOST_CONTACT
 
 
-def test_levels_without_vertical_motion_are_the_usual_ones() -> None:
-    assert levels_of(MEASURE, STATUE, suite(0.5), 20) != rs.risk.Levels(MEASURE)
-    assert levels_of(MEASURE, STATUE, rs.motions.make_synthetic_suite(3), 20) == rs.risk.Levels(
-        MEASURE
-    )
-    assert np.isinf(contact_levels(MEASURE, STATUE, rs.motions.make_synthetic_suite(3))).all()
+def test_levels_are_the_usual_ones_without_vertical_motion_and_where_they_are_given() -> None:
+    plain, shaken = rs.motions.make_synthetic_suite(3), suite(0.5)
+    assert levels_in_contact(USUAL, [STATUE], shaken) != USUAL
+    assert levels_in_contact(USUAL, [STATUE], plain) == USUAL
+    assert np.isinf(contact_levels(USUAL, [STATUE], plain)).all()
+    assert levels_in_contact(USUAL, [STATUE], shaken, ways=rs.risk.Ways(vertical=False)) == USUAL
+    given = rs.risk.Levels("pgv_m_s", [1.0, 30.0])
+    assert levels_in_contact(given, [STATUE], shaken) is given
+
+
+@pytest.mark.parametrize("count", [1, 3])
+@pytest.mark.parametrize("width", [0.3, 1.5])
+@pytest.mark.parametrize("vertical", [2.0, 8.0])
+def test_few_motions_with_strong_vertical_parts_have_answers(
+    count: int, width: float, vertical: float
+) -> None:
+    # Each run is more than 1 % of so few, and a stocky block lifts where the base falls at g.
+    block, shaken = rs.Block.rectangle(width=width, height=1.8), suite(vertical)[:count]
+    one, bands = rs.risk.RestitutionBand(draws=1), rs.risk.FitOptions(bands=None)
+    for ways in (rs.risk.Ways(), rs.risk.Ways(vertical=True)):
+        fragility = rs.compute_fragility(block, shaken, restitution=one, ways=ways, fitting=bands)
+        runs = fragility.ensemble
+        assert not (runs.status == rs.Status.LOST_CONTACT).any()
+        assert runs.sizes["level"] == 20
+        (words,) = (text for text in fragility.warnings if "falls at g" in text)
+        assert words in fragility.describe().notes
+        # Oracle: at the last level the base falls at g, but for a part in 10^9, under one motion.
+        falling = [
+            -each.vertical.acceleration_m_s2.min() * scale
+            for each, scale in zip(shaken, runs["scale"].values[0, :, -1], strict=True)
+            if isinstance(each.vertical, rs.Record)
+        ]
+        assert max(falling) == pytest.approx(9.80665, rel=1e-8)
 
 
 @pytest.mark.slow
