@@ -20,6 +20,7 @@ from rocksteady import (
     floor_motion,
     simulate,
 )
+from rocksteady.dynamics.overturning.windows import lowest_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Model
 from rocksteady.motions import Floor
@@ -110,8 +111,30 @@ def test_words_and_data_have_the_floor() -> None:
     assert values["floor"] == FLOOR.label
     assert values["windows"][0]["closed_form"] is None
     assert found.to_dataset().attrs["floor"] == FLOOR.label
-    usual = find_overturning_windows(BLOCK, "one-sine", [3.0], model=Linear(), floor=FLOOR)
-    assert usual.within == (0.05, 20.0)
+
+
+@pytest.mark.parametrize(
+    ("pulse", "damping", "share"), [("one-sine", 0.05, 0.4), ("type-c8", 0.01, 0.048)]
+)
+def test_the_search_begins_where_the_block_lifts(pulse: str, damping: float, share: float) -> None:
+    # A long pulse at a floor of little damping lifts a block below a twentieth of its uplift.
+    floor = Floor(frequencies_hz=1.7, damping=damping, shapes=1.3)
+    ratios = [ratio_of(1.5), ratio_of(1.7)]
+    unit = Pulse(shape=pulse, amplitude=1.0, frequency_ratio=1.0)
+    low = lowest_of(BLOCK, unit, ratios, model=None, floor=floor)
+    assert low < share
+    highest = []
+    for amplitude in (low * (1.0 - 1e-9), low * (1.0 + 1e-6)):
+        shaken = [replace(unit, amplitude=amplitude, frequency_ratio=ratio) for ratio in ratios]
+        highest.append(max(simulate(BLOCK, floor.motion(each, BLOCK)).peak for each in shaken))
+    assert highest[0] == 0.0 < highest[1]
+
+
+def test_the_usual_range_begins_where_the_block_lifts() -> None:
+    found = find_overturning_windows(BLOCK, "one-sine", [3.0], model=Linear(), floor=FLOOR)
+    low = lowest_of(BLOCK, found.pulse, [3.0], model=Linear(), floor=FLOOR)
+    assert found.within == (low, 20.0)
+    assert 0.0 < low < float(found.first[0])
 
 
 def test_a_floor_needs_a_block_with_a_size() -> None:

@@ -161,20 +161,19 @@ def overturn(
         unit = Harmonic(amplitude=1.0, frequency_ratio=ratios[0])
         shape = pulse.of(unit, phase=phase, reverse=recorded.reverse)
         floor = reading.of(body)
-        from rocksteady.model.motions.floor import LEAST_LIFT
+        from rocksteady.dynamics.overturning.windows import find_overturning_windows, lowest_of
 
-        within = _range(body, amplitude, accel_g, 1.0 if floor is None else LEAST_LIFT)
+        how: dict[str, Any] = {"model": equations, "floor": floor}
+        within = _range(body, amplitude, accel_g, partial(lowest_of, body, shape, ratios, **how))
         if len(ratios) < 2:
             refuse(
                 {"--plot": output.plot},
                 "a spectrum is drawn over two frequencies or more",
                 "give -W as an axis, as 0.5:8:200, or leave --plot out",
             )
-        from rocksteady.dynamics.overturning.windows import find_overturning_windows
         from rocksteady.show.figures.single import overturning_figure
 
-        how: dict[str, Any] = {"within": within, "resolution": resolution, "model": equations}
-        how["floor"] = floor
+        how |= {"within": within, "resolution": resolution}
         search = Search(
             find=partial(find_overturning_windows, body, shape, ratios, **how),
             words="searching frequencies",
@@ -360,7 +359,10 @@ def _motions(
 
 
 def _range(
-    body: Block | DimensionlessBlock, amplitude: str | None, accel_g: str | None, least: float
+    body: Block | DimensionlessBlock,
+    amplitude: str | None,
+    accel_g: str | None,
+    lowest: Callable[[], float],
 ) -> tuple[float, float] | None:
     """Return the range of amplitudes that the flags name; None where they name none.
 
@@ -371,8 +373,6 @@ def _range(
     """
     if amplitude is not None and accel_g is not None:
         raise both("--amplitude/-A", "--accel-g", valid="at most one of the two is the range")
-    # Of an asymmetric block the other side may lift sooner.
-    lowest = least * min(ratio for _, ratio, _ in body.dimensionless().sides)
     if accel_g is None:
         return None if amplitude is None else _ends("--amplitude/-A", amplitude, lowest)
     if isinstance(body, DimensionlessBlock):
@@ -383,7 +383,7 @@ def _range(
             "describe a block, or give -A",
         )
     unit = in_g(body.uplift_acceleration)
-    low, high = _ends("--accel-g", accel_g, lowest * unit)
+    low, high = _ends("--accel-g", accel_g, lambda: lowest() * unit)
     return low / unit, min(high / unit, LARGEST)
 
 
@@ -395,7 +395,7 @@ def _two_ends(flag: str, text: str) -> tuple[float, float]:
     return ends[0], ends[1]
 
 
-def _ends(flag: str, text: str, lowest: float) -> tuple[float, float]:
+def _ends(flag: str, text: str, lowest: Callable[[], float]) -> tuple[float, float]:
     """Return the ends of ``high`` or ``low:high``."""
     parts = text.split(":")
     if len(parts) > 2:
@@ -406,12 +406,13 @@ def _ends(flag: str, text: str, lowest: float) -> tuple[float, float]:
             "write the largest as 12, or low:high as 1:12; all in between is searched",
         )
     ends = [number(flag, part) for part in parts]
-    low, high = ends if len(ends) == 2 else (min(lowest, ends[0]), ends[0])
+    low, high = ends if len(ends) == 2 else (min(lowest(), ends[0]), ends[0])
     if not 0.0 <= low < high:
+        first = lowest()
         raise InputError(
             flag,
             text,
             "the range must ascend from 0 or above",
-            f"write it as {lowest:.4g}:{12 * lowest:.4g}",
+            f"write it as {first:.4g}:{12 * first:.4g}",
         )
     return low, high

@@ -2,7 +2,7 @@
 
 import functools
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any
@@ -112,6 +112,18 @@ def _on_floor(
     ends = [a for p in lines for a in (p.constant, p.constant + p.slope * p.duration)]
     peak = max(sign * end if sign else abs(end) for end in ends)
     return table, [uplift / peak for uplift in uplifts_of(sides)]
+
+
+def least_lift(
+    floor: Floor,
+    block: Block | DimensionlessBlock,
+    model: Model,
+    pulse: Pulse,
+    ratios: Iterable[float],
+) -> float:
+    """Return the least amplitude of the ground's pulse at which a side lifts on a floor."""
+    pulses = [replace(pulse, frequency_ratio=ratio) for ratio in ratios]
+    return min(min(_on_floor(floor, block, model, each)[1]) for each in pulses)
 
 
 def load_kernel(block: Block | DimensionlessBlock, model: Model, pulse: Pulse) -> None:

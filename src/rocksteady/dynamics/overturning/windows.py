@@ -1,7 +1,7 @@
 """Overturning spectra: all windows of amplitude in which a pulse overturns a block."""
 
 import functools
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
-from rocksteady.dynamics.overturning._cases import BATCH, load_kernel, windows_at
+from rocksteady.dynamics.overturning._cases import BATCH, least_lift, load_kernel, windows_at
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
 from rocksteady.dynamics.overturning.window_cells import kept_windows, outputs, uplifts_of
 from rocksteady.dynamics.overturning.window_lists import WindowLists, listed
@@ -22,7 +22,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, is_pair, rising
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import amplitude_text, case_text, restitution_values
-from rocksteady.model.motions.floor import LEAST_LIFT, Floor
+from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -331,7 +331,8 @@ def find_overturning_windows(
     floor
         A `rocksteady.motions.Floor` on which the block stands, a `Block`: at each frequency the
         motion is `floor_motion` of the pulse; amplitudes are those of the ground, by default from
-        0.05 of uplift.  Impacts are many there: they vary in a window, and do not part any.
+        the least that lifts the block.  Impacts are many there: they vary in a window, and do not
+        part any.
     run
         Executor, store and progress, as for `evaluate`; a cell is a frequency.
 
@@ -368,11 +369,10 @@ def find_overturning_windows(
     body = bare if isinstance(chosen, Linear) and floor is None else block
     if floor is not None and not isinstance(block, Block):
         raise ModelError("floor", floor, "its hertz need a block with a p", "give a Block")
-    uplifts = uplifts_of(sides_of(body, chosen))
-    usual = min(*uplifts, 1.0), min(max(TOP, UPLIFTS * max(uplifts)), HIGHEST)
-    if floor is not None:
-        usual = LEAST_LIFT * usual[0], usual[1]
-    low, high = range_of(usual if within is None else within)
+    if within is None:
+        top = min(max(TOP, UPLIFTS * max(uplifts_of(sides_of(body, chosen)))), HIGHEST)
+        within = lowest_of(block, unit, axis.points.tolist(), model=chosen, floor=floor), top
+    low, high = range_of(within)
     hint = "give a part of the amplitude, as 0.002"
     part = RESOLUTION if resolution is None else resolution
     step = in_range("resolution", part, 1e-6, 0.1, "[]", hint=hint)
@@ -403,6 +403,29 @@ def find_overturning_windows(
         resolution=step,
         **kept_windows(data),
     )
+
+
+def lowest_of(
+    block: Block | DimensionlessBlock,
+    pulse: Pulse,
+    ratios: Iterable[float],
+    *,
+    model: Model | None,
+    floor: Floor | None,
+) -> float:
+    """Return the amplitude at which a search begins: of uplift, and on the ground at most 1.
+
+    Parameters
+    ----------
+    block, pulse, model, floor
+        As for `find_overturning_windows`.
+    ratios
+        omega/p.
+    """
+    equations = chosen_model(model, block, pulse)
+    if floor is None:
+        return min(*uplifts_of(sides_of(block, equations)), 1.0)
+    return least_lift(floor, block, equations, replace(pulse, amplitude=1.0), ratios)
 
 
 def threshold_without_impact(

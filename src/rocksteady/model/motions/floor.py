@@ -45,8 +45,6 @@ MOST_SAMPLES = 5_000_000
 """Of the record of a floor."""
 
 DEFAULT_TOLERANCE = 1e-3
-LEAST_LIFT = 0.05
-"""Part of the acceleration that lifts a block from which on searches try motions of a ground."""
 
 AnyMotion = TypeVar(
     "AnyMotion", Record, BaseMotion, Record | BaseMotion, Harmonic, FourierSeries, Motion
