@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any
 
-from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -37,8 +37,15 @@ from rocksteady.risk.assess._verdicts import (
     with_article,
 )
 from rocksteady.risk.assess.caveats import CAVEATS
-from rocksteady.risk.assess.described.building import Building, on_floors
+from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.risk.assess.placed_objects import (
+    PGA,
+    PGV,
+    PlacedObjects,
+    place_objects,
+    with_demand,
+)
 from rocksteady.risk.assess.two_numbers import assess_by_formula, share_words
 from rocksteady.risk.ensemble.qualification import (
     FORCES,
@@ -191,10 +198,6 @@ class ObjectsTable(Result):
         )
 
 
-PGA = Bounds(0.0, 10.0, "(]", "give the peak in g; 0.3 is usual")
-PGV = Bounds(0.0, 10.0, "(]", "give the peak in m/s; 0.4 is usual")
-
-
 @checked
 def assess_objects(
     objects: Sequence[DescribedObject],
@@ -259,13 +262,25 @@ def assess_objects(
     >>> [(row["name"], row["colour"], row["verdict"]) for row in table.rows]
     [('vase', 'red', 'above target'), ('chest', 'green', 'stands')]
     """
+    asked = [with_demand(each, pga_g, pgv_m_s) for each in objects]
+    placed = place_objects(asked, motions, buildings)
+    return assess_placed(placed, (pga_g, pgv_m_s), target_probability, run=run)
+
+
+def assess_placed(
+    placed: PlacedObjects,
+    peaks: tuple[float | None, float | None],
+    target_probability: float,
+    *,
+    run: Execution | None = None,
+) -> ObjectsTable:
+    """Assess objects at their places; as `assess_objects`, which documents it.
+
+    `peaks` are the PGA [g] and the PGV [m/s] of the objects that state none of their own.
+    """
     began = time.perf_counter()
-    bodies, suite = [*objects], [*motions]
-    for name, things in (("objects", bodies), ("motions", suite)):
-        if not things:
-            raise InputError(name, [], "there must be one or more", "give a list")
-    asked = [_asked(each, pga_g, pgv_m_s).with_target(target_probability) for each in bodies]
-    asked, shaken = on_floors(asked, suite, buildings)
+    shaken = placed.motions
+    asked = [each.with_target(target_probability) for each in placed.objects]
     intensities = [_measure_of(each) for each in asked]
     levels = [
         demand_level(intensity, each.given.demand, moved, each.block, each.source)
@@ -302,34 +317,18 @@ def assess_objects(
             [asked[place].block for place in places],
             shaken[places[0]],
             [asked[place].body.whole_mass_kg for place in places],
+            run=inner,
         )
         for place, force in zip(places, forces, strict=True):
             rows[place] |= dict(zip(FORCES, force or (), strict=False))
     return ObjectsTable(
         rows=tuple(rows),
-        pga_g=pga_g,
-        pgv_m_s=pgv_m_s,
+        pga_g=peaks[0],
+        pgv_m_s=peaks[1],
         target_probability=target_probability,
-        records=len(suite),
-        seconds=time.perf_counter() - began,
+        records=len(placed.suite),
+        seconds=placed.seconds + time.perf_counter() - began,
     )
-
-
-def _asked(
-    described: DescribedObject, pga_g: float | None, pgv_m_s: float | None
-) -> DescribedObject:
-    """Return an object with the demand of all where it states none of its own."""
-    demand = described.given.demand
-    if demand.pga_g is not None or demand.pgv_m_s is not None:
-        return described
-    if pga_g is None and pgv_m_s is None:
-        raise ModelError(
-            "pga_g, pgv_m_s",
-            Words(f"are both missing of {described.name}"),
-            "objects are assessed at a peak velocity, a peak acceleration or both",
-            "give the PGV, and the PGA where it is known",
-        )
-    return described.with_peaks(pga_g=pga_g, pgv_m_s=pgv_m_s)
 
 
 def _by_floor(

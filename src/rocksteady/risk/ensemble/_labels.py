@@ -116,29 +116,34 @@ def labelled(
     )
 
 
+def alike_words(names: Sequence[str], records: Sequence[Record]) -> list[str]:
+    """Return a sentence on each record that stands among the records more than once."""
+    alike: dict[tuple[float, bytes], list[str]] = {}
+    for name, record in zip(names, records, strict=True):
+        alike.setdefault((record.dt_s, record.acceleration_m_s2.tobytes()), []).append(name)
+    return [
+        f"{', '.join(same[:MOST_NAMES])} hold the same samples: they count as "
+        f"{len(same)} records and are one."
+        for same in alike.values()
+        if len(same) > 1
+    ]
+
+
 def warnings_of(
     names: Sequence[str],
-    records: Sequence[Record],
+    alike: Sequence[str],
     scale: Floats,
     status: NDArray[Any],
     copied: NDArray[np.bool_],
 ) -> str:
-    """Return sentences on what to mind, as a list in JSON."""
+    """Return sentences on what to mind, as a list in JSON; `alike` are those of `alike_words`."""
     remarks = []
     if flat := int(copied.any(axis=1).sum()):
         remarks.append(
             f"{flat} of {plural(len(names), 'record')} have no vertical component: their runs with "
             "it are copies, which count in shares and curves so that all records weigh the same."
         )
-    alike: dict[tuple[float, bytes], list[str]] = {}
-    for name, record in zip(names, records, strict=True):
-        alike.setdefault((record.dt_s, record.acceleration_m_s2.tobytes()), []).append(name)
-    remarks += [
-        f"{', '.join(same[:MOST_NAMES])} hold the same samples: they count as "
-        f"{len(same)} records and are one."
-        for same in alike.values()
-        if len(same) > 1
-    ]
+    remarks += alike
     large = scale > LARGE_FACTOR
     if large.any():
         strongest = names[int(np.unravel_index(int(np.argmax(scale)), scale.shape)[1])]

@@ -1,5 +1,6 @@
 """What equipment is qualified by, of the runs of an ensemble: motion, clearance, speed, force."""
 
+import functools
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Final
 
@@ -16,8 +17,13 @@ from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import length, quantity
 from rocksteady.seismic.measures.free_sides import free_sides
-from rocksteady.seismic.spectra.batch import shaken_forces, sides_in_si
+from rocksteady.seismic.spectra.batch import GroundShaking, shaken_forces, sides_in_si
 from rocksteady.seismic.spectra.grounds import grounds_of
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
+from rocksteady.sweep.evaluate import compute_cells
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -36,6 +42,10 @@ FORCES: Final[Mapping[str, Mapping[str, str]]] = {
     for way, word in (("across", "horizontal"), ("down", "vertical"))
 }
 """Attributes of the variables that masses of the blocks add."""
+FORCE_OUTPUTS: Final = tuple(
+    Output(name=name, long_name=words["long_name"], units=words["units"])
+    for name, words in FORCES.items()
+)
 SHARE: Final = 0.84
 """Share of the runs that rock and stand, of which a description has the largest values."""
 OF_ROCKING: Final = f"in {100.0 * SHARE:.0f} % of the runs that rock and stand"
@@ -101,6 +111,8 @@ def forces_of_rocking(
     blocks: Sequence[Block],
     motions: Sequence[Record | BaseMotion],
     masses_kg: Sequence[float | None],
+    *,
+    run: Execution | None = None,
 ) -> list[tuple[float, float] | None]:
     """Return the horizontal and vertical force on the base of most runs of each block [kN].
 
@@ -114,6 +126,8 @@ def forces_of_rocking(
         The blocks and their masses [kg].
     motions
         The records, each run once with each block.
+    run
+        Executor and workers; default `Execution()`.
     """
     heavy = [place for place, mass in enumerate(masses_kg) if mass is not None]
     values: list[tuple[float, float] | None] = [None] * len(blocks)
@@ -122,20 +136,52 @@ def forces_of_rocking(
     grounds = grounds_of(motions)
     model = chosen_model(None, blocks[0], grounds[0].record)
     bodies = [blocks[place] for place in heavy]
-    number = np.repeat(np.arange(len(heavy)), len(grounds))
-    ground = np.tile(np.arange(len(grounds)), len(heavy))
-    forces = shaken_forces(
-        grounds,
-        ground=ground,
-        scale=np.concatenate([runs[place]["scale"].isel(block=0).values for place in heavy]),
-        sides=np.stack([sides_in_si(block, model) for block in bodies])[number],
-        gravity=np.array([block.gravity for block in bodies])[number],
-        centres=np.stack([mass_centres(block) for block in bodies])[number],
+    # Blocks run fastest: those on one ground share its table.
+    axes = (
+        Axis(name="motion", values=np.arange(len(grounds)), long_name="number of the motion"),
+        Axis(name="block", values=np.arange(len(heavy)), long_name="number of the block"),
     )
+    cells = compute_cells(
+        functools.partial(
+            _forces,
+            grounds=grounds,
+            scales=np.stack([runs[place]["scale"].isel(block=0).values for place in heavy]),
+            sides=np.stack([sides_in_si(block, model) for block in bodies]),
+            gravity=np.array([block.gravity for block in bodies]),
+            centres=np.stack([mass_centres(block) for block in bodies]),
+        ),
+        Grid(axes=axes),
+        FORCE_OUTPUTS,
+        run=run,
+    )
+    forces = np.stack([cells[name].values.T for name in FORCES], axis=-1)
     for each, place in enumerate(heavy):
-        rocked = forces[(number == each) & np.isfinite(forces[:, 0])]
+        rocked = forces[each][np.isfinite(forces[each, :, 0])]
         if len(rocked):
             weight = weight_kn(blocks[place], masses_kg[place] or 0.0)
             across, down = (weight * np.quantile(rocked, SHARE, axis=0)).tolist()
             values[place] = across, down
     return values
+
+
+def _forces(
+    motion: Floats,
+    block: Floats,
+    *,
+    grounds: Sequence[GroundShaking],
+    scales: Floats,
+    sides: Floats,
+    gravity: Floats,
+    centres: Floats,
+) -> dict[str, Floats]:
+    """Return the largest forces over the weight of some cells."""
+    ground, body = motion.astype(np.int64), block.astype(np.int64)
+    forces = shaken_forces(
+        grounds,
+        ground=ground,
+        scale=scales[body, ground],
+        sides=sides[body],
+        gravity=gravity[body],
+        centres=centres[body],
+    )
+    return dict(zip(FORCES, forces.T, strict=True))

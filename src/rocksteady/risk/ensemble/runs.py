@@ -18,10 +18,10 @@ from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.ensemble._cases import Body, copies_of, fates, ways_to_run, whole
-from rocksteady.risk.ensemble._labels import labelled, warnings_of
+from rocksteady.risk.ensemble._labels import alike_words, labelled, warnings_of
 from rocksteady.risk.ensemble._uplift import uplift_limits, uplift_times
 from rocksteady.risk.ensemble.levels import Levels
-from rocksteady.risk.ensemble.qualification import FORCES, qualification_of
+from rocksteady.risk.ensemble.qualification import FORCE_OUTPUTS, qualification_of
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.ways import Ways
 from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel
@@ -35,7 +35,6 @@ from rocksteady.seismic.spectra.grounds import (
 from rocksteady.seismic.spectra.many import DIRECTIONS, blocks_of, chosen
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.run import Execution
 
@@ -205,10 +204,7 @@ def run_each(
     outputs = [*OUTPUTS]
     if weights is not None:
         more["weights_kn"] = weights
-        outputs += [
-            Output(name=name, long_name=words["long_name"], units=words["units"])
-            for name, words in FORCES.items()
-        ]
+        outputs += FORCE_OUTPUTS
     load_kernel(equations)
     swept = evaluate(
         functools.partial(
@@ -236,6 +232,7 @@ def run_each(
     rocked = arrays["peak_angle"] > 0.0
     arrays["uplift_time_s"] = np.where(rocked, times[:, :, :, :, np.newaxis], np.nan)
     copied = copies_of(grounds, lifts)
+    alike_records = alike_words(names, records)
     ensembles = []
     for each, row, part in zip(levels, at, parts, strict=True):
         members = blocks[part]
@@ -259,7 +256,7 @@ def run_each(
                     "gate_g": math.nan if moved else float(limits[part].min()),
                     "runs": runs * at.shape[1] * restitution.draws,
                     "warnings": warnings_of(
-                        names, records, scale[part], arrays["status"][part], copied
+                        names, alike_records, scale[part], arrays["status"][part], copied
                     ),
                 },
             )

@@ -205,8 +205,8 @@ def _answer(
         If a file cannot be read, the folder cannot be filled, or a motion is missing.
     """
     from rocksteady.risk.assess.assessment import assess_object
-    from rocksteady.risk.assess.cell_count import count_cells
     from rocksteady.risk.assess.described.objects import EXAMPLE, read_object
+    from rocksteady.risk.assess.placed_objects import place_objects
 
     output.files.check_folder(ASSESSMENT, out)
     run = kept.sweep.run(force=output.force)
@@ -219,7 +219,7 @@ def _answer(
     output.files.check_folder(ASSESSMENT, out, read)
     announce_compilation("records.record_fates")
     known = _buildings(buildings)
-    cells = count_cells([described], suite.motions, known)
+    cells = place_objects([described], suite.motions, known).cells
     with sweeping("running the object", cells) as meter:
         assessment = assess_object(
             described,
@@ -254,9 +254,9 @@ def _answers(
     InputError, FlagError
         If a file cannot be read, or neither peak is given.
     """
-    from rocksteady.risk.assess.cell_count import count_cells
     from rocksteady.risk.assess.described.tables import read_objects
-    from rocksteady.risk.assess.objects_table import assess_objects
+    from rocksteady.risk.assess.objects_table import assess_placed
+    from rocksteady.risk.assess.placed_objects import place_objects, with_demand
 
     output.files.check_folder(ASSESSMENT, out)
     run = kept.sweep.run(force=output.force)
@@ -272,15 +272,13 @@ def _answers(
     beside = [file] if buildings is None else [file, buildings]
     output.files.check_folder(ASSESSMENT, out, [*beside, *suite.read])
     announce_compilation("records.record_fates")
-    peak = {"pga_g": peaks.pga_g, "pgv_m_s": peaks.pgv_m_s}
-    known = _buildings(buildings)
-    with sweeping("running objects", count_cells(objects, suite.motions, known, **peak)) as meter:
-        table = assess_objects(
-            objects,
-            suite.motions,
-            buildings=known,
-            **peak,
-            target_probability=USUAL_TARGET if target is None else target,
+    asked = [with_demand(each, peaks.pga_g, peaks.pgv_m_s) for each in objects]
+    placed = place_objects(asked, suite.motions, _buildings(buildings))
+    with sweeping("running objects", placed.cells) as meter:
+        table = assess_placed(
+            placed,
+            (peaks.pga_g, peaks.pgv_m_s),
+            USUAL_TARGET if target is None else target,
             run=replace(run, progress=meter),
         )
     if out is not None:

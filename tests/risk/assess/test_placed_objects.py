@@ -6,9 +6,9 @@ from rocksteady import Execution
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
-from rocksteady.risk.assess.cell_count import count_cells
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.objects_table import assess_objects
+from rocksteady.risk.assess.placed_objects import place_objects, with_demand
 
 FEW = {"draws": 2, "levels": 6}
 SLENDER = {"width_m": 0.2, "height_m": 1.2}
@@ -35,5 +35,6 @@ def test_cells_are_those_that_run_and_what_slides_has_none(
     passed: list[int] = []
     run = Execution(progress=passed.append)
     assess_objects(objects, motions, pga_g=0.4, pgv_m_s=0.45, run=run)
-    assert sum(passed) == count_cells(objects, motions, pga_g=0.4, pgv_m_s=0.45)
-    assert count_cells([objects[-1].with_peaks(**demand)], motions) == 0
+    asked = [with_demand(each, 0.4, 0.45) for each in objects]
+    assert sum(passed) == place_objects(asked, motions).cells
+    assert place_objects([objects[-1].with_peaks(**demand)], motions).cells == 0
