@@ -201,6 +201,8 @@ def test_several_dampings_are_stated_in_the_order_of_the_columns(tmp_path: Path)
         ("period sa\n", "no rows"),
         ("0.1 0.3\n0.2 0.3 0.4\n", "line 2 has 3 numbers"),
         ("0.1 0.3\nend of file\n", "line 2 is no row"),
+        ("T;Sa\n0,1;0,25\n0,2;0,35\n", "line 2 has decimal commas"),
+        ("0.1 0.3\n0,2\t0,35\n", "line 2 has decimal commas"),
     ],
 )
 def test_a_file_that_holds_none_is_refused_by_its_line(

@@ -26,6 +26,7 @@ from rocksteady.records.core.sampling import Spaced, evenly_spaced, places
 from rocksteady.records.core.table import Table, table
 from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import UNITS, in_m_s2
+from rocksteady.results.numbers import plural
 
 CSV: Final = "csv"
 COLUMNS: Final = "columns"
@@ -358,7 +359,8 @@ def _refuse_short_rows(text: RecordText, data_table: Table, *, last: bool = Fals
     rows = list(zip(data_table.rows, data_table.lines, strict=True))
     for row, at in rows if last else rows[:-1]:
         if len(row) != columns:
-            valid = f"it has {len(row)} numbers, and the table has {columns} columns"
+            count = plural(len(row), "number")
+            valid = f"it has {count}, and the table has {plural(columns, 'column')}"
             raise text.error(valid, "fetch the file again, or take out what is no sample", at=at)
 
 

@@ -16,6 +16,7 @@ from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record
+from rocksteady.results.numbers import plural
 from rocksteady.seismic.measures.response_spectrum import (
     LONGEST_S,
     SHORTEST,
@@ -263,8 +264,12 @@ def read_table(path: Path) -> tuple[Floats, tuple[float, ...] | None]:
                 raise InputError("spectrum", path, valid, SHAPE_HINT) from None
             dampings = _dampings_in(text) or dampings
             continue
+        if "." not in text and re.search(r"\d,\d", text) and re.search(r"\d[;\s]+\d", text):
+            valid = f"line {number} has decimal commas"
+            raise InputError("spectrum", path, valid, "write points, as 0.5 for 0,5")
         if row and rows and len(row) != len(rows[0]):
-            valid = f"line {number} has {len(row)} numbers, and the rows above {len(rows[0])}"
+            count = plural(len(row), "number")
+            valid = f"line {number} has {count}, and the rows above {len(rows[0])}"
             raise InputError("spectrum", path, valid, SHAPE_HINT)
         if row:
             rows.append(row)
