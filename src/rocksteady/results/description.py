@@ -3,7 +3,7 @@
 import math
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.results.answer import Answer
@@ -35,7 +35,7 @@ class Fact:
     """
 
     key: str
-    value: Any = None
+    value: Any = field(default=None, hash=False)
     label: str = ""
     text: str = ""
 

@@ -25,7 +25,8 @@ from tests.show.assessment.pages import drawn_once
 
 SUITE = make_synthetic_suite(11)
 FILES = [
-    "fragility.csv", "fragility.json", "fragility.xml", "report.html", "results.csv", "run.json",
+    "fragility.csv", "fragility.json", "fragility.xml", "fragility_peaks.xml", "report.html",
+    "results.csv", "run.json",
 ]  # fmt: skip
 ALONE = ["report.html", "run.json"]
 """Files of an object that slides."""
@@ -91,7 +92,8 @@ def test_curves_are_in_metres_a_second_for_pelicun_and_centimetres_for_openquake
 ) -> None:
     write_assessment(rocking, tmp_path / "answer")
     with (tmp_path / "answer" / "fragility.csv").open(encoding="utf-8", newline="") as stream:
-        (row,) = csv.DictReader(stream)
+        row, peaks = csv.DictReader(stream)
+    assert peaks["ID"] == f"{row['ID']}.peaks"
     assert rocking.fragility is not None
     curve = rocking.fragility.state("overturned").curve  # over PGV, of the runs that lift
     assert isinstance(curve, FragilityCurve)
@@ -112,13 +114,13 @@ def test_curves_are_in_metres_a_second_for_pelicun_and_centimetres_for_openquake
 
 
 @pytest.mark.slow
-def test_the_description_for_loss_tools_names_the_object_once(
+def test_the_description_for_loss_tools_names_the_object_once_a_component(
     rocking: Assessment, tmp_path: Path
 ) -> None:
     write_assessment(rocking, tmp_path / "answer")
-    for name in ("fragility.json", "fragility.xml"):
+    for name, count in (("fragility.json", 2), ("fragility.xml", 1), ("fragility_peaks.xml", 1)):
         text = (tmp_path / "answer" / name).read_text(encoding="utf-8")
-        assert len(re.findall(r"B(?:ü|\\u00fc)ste, 3 \(Saal\)", text)) == 1, name
+        assert len(re.findall(r"B(?:ü|\\u00fc)ste, 3 \(Saal\)", text)) == count, name
 
 
 @pytest.mark.slow
@@ -135,7 +137,7 @@ def test_an_object_that_slides_leaves_its_inputs_alone(
 ) -> None:
     out = tmp_path / "answer"
     write_assessment(rocking, out)
-    with pytest.raises(OutputError, match=r"it holds fragility\.csv and 5 more; add --force"):
+    with pytest.raises(OutputError, match=r"it holds fragility\.csv and 6 more; add --force"):
         write_assessment(sliding, out)
     assert names(out) == FILES
     write_assessment(sliding, out, force=True)

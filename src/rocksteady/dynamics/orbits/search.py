@@ -26,10 +26,10 @@ from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.kernels.orbits import periodic, return_map
 from rocksteady.kernels.orbits.periodic import mirror
 from rocksteady.kernels.orbits.return_map import (
+    Jacobian,
     Passage,
     Section,
     guess_after,
-    identity,
     next_passage,
     uplift_after,
 )
@@ -316,7 +316,8 @@ def _resting_orbits(system: EitherSystem, longest: int) -> Iterable[Found]:
     much between two rests that rounding decides the motion.
     """
     for begin in _uplifts(system):
-        passages, step = 0, Passage(return_map.UPLIFT, begin, 0.0, 0.0, identity())
+        standing = Jacobian(1.0, 0.0, 0.0, 1.0)
+        passages, step = 0, Passage(return_map.UPLIFT, begin, 0.0, 0.0, standing)
         whole = nothing = Stretch(GENERIC[0], GENERIC[1], 0.0, 0)  # since the last rest
         while whole.logarithm <= ROUNDED:
             step = for_system(next_passage, system)(system, step.state, guess_after(step))

@@ -188,8 +188,9 @@ def bends_after(course: Course, time: float) -> tuple[float, float, float, float
     bend = 2.0 * second + time * (6.0 * third + time * (12.0 * fourth + time * high))
     high = 60.0 * fifth + time * (120.0 * sixth + time * (210.0 * seventh))
     jerk = 6.0 * third + time * (24.0 * fourth + time * high)
+    high = 120.0 * fifth + time * (360.0 * sixth + time * (840.0 * seventh))
     later = 120.0 * fifth + time * (720.0 * sixth)
-    return bend, jerk, 24.0 * fourth + time * (120.0 * fifth), later
+    return bend, jerk, 24.0 * fourth + time * high, later
 
 
 @inlined

@@ -63,6 +63,8 @@ def first_landing(
         d2, d3, d4, d5 = bends_after(course, time)
         search = looked_at(search, time, y, v, d2, d3, d4, d5)
         if search.found:
-            return Landing(LANDS, search.time, 0.0, search.speed)
-    _, velocity = state_after(course, angle, velocity, search.high)
-    return Landing(LANDS, search.high, 0.0, min(velocity, 0.0))
+            break
+    # The derivatives are near enough for the time, not for the speed.
+    time = search.time if search.found else search.high
+    _, velocity = state_after(course, angle, velocity, time)
+    return Landing(LANDS, time, 0.0, min(velocity, 0.0))

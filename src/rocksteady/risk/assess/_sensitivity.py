@@ -10,6 +10,7 @@ import numpy as np
 
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arrays import compare_by_value
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.doubts import far_above
 from rocksteady.results.numbers import chance, plural
@@ -37,6 +38,7 @@ WORN = 0.05
 """Share of the width that worn edges take."""
 
 
+@compare_by_value
 @dataclass(frozen=True, kw_only=True)
 class Case:
     """The object with one thing changed.
