@@ -31,7 +31,7 @@ FINER = re.compile(rb"(?<!scale\()(\b\d+\.\d\d)\d{2,}")
 UNSEEN = re.compile(rb"<metadata>.*?</metadata>\s*|<!--.*?-->\s*", re.DOTALL)
 """What is not drawn."""
 
-INDEXED = re.compile(r"\b([dT])_(SLV|SLC|C)\b|\b([SaCx])_([eDgCh])\b")
+INDEXED = re.compile(r"\b([dT])_(SLV|SLC|C)\b|\b([SaCxz])_([eDgChd])\b")
 """Symbols of codes with an index."""
 
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

@@ -35,8 +35,9 @@ class MapStartFlags:
 
     start: str = options.start_flag(
         "--start START",
-        "rest; steady or steady:2 (on branch 1 or 2 of order -n); U,V (u and du/d(pt)); or "
-        "U,tau=DU (DU = du/d(omega t)). Both may be axes, as --start=-1:1:200,0.",
+        "Set the start: rest (default), steady or steady:2 (on branch 1 or 2 of order -n), U,V "
+        "(u and du/d(pt)), or U,tau=DU (DU = du/d(omega t)). Both may be axes, as "
+        "--start=-1:1:200,0.",
         default="rest",
     )
     order: int = options.order()

@@ -45,7 +45,7 @@ scale_flag = partial(
 units_flag = partial(
     reading_flag,
     "--units UNIT",
-    "Set the unit of numbers in files that do not state it: g, m/s^2, cm/s^2, gal, ...",
+    "Set the unit of numbers in files that do not state it: g, m/s^2, cm/s^2, gal and others.",
 )
 dt_s_flag = partial(
     reading_flag,

@@ -266,8 +266,10 @@ class _Drawing:
         point = self.small * self.per_point
         names = 0.75 * max(len(name) for name, _ in rows) + 0.9
         top = self.axes.get_ylim()[1] - point
+        height = self.turned(2.0 * shape.half_width + 2.1 * self.gap, 0.5 * shape.height)
+        begin = max(self.right, float(height[0]) + 1.6 * point)  # to the right of "2h"
         for k, (name, value) in enumerate(rows):
-            at = np.array([self.right, top - 1.5 * k * point])
+            at = np.array([begin, top - 1.5 * k * point])
             self.write(math_of(name), at, ha="left")
             self.write(value, at + np.array([names * point, 0.0]), ha="left")
         low = LAW * self.size

@@ -344,7 +344,7 @@ def _draw_impulses(axes: "Axes", table: Floats, end: float, factor: float, heigh
         heads = np.full(len(at), sign * height)
         axes.plot(at, heads, marker, ms=6.0, color=inks.base, clip_on=False)
         if words is None or at[-1] > words[0]:
-            words = float(at[-1]), 0.7 * sign * height
+            words = float(at[-1]), 0.35 * sign * height  # between the lines of uplift and 0
     if words is not None:
         axes.annotate(
             "impulse, without a scale",

@@ -46,6 +46,12 @@ MOST_CROWDED = 90.0
 """Diameter of the unit circle [points] below which it has fewer ticks."""
 LEAST_NAMED = 66.0
 """Diameter of the unit circle [points] from which on its name fits in."""
+NAME = (56.0, 16.0)
+"""Width and height of its name with a mark about it [points]."""
+HEIGHTS_OF_NAME = (-0.74, 0.74, -0.22, 0.22)
+"""Heights at which the name may stand, in radii: the first where it covers fewest marks."""
+BEYOND = r"beyond the circle: $\log|\mu|$"
+"""What the distance from the unit circle is, where multipliers are far outside it."""
 MARKERS = {1: "^", -1: "v"}
 """Of the side to which the block goes."""
 
@@ -182,6 +188,7 @@ def plot_multipliers(
     >>> [text.get_text() for text in axes.texts[:3]]
     ['10', '$10^{2}$', '$10^{3}$']
     """
+    from matplotlib.lines import Line2D
     from matplotlib.patches import Circle
 
     axes = axes_or_new(ax)
@@ -210,6 +217,7 @@ def plot_multipliers(
         )
     places = np.array([[_place(complex(m), decades) for m in pair] for pair in values])
     places = places.reshape(-1, 2)
+    marks = np.column_stack([places.real.ravel(), places.imag.ravel()])
     colours = _colours((orbit for _, orbit in numbered), inks)
     for (_, orbit), pair in zip(numbered, places, strict=True):
         style = _style(orbit, colours[_kind(orbit)], inks)
@@ -225,12 +233,16 @@ def plot_multipliers(
     diameter = min(size_of(axes)) / reach
     roomy = diameter > MOST_CROWDED
     if diameter > LEAST_NAMED:
+        half = np.array(NAME) / diameter
+
+        def covered(height: float) -> int:
+            return int((np.abs(marks - [0.0, height]) < half).all(axis=1).sum())
+
         axes.annotate(
             "stable inside",
-            (0.0, -0.86),
-            (0.0, 3.0),
-            textcoords="offset points",
+            (0.0, min(HEIGHTS_OF_NAME, key=covered)),
             ha="center",
+            va="center",
             fontsize=text_size(axes, 7.5),
             color=inks.ink,
             bbox={"fc": inks.paper, "ec": "none", "alpha": 0.75, "pad": 0.3},
@@ -238,9 +250,12 @@ def plot_multipliers(
     ticks = [-1.0, -0.5, 0.0, 0.5, 1.0] if roomy else [-1.0, 0.0, 1.0]
     axes.set_xticks(ticks)
     axes.set_yticks(ticks)
-    if decades:
+    handles = _handles([orbit for _, orbit in numbered], "o", inks)
+    if decades and not roomy:  # the words would cover the numbers of the rings
+        handles.append(Line2D([], [], ls="none", label=BEYOND))
+    elif decades:
         axes.annotate(
-            r"beyond the circle: $\log|\mu|$",
+            BEYOND,
             (1.0, 0.0),
             (-2.0, 3.0),
             xycoords="axes fraction",
@@ -249,7 +264,6 @@ def plot_multipliers(
             fontsize=text_size(axes, 7.5),
             color=inks.quiet,
         )
-    handles = _handles([orbit for _, orbit in numbered], "o", inks)
     place, corner = clear_place(axes, legend, [str(handle.get_label()) for handle in handles])
     draw_legend(axes, place, handles=handles, corner=corner)
     labels: list[tuple[str, float, float]] = []

@@ -1,6 +1,7 @@
 """Plots of the scales of records, and of the kicks, that overturn a block."""
 
-from typing import TYPE_CHECKING
+import math
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from rocksteady.seismic.spectra.overturning_scales import OverturningScales
 from rocksteady.show.style import palette
 from rocksteady.show.style.areas import area_style, swatch
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of
 from rocksteady.show.style.limits import draw_limit
 from rocksteady.show.style.tokens import inks_of
 
@@ -26,6 +27,10 @@ SIDES = (
 """Words and pattern of each side, as the legend has them."""
 LONGEST_NAME = 18
 BAR = 0.7
+RIM, NARROW_RIM = 0.8, 0.3
+"""Widths of the rims of what falls [points]."""
+LEAST_RIMMED = 4.0
+"""Width of a window below which a grey rim would hide what falls [points]."""
 
 
 @checked
@@ -62,6 +67,17 @@ def plot_overturning_scales(
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "below")
     low, high = scales.within
+    per_factor = size_of(axes)[0] / math.log(high / low)
+
+    def rims(windows: list[tuple[float, float]]) -> dict[str, Any]:
+        """Return rims that keep falls to either side apart, but do not hide a narrow window."""
+        wide = [per_factor * math.log1p(width / begin) > LEAST_RIMMED for begin, width in windows]
+        narrow = inks.edge if inks.dark else inks.falls  # black is not seen on dark paper
+        return {
+            "edgecolor": [inks.edge if each else narrow for each in wide],
+            "linewidth": [RIM if each else NARROW_RIM for each in wide],
+        }
+
     handles = []
     for row, top in enumerate(scales.top.tolist()):
         axes.barh(row, top - low, BAR, left=low, facecolor=inks.paper, edgecolor=inks.edge, lw=0.6)
@@ -75,8 +91,7 @@ def plot_overturning_scales(
                 drawn = True
                 place_of_row = (row - 0.5 * BAR, BAR)
                 axes.broken_barh(parts, place_of_row, **area_style(inks, "falls", pattern))
-                # A rim keeps falls to either side apart.
-                axes.broken_barh(parts, place_of_row, fc="none", ec=inks.edge, lw=0.8)
+                axes.broken_barh(parts, place_of_row, facecolor="none", **rims(parts))
         if drawn:
             handles.append(swatch(inks, "falls", words, pattern))
     if scales.left_out.any():

@@ -296,8 +296,9 @@ export function lineLabel(pen, onto, xs, ys, text, { colour, part = 0.5, above =
     }
   }
   if (!inside.length) return;
-  const [x, y] = inside[Math.min(inside.length - 1, Math.floor(part * inside.length))];
-  note(pen, onto, text, x, y - above, { colour });
+  const at = Math.min(inside.length - 1, Math.floor(part * inside.length)), [x, y] = inside[at];
+  const falls = (inside[at + 1] ?? inside[at])[1] > y; // the words stand on the side that is free
+  note(pen, onto, text, falls ? x + 4 : x - 4, y - above, { colour, align: falls ? 'left' : 'right' });
 }
 
 /**

@@ -119,7 +119,7 @@ function labelClosed(pen, onto, { closed, units }) {
     if (branch !== 1 || !stable.some((holds) => holds)) continue;
     const ys = Float64Array.from(peaks, (peak, k) => (stable[k] ? peak * units.y : NaN));
     const text = ORDER_WORDS[/** @type {1 | 3} */ (order)];
-    const part = order === 1 ? 0.15 : 0.6; // apart where the curves are close
+    const part = order === 1 ? 0.3 : 0.6; // apart where the curves are close
     lineLabel(pen, onto, xs, ys, text,
       { colour: orderColour(onto.theme, order), part, above: 12 });
   }

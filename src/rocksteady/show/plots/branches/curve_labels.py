@@ -35,6 +35,8 @@ MOST_NAMES = 2
 """Names in one word on a bundle of lines; for a larger one the first alone is written."""
 MOST_SHIFT = 6.0
 """Distance of a name from the end of its line at which it is no longer there [heights of text]."""
+MARK = 3.0
+"""How far marks on a line stand out from it [points]."""
 MOST_ROOM = 40.0
 """Distance from other lines beyond which more of it is no better [points]."""
 AROUND = [(1, 0), (1, 1), (1, -1), (-1, 0), (-1, 1), (-1, -1), (0, 1), (0, -1)]
@@ -86,6 +88,7 @@ class Words:
         self.lines = [self._spaced(self.there(line)) for line in lines]
         self.taken: list[tuple[Floats, float]] = []
         self.boxes: list[Floats] = []
+        self.gap = 2.5 + (MARK if dots else 0.0)  # of words from their line [points]
         every = [*self.lines, *(self.there(each) for each in dots)]
         self.owners = np.repeat(np.arange(len(every)), [len(each) for each in every])
         self.points = np.concatenate([np.zeros((0, 2)), *every])
@@ -131,7 +134,7 @@ class Words:
             on one of them.
         """
         size = text_size(self.axes, 7.0)
-        shifts = (0.5 * size + 2.5) * np.array([1.0, -1.0]) if aside else np.zeros(1)
+        shifts = (0.5 * size + self.gap) * np.array([1.0, -1.0]) if aside else np.zeros(1)
         done, written = [not name for name in names], set[str]()
         for number in sorted(range(len(names)), key=lambda k: -len(self.lines[k])):
             if done[number] or (once and names[number] in written):

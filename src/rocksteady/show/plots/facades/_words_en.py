@@ -217,7 +217,7 @@ ENGLISH: Final[dict[str, str]] = {
     "still": "does not lift",
     "vertical": "with vertical",
     "mean_row": "mean",
-    "runs_note": "A bar with an arrow goes beyond d₀. The thick line is the mean over the records.",
+    "runs_note": "A bar with an arrow goes beyond d₀.",
     # Method
     "method_1_name": "Kinematic analysis.",
     "method_1": (

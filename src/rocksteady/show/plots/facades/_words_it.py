@@ -219,9 +219,7 @@ ITALIAN: Final[dict[str, str]] = {
     "still": "non si solleva",
     "vertical": "con componente verticale",
     "mean_row": "media",
-    "runs_note": (
-        "Una barra con la freccia va oltre d₀. La linea spessa è la media sugli accelerogrammi."
-    ),
+    "runs_note": "Una barra con la freccia va oltre d₀.",
     # Method
     "method_1_name": "Analisi cinematica.",
     "method_1": (

@@ -1,5 +1,6 @@
 // A time history with its base motion above it, on one axis of time.
 
+/** @import { Frame } from '../../draw/frame.mjs' */
 /** @import { Theme } from '../../draw/theme.mjs' */
 /** @import { ShownUnits } from './words.mjs' */
 /** @import { SampledRun } from '../../physics/demand/run.mjs' */
@@ -9,6 +10,16 @@ import { numeral } from '../../draw/scale.mjs';
 
 const COURSE_SMALL = 0.12; // theta/alpha
 const COURSE_BASE = 0.34; // part of the height that the base motion takes
+
+/**
+ * Return the height of words above a level, or below it where the box ends [px].
+ * @param {Frame} onto
+ * @param {number} level
+ */
+function beside(onto, level) {
+  const y = onto.y.at(level);
+  return y - 17 < onto.box.top ? y + 9 : y - 9;
+}
 
 /**
  * Draw the base acceleration and the angle of a run, +-alpha as lines, impacts as dots.
@@ -34,13 +45,12 @@ export function drawCourse(pen, size, theme, run, units) {
   const { time, angle, base: push } = units.axes, x = { from: 0, to, label: time.label };
   const top = frame(pen, { width: size.width, height: above }, {
     theme, x: { ...x, label: '', bare: true }, margin,
-    y: { from: -strongest, to: strongest, label: push.label, far: push.far },
+    y: { from: -strongest, to: strongest, label: `${push.label}; dashed: lifts the block`, far: push.far },
   });
   rule(pen, top, { y: 0 }, { colour: theme.edge });
   for (const side of [-1, 1]) {
     rule(pen, top, { y: side * units.amplitude }, { colour: theme.limit, dash: [6, 4] });
   }
-  note(pen, top, 'lifts', top.box.left + top.box.width - 4, top.y.at(units.amplitude) - 8, { align: 'right' });
   curve(pen, top, [0, ...times], [0, ...base], { colour: theme.base, width: 1.8 });
   pen.save();
   pen.translate(0, above);
@@ -51,7 +61,7 @@ export function drawCourse(pen, size, theme, run, units) {
   rule(pen, low, { y: 0 }, { colour: theme.edge });
   for (const side of [-1, 1]) rule(pen, low, { y: side * units.angle }, { colour: theme.limit, dash: [6, 4], width: 1.2 });
   const level = small ? `±α = ±${numeral(units.angle, 3)}${units.si ? '°' : ''}, outside` : 'θ = α';
-  const at = small ? low.box.top + 10 : low.y.at(units.angle) - 9;
+  const at = small ? low.box.top + 10 : beside(low, units.angle);
   note(pen, low, level, low.box.left + low.box.width - 4, at, { align: 'right' });
   curve(pen, low, times, angles, { colour: theme.motion, width: 2 });
   const struck = Array.from(run.impacts).filter((t) => t * units.time <= to).slice(0, 400);

@@ -75,7 +75,7 @@ export function makeOrder(app) {
     });
     if (cascade?.falls) {
       const x = across(cascade.falls);
-      write(pen, theme, 'falls', Math.min(x + 4, left + wide - 28), up(1.2), { bold: true });
+      write(pen, theme, 'falls', Math.min(x + 4, left + wide - 18), 40, { bold: true });
       drawLine(pen, theme, [x, 30, x, middle], 'ink', 1, [5, 4]);
     }
     strip = [left, 20, wide, middle - 10];

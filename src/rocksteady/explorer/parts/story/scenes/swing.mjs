@@ -33,8 +33,8 @@ export function makeSwing(app) {
   const go = () => {
     swing = letGo(app.kernels, block, app.state.tilt, SECONDS);
     const { rocks } = swing;
-    answer(`From impact to impact the first rock takes ${rocks[0].toFixed(2)} s, `
-      + `the fifth ${rocks[FIFTH].toFixed(2)} s.`);
+    answer(`From impact to impact the first rock takes ${rocks[0].toFixed(2)}\u00a0s, `
+      + `the fifth ${rocks[FIFTH].toFixed(2)}\u00a0s.`);
   };
   const view = makeView(canvas, (pen, width, height) => {
     const { theme } = app, narrow = width < NARROW;
