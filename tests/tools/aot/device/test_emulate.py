@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rocksteady.installation._recorded import Call, arguments_of
 from rocksteady.kernels.core.queue import LEFT_OVER
-from rocksteady.kernels.core.tuples import Fates, Starts, SymmetricCells
+from rocksteady.kernels.core.tuples import Cells, Fates, Starts
 from rocksteady.kernels.devices import FORMS, Form, form_of
 from rocksteady.kernels.entries import ENTRIES
 from tests.every import every
@@ -107,5 +107,5 @@ def test_no_bit_depends_on_who_takes_a_cell_and_when(name: str, emulated: Emulat
 def test_nothing_is_taken_where_there_are_no_cells(emulated: Emulated) -> None:
     form = FORMS["lane_fates"]
     none, nothing = np.empty(0), np.empty(0, dtype=np.int64)
-    cells, starts = SymmetricCells(none, none, none), Starts(none, none, none)
+    cells, starts = Cells(none, none, np.empty((0, 2, 3))), Starts(none, none, none)
     emulated.run(form, [cells, starts, 10, True, 100, Fates(nothing, nothing, np.empty((0, 3)))])
