@@ -34,7 +34,7 @@ MEANS = {
     ("area", "aperiodic"): "aperiodic",
     ("area", "risk_ramp"): "|predicted|to of runs fall",
     ("line", "base"): "hazard|horizontal|vertical|.* spectrum",
-    ("line", "risk"): "probability of falling|falls|one curve median|",
+    ("line", "risk"): "probability of falling|falls( given uplift)?|one curve median|",
     ("band", "risk"): "middle of the risk|rate of falling by intensity not to scale",
     ("dot", "impact"): "impacts?|after an impact",
     ("dot", "observed"): "fell|share .*|release|rests|saddle.*|chosen|stable|falls to .*",
