@@ -28,7 +28,7 @@ class PlacedObjects:
     objects
         Each with its demand and the peaks of its floor.
     motions
-        Of each object, those of one floor the same list.
+        A list for each object, the same one on one floor.
     suite
         Motions of the ground.
     seconds
