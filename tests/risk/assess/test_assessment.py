@@ -527,16 +527,16 @@ def test_no_run_that_falls_is_a_count(found: Assessment) -> None:
     assert not re.search(r"\b0 %", changed.summary().splitlines()[0])
 
 
-def test_a_demand_outside_the_levels_of_the_runs_is_named() -> None:
-    strong = {"pga_g": 0.4, "pgv_m_s": 9.0}
-    (note,) = (
-        text
-        for text in assess_object(described(demand=strong), SUITE[:2]).describe().notes
-        if "outside the levels" in text
-    )
-    assert note.endswith("the probability there is that of the curve alone.")
-    usual = assess_object(described(), SUITE[:2]).describe().notes
-    assert not any("outside the levels" in text for text in usual)
+def test_a_probability_outside_the_levels_of_the_runs_is_called_extrapolated() -> None:
+    strong = assess_object(described(demand={"pga_g": 0.4, "pgv_m_s": 9.0}), SUITE[:6])
+    usual = assess_object(described(), SUITE[:6])
+    assert strong.doubts[0].endswith("the probability there is that of the curve alone.")
+    assert not any("outside the levels" in text for text in usual.doubts)
+    for each, named in ((strong, True), (usual, False)):
+        first = each.summary().splitlines()[0]
+        assert chance(each.probability) in first
+        for words in (first, each.sentence, each.method):
+            assert ("extrapolated beyond the runs" in words) is named, words
 
 
 def test_the_demand_is_the_middle_of_the_levels_of_a_case() -> None:

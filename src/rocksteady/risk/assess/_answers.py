@@ -8,6 +8,7 @@ from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.results.answer import MOST_ROWS, Answer, left_out
 from rocksteady.results.doubts import FEW_RECORDS, misfit_words
 from rocksteady.results.numbers import chance, counted, interval, number, plural, quantity
+from rocksteady.risk.assess._probability import EXTRAPOLATED
 from rocksteady.risk.assess._remedies import Remedy, cheapest
 from rocksteady.risk.assess._sensitivity import as_described, bar_words, tornado
 from rocksteady.risk.assess.described.objects import parameter_words
@@ -84,8 +85,8 @@ def answer_of_object(result: Any) -> Answer:
     elif result.basis == "count":
         count = f"these runs decide; {by_curve}"
     elif result.beyond:
-        sentence = f"No answer yet: {at} lies outside the levels of the runs."
-        count, verdict = f"{by_curve}{band}; {count}", f"provisional: {verdict}"
+        sentence = f"{sentence[:-1]}, {EXTRAPOLATED}."
+        verdict = f"provisional: {verdict}"
     matters = [
         f"{parameter_words(bar['parameter'])}: {bar_words(bar)}{as_described(bar, value)}"
         for bar in tornado(result.cases, result.basis)[:1]
@@ -186,4 +187,4 @@ def _row_words(row: Mapping[str, Any]) -> str:
         return (
             f"{words}{interval((row['band_low'], row['band_high']), CONFIDENCE)}, counted; {beside}"
         )
-    return words
+    return f"{words}, {EXTRAPOLATED}" if EXTRAPOLATED in row["method"] else words

@@ -37,6 +37,8 @@ from rocksteady.sweep.run import Execution
 if TYPE_CHECKING:
     import xarray
 
+EXTRAPOLATED = "extrapolated beyond the runs"
+"""Of a probability by a curve at a demand outside the levels that were run."""
 NO_FRICTION = 100.0
 """Friction of an object whose own is not given: only uplift is judged."""
 
@@ -103,6 +105,11 @@ class Probability:
     basis: Basis | None = None
     method: str = "none: it slides"
 
+    @property
+    def extrapolated(self) -> bool:
+        """Whether it is by a curve at a demand outside the levels that were run."""
+        return EXTRAPOLATED in self.method
+
 
 NO_ANSWER = Probability(value=None)
 """Of an object that slides."""
@@ -151,6 +158,8 @@ def probability_of(
         )
     band = curve.probability_band(at)
     levels = plural(fragility.ensemble.sizes["level"], "level")
+    if is_outside(fragility, level, block):
+        levels += f", {EXTRAPOLATED}"
     draws = described.given.assessment.draws
     return Probability(
         value=by_curve,
@@ -159,6 +168,12 @@ def probability_of(
         basis="curve",
         method=f"curve through the runs at {levels}, {_restitutions(described, draws)}",
     )
+
+
+def is_outside(fragility: Fragility, level: DemandLevel, block: Block) -> bool:
+    """Return whether a demand lies outside the levels of the runs, where curves are extrapolated."""
+    low, high = fragility.state(OVERTURNED).curve.sampled
+    return not low <= level.of(fragility.measure, block) <= high
 
 
 def _restitutions(described: DescribedObject, most: int) -> str:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.results.numbers import chance, counted, interval, number, plural, quantity
 from rocksteady.risk.assess._demand_level import DemandLevel
-from rocksteady.risk.assess._probability import NO_ANSWER, Onset, Probability
+from rocksteady.risk.assess._probability import EXTRAPOLATED, NO_ANSWER, Onset, Probability
 from rocksteady.risk.assess._remedies import Remedy
 from rocksteady.risk.assess._sensitivity import Case, as_described, bar_words, tornado
 from rocksteady.risk.assess.described.facts import ObjectFacts
@@ -153,6 +153,8 @@ def answer_of(findings: Findings) -> Answer:
     if answer.by_curve is not None:
         share = f"{share_words(answer.by_curve)} objects of this shape and size would fall"
         by_count, percents = percents, chance(answer.by_curve)
+        if answer.extrapolated:
+            percents += f", {EXTRAPOLATED}"
         if answer.basis == "count":
             percents += f"), but {runs} there ({by_count}"
     sentence = (

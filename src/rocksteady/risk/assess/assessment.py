@@ -35,6 +35,7 @@ from rocksteady.risk.assess._probability import (
     NO_ANSWER,
     Probability,
     fit_fragilities,
+    is_outside,
     onset_of,
     probability_of,
 )
@@ -156,11 +157,12 @@ class Assessment(Result):
 
     @property
     def doubts(self) -> tuple[str, ...]:
-        """Sentences on a curve that misses its shares, or the count at the demand."""
+        """Sentences on a curve that is extrapolated, or misses its shares or the count."""
         if self.curve is None or not self.probability:
             return ()
         poor = misfit_words(self.curve.misfit)
-        sentences = [f"The curve of falling is a {poor}."] if poor else []
+        sentences = [self.beyond] if self.beyond else []
+        sentences += [f"The curve of falling is a {poor}."] if poor else []
         case = self.cases[0]
         if self.by_curve is not None and counted_otherwise(self.by_curve, case.counted):
             sentences.append(
@@ -195,14 +197,15 @@ class Assessment(Result):
 
     @property
     def beyond(self) -> str:
-        """A sentence where the demand lies outside the levels of the runs; empty inside them."""
-        if self.fragility is None or self.verdict == "stands":
+        """A sentence where the curve is extrapolated to the demand; empty where it is not."""
+        block = self.facts.block
+        if self.fragility is None or self.basis != "curve":
+            return ""
+        if not is_outside(self.fragility, self.level, block):
             return ""
         measure = self.fragility.measure
-        level = self.level.of(measure, self.facts.block)
+        level = self.level.of(measure, block)
         low, high = self.fragility.state(OVERTURNED).curve.sampled
-        if low <= level <= high:
-            return ""
         return (
             f"The demand, {measure.label} {number(level)} {measure.unit}".rstrip()
             + f", lies outside the levels of the runs, {number(low)} to {number(high)}: the "
@@ -370,7 +373,7 @@ class Assessment(Result):
                 )
             last = float(self.fragility.ensemble["level"].values[-1])
             levels = Levels(self.fragility.measure)
-            warnings += [*words_of_shorter(levels, [self.facts.block], last), self.beyond]
+            warnings += words_of_shorter(levels, [self.facts.block], last)
         if self.described.demand.vertical_at_peak_g:
             warnings.append(
                 "The vertical motion of the demand decides on uplift and sliding; the runs have "
