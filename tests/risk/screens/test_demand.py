@@ -30,6 +30,9 @@ def test_a_file_is_read_when_the_demand_is_made(tmp_path: Path) -> None:
     assert stated.spectrum.tolist() == [[0.1, 0.3], [0.2, 0.4]]
     assert stated.spectrum_damping == (0.02,)
     assert Demand(spectrum=file, spectrum_damping=0.05).spectrum_damping == 0.05
+    file.write_text("0.2 0.3\n0.1 0.4\n", encoding="utf-8")
+    with pytest.raises(InputError, match=r"spectrum\.txt'.* and after 0\.2 s follows 0\.1 s; "):
+        Demand(spectrum=file)
 
 
 def test_a_row_at_period_zero_is_the_pga_where_none_is_given() -> None:

@@ -346,6 +346,24 @@ def test_the_answer_shows_what_is_not_passed_first_and_five_rows_at_least() -> N
     assert bare.sentence == "No answer yet: none of the published screens has a verdict."
     (words,) = [text for name, text in bare.facts if name == "no verdict"]
     assert words == "uplift needs a PGA; friction to rock needs a PGA"
+    assert not dict(bare.facts)["give next"]
+
+
+def test_what_a_spectrum_alone_decides_and_what_to_give_next() -> None:
+    rest = "for the rest a PGA (or its row at period 0) and a PGV, or a record"
+    table = [[0.05, 0.35], [0.5, 0.6], [2.0, 0.15], [9.0, 0.01]]
+    for damping, sentence, words in (
+        (
+            None,
+            "No answer yet: a spectrum alone decides ASCE 43-05 rocking, which needs its damping.",
+            f"its damping, as 0.05; {rest}",
+        ),
+        (0.05, "It passes 1 of 1 published screens.", rest),
+    ):
+        demand = Demand(spectrum=table, spectrum_damping=damping)
+        answer = screen_block(BLOCK, demand).describe().answer
+        assert answer is not None
+        assert (answer.sentence, dict(answer.facts)["give next"]) == (sentence, words)
 
 
 def test_far_from_every_cabinet_there_is_no_verdict() -> None:

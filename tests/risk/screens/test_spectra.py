@@ -203,6 +203,8 @@ def test_several_dampings_are_stated_in_the_order_of_the_columns(tmp_path: Path)
         ("0.1 0.3\nend of file\n", "line 2 is no row"),
         ("T;Sa\n0,1;0,25\n0,2;0,35\n", "line 2 has decimal commas"),
         ("0.1 0.3\n0,2\t0,35\n", "line 2 has decimal commas"),
+        ("T,Sa\n0,1,0,25\n0,5,0,6\n", "line 2, 0,1,0,25, has whole numbers and commas alone"),
+        ("0,0,25\n0,5,0,6\n", "line 1, 0,0,25, has whole numbers and commas alone"),
     ],
 )
 def test_a_file_that_holds_none_is_refused_by_its_line(

@@ -9,6 +9,8 @@ from rocksteady.risk.screens._rows import Case
 from rocksteady.risk.screens.screen import Screen
 from rocksteady.risk.screens.spectra import spectrum_of
 
+OF_SPECTRUM = "ASCE 43-05 rocking"
+"""Name of the row, which alone is decided by a spectrum."""
 SOURCE = "ASCE/SEI 43-05, Appendix A.2, approximate method for rocking of an unanchored rigid body"
 
 
@@ -80,7 +82,7 @@ def _verdict(
 def _row(case: Case, value: float | None, *, details: Any = (), **fields: Any) -> Screen:
     """Return the row with its source."""
     return case.rocking(
-        name="ASCE 43-05 rocking",
+        name=OF_SPECTRUM,
         equation="A.2, A-5 on",
         edition="ASCE/SEI 43-05",
         source=SOURCE,

@@ -84,12 +84,13 @@ class Demand:
         if self.spectrum is None or isinstance(self.spectrum, ResponseSpectrum | Record):
             self._refuse_damping()
         else:
+            given = self.spectrum
             if isinstance(self.spectrum, str | PathLike):
                 table, stated = read_table(Path(self.spectrum))
                 object.__setattr__(self, "spectrum", table)
                 if self.spectrum_damping is None:
                     object.__setattr__(self, "spectrum_damping", stated)
-            tabulated(self.spectrum, self.spectrum_damping)
+            tabulated(self.spectrum, self.spectrum_damping, shown=given)
 
     def with_peak(self) -> "Demand":
         """Return the demand with the PGA of its table at period 0, where none is given."""

@@ -12,7 +12,7 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.screens import _rows
-from rocksteady.risk.screens._asce_row import asce_row
+from rocksteady.risk.screens._asce_row import OF_SPECTRUM, asce_row
 from rocksteady.risk.screens._cabinets import CABINETS
 from rocksteady.risk.screens._rows import SLIDES
 from rocksteady.risk.screens.demand import FRICTION, Demand
@@ -146,6 +146,9 @@ class Screens(Result):
     def _answer(self, at: str, passed: int, judged: int) -> Answer:
         """Return how many formulas it passes, and the formulas, those not passed first."""
         sentence = f"No answer yet: none of the published screens has a verdict{at}."
+        row = self.row(OF_SPECTRUM)
+        if self.demand.spectrum is not None and row.needs:
+            sentence = f"No answer yet: a spectrum alone decides {row.name}, which {row.verdict}."
         if judged:
             sentence = f"It passes {passed or 'none'} of {judged} published screens{at}."
         if self.motion in SLIDES:
@@ -154,7 +157,8 @@ class Screens(Result):
         shown = [row for row in shown if row.name != "restitution"]
         shown.sort(key=lambda row: (row.passes is True, row.passes is None))
         most = max(5, sum(row.passes is False for row in shown))
-        needs = [row for row in self.rows if row.needs]
+        following = self._next()
+        needs = [] if following else [row for row in self.rows if row.needs]
         left = [row.name for row in shown[most:]]
         facts = [
             left_out(len(left), ", ".join(left)),
@@ -162,10 +166,20 @@ class Screens(Result):
                 "no verdict",
                 "; ".join(f"{row.name} {row.verdict.partition(';')[0]}" for row in needs[:2]),
             ),
+            ("give next", following),
             ("vertical", self.demand.vertical_words),
         ]
         rows = [(row.name, f"{row.verdict} ({row.words})") for row in shown[:most]]
         return Answer(sentence, facts, rows)
+
+
+    def _next(self) -> str:
+        """Return what a demand of a spectrum alone is without, in words; empty of others."""
+        demand = self.demand
+        if demand.spectrum is None or demand.pga_g is not None:
+            return ""
+        damping = "its damping, as 0.05; " if demand.spectrum_damping is None else ""
+        return f"{damping}for the rest a PGA (or its row at period 0) and a PGV, or a record"
 
 
 @checked

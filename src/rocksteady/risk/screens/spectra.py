@@ -156,7 +156,9 @@ def damping_factor(damping: float) -> float:
     return max(0.55, math.sqrt(10.0 / (5.0 + 100.0 * damping)))
 
 
-def tabulated(table: object, damping: object) -> TabulatedSpectrum | None:
+def tabulated(
+    table: object, damping: object, *, shown: object = None
+) -> TabulatedSpectrum | None:
     """Return a validated table; None where its damping is not known.
 
     Parameters
@@ -165,17 +167,20 @@ def tabulated(table: object, damping: object) -> TabulatedSpectrum | None:
         Shape (periods, 1 + dampings): period [s], then Sa [g] at each damping.
     damping
         A number, or one for each column of Sa; None where it is not known.
+    shown
+        What an error names, as the file of the table; the table by default.
 
     Raises
     ------
     InputError
         If it is no such table.
     """
+    shown = table if shown is None else shown
     try:
         rows = np.array(numeric_array("spectrum", table, "iuf"), dtype=np.float64)
     except UnfitError as unfit:
         valid, hint = unfit.args
-        raise InputError("spectrum", table, valid, hint) from None
+        raise InputError("spectrum", shown, valid, hint) from None
     except (TypeError, ValueError):  # rows of unequal lengths, or no numbers
         rows = np.empty(0)
     valid = ""
@@ -183,14 +188,17 @@ def tabulated(table: object, damping: object) -> TabulatedSpectrum | None:
         valid = "it must have two rows or more and two columns or more"
     elif not np.isfinite(rows).all():
         valid = "its numbers must be finite"
-    elif rows[0, 0] < 0.0 or (np.diff(rows[:, 0]) <= 0.0).any():
-        valid = "its periods must ascend from 0 or above"
+    elif rows[0, 0] < 0.0:
+        valid = f"its periods must ascend from 0 or above, and the first is {rows[0, 0]:g} s"
+    elif (steps := np.diff(rows[:, 0]) <= 0.0).any():
+        low, high = rows[int(np.argmax(steps)) :, 0][:2]
+        valid = f"its periods must ascend, and after {low:g} s follows {high:g} s"
     elif rows[1, 0] < SHORTEST_S or 0.0 < rows[0, 0] < SHORTEST_S or rows[-1, 0] > LONGEST_S:
         valid = f"its periods above 0 must lie in [{SHORTEST_S:g}, {LONGEST_S:g}] s"
     elif rows[:, 1:].min() < LEAST_G or rows[:, 1:].max() > MOST_G:
         valid = f"its spectral accelerations must lie in [{LEAST_G:g}, {MOST_G:g}] g"
     if valid:
-        raise InputError("spectrum", table, valid, SHAPE_HINT)
+        raise InputError("spectrum", shown, valid, SHAPE_HINT)
     if damping is None:
         return None
     columns = rows.shape[1] - 1
@@ -233,6 +241,10 @@ DAMPING_LINE = re.compile(r"damping\D*?((?:\d*\.?\d+\s*%?[\s,;]*)+)", re.IGNOREC
 """What a comment or a header states of the damping, as ``# damping 0.02 0.05`` or ``5 %``."""
 
 
+WHOLE_NUMBERS = re.compile(r"\d+(,\d+){2,},?")
+"""A row in which no decimal can be told from a column."""
+
+
 def read_table(path: Path) -> tuple[Floats, tuple[float, ...] | None]:
     """Read a spectrum from a text file: rows of period [s] and Sa [g], and the damping it states.
 
@@ -253,6 +265,7 @@ def read_table(path: Path) -> tuple[Floats, tuple[float, ...] | None]:
     if size > MOST_BYTES:
         raise InputError("spectrum", path, "it is too large for a spectrum", SHAPE_HINT)
     rows: list[list[float]] = []
+    _refuse_commas(path, lines)
     dampings: tuple[float, ...] | None = None
     for number, line in enumerate(lines, 1):
         text = line.strip()
@@ -276,6 +289,16 @@ def read_table(path: Path) -> tuple[Floats, tuple[float, ...] | None]:
     if not rows:
         raise InputError("spectrum", path, "it has no rows of numbers", SHAPE_HINT)
     return np.array(rows), dampings
+
+
+def _refuse_commas(path: Path, lines: list[str]) -> None:
+    """Refuse a file of whole numbers and commas: these separate numbers, or are decimal ones."""
+    rows = [(k, line.strip()) for k, line in enumerate(lines, 1) if line.strip()[:1].isdigit()]
+    if rows and all(WHOLE_NUMBERS.fullmatch(text) for _, text in rows):
+        place, text = rows[0]
+        valid = f"line {place}, {text}, has whole numbers and commas alone"
+        hint = "write points for decimal commas, as 0.1,0.25 for 0,1,0,25"
+        raise InputError("spectrum", path, valid, hint)
 
 
 def _dampings_in(text: str) -> tuple[float, ...] | None:
