@@ -9,6 +9,7 @@ from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.style import palette
 from rocksteady.show.style.page import SCREEN, Page
 from rocksteady.show.style.tokens import DARK, LIGHT, Inks
+from rocksteady.show.style.wording import minus
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -162,14 +163,14 @@ def prose(text: str) -> str:
     --------
     >>> prose("from -0.5 to 3.2e-16, 10^28-fold")
     'from −0.5 to 3.2·10⁻¹⁶, 10²⁸-fold'
-    >>> prose("at A = 2").split(" ")  # no line breaks inside the equation
-    ['at', 'A\xa0=\xa02']
+    >>> prose("3 of 66 at A = 2").split(" ")  # no line breaks inside a count, or an equation
+    ['3\xa0of\xa066', 'at', 'A\xa0=\xa02']
     """
     text = re.sub(r"(?<=\d)e([+-]?\d+)\b", lambda match: f"·10^{int(match[1])}", text)
     text = re.sub(r"(?<![\d.])1·10\^", "10^", text)
     text = re.sub(r"\b10\^(-?\d+)", lambda match: "10" + match[1].translate(RAISED), text)
-    text = re.sub(r"(?<![\w.,)\]-])-(?=\.?\d)", "−", text)
-    text = re.sub(r"(?<=\d) (?=%)", "\N{NO-BREAK SPACE}", text)
+    text = re.sub(r"(?<=\d) (?=%)", "\N{NO-BREAK SPACE}", minus(text))
+    text = re.sub(r"(?<=\d) of (?=\d)", "\N{NO-BREAK SPACE}of\N{NO-BREAK SPACE}", text)
     return re.sub(r"(?<=\S) ([=<>≤≥≈]) (?=\S)", "\N{NO-BREAK SPACE}\\1\N{NO-BREAK SPACE}", text)
 
 

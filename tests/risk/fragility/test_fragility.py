@@ -74,7 +74,7 @@ def test_a_good_curve_of_many_records_needs_no_remark() -> None:
     assert sentence == "Half of them fall at 0.591 m/s of PGV, beta 0.582."
     assert facts == {"fit": "within 10 points of the counts; 1,600 runs, 22 records"}
     assert fragility()._headline() == (
-        "Fragility in PGV: overturned median 0.591 m/s, beta 0.582; 22 records, 1,600 runs"
+        "Fragility in PGV: half fall at 0.591 m/s, beta 0.582; 22 records, 1,600 runs"
     )
 
 
@@ -116,7 +116,7 @@ def test_without_a_median_there_is_no_answer() -> None:
         "No answer yet where half of them fall: no failure in 160 trials, PGV up to 1.6 m/s."
     )
     assert facts["fit"].startswith("within 0 points") or "points" not in facts["fit"]
-    assert "overturned no median" in fragility(state(plain=never))._headline()
+    assert ": no level at which half fall; " in fragility(state(plain=never))._headline()
     step = curve([0, 0, 40, 40])
     sentence, _ = told(fragility(state(plain=step)))
     assert sentence.endswith(", a step: levels between them are not run.")

@@ -4,7 +4,8 @@ from types import SimpleNamespace
 from typing import Any
 
 from rocksteady import Block, Demand
-from rocksteady.show.assessment._assessment_tables import _remedy_words, side_rows
+from rocksteady.risk.assess._remedies import Remedy
+from rocksteady.show.assessment._assessment_tables import _remedy_words, remedy_rows, side_rows
 from rocksteady.show.style.markup import figure
 
 
@@ -31,6 +32,12 @@ def test_a_remedy_out_of_reach_is_none() -> None:
 
 def test_an_object_without_remedies_needs_none() -> None:
     assert words_of() == ("none needed", "")
+
+
+def test_a_count_below_a_remedy_stays_on_its_line() -> None:
+    wider = Remedy(name="width", words="widen it", probability=0.05, basis="count", fell=3, trials=66)
+    (row,) = remedy_rows(SimpleNamespace(remedies=[wider]))  # type: ignore[arg-type]
+    assert "3\xa0of\xa066<" in str(row["from"])
 
 
 def test_each_edge_lifts_in_the_gravity_of_the_object_and_with_its_vertical_share() -> None:

@@ -265,13 +265,16 @@ class Fragility(Result):
         last = self.states[-1]
         median = last.curve.median
         unit = f" {self.measure.unit}" if self.measure.unit else ""
-        answer = "no median" if math.isnan(median) else f"median {number(median)}{unit}"
+        half = f"half {_verb(last.state)}"
+        answer = f"no level at which {half}"
+        if not math.isnan(median):
+            answer = f"{half} at {number(median)}{unit}"
         shape = _shape(last)
         if not math.isnan(shape.beta):
             answer += f", {self._beta_words()}"
             answer += f", {condition_of(self.ensemble)}" if last.given_uplift else ""
         return with_misfit(
-            f"Fragility in {self.measure.label}: {last.state.name} {answer}; "
+            f"Fragility in {self.measure.label}: {answer}; "
             f"{plural(self.records, 'record')}, {self.runs:,} runs",
             last.curve.misfit,
         )

@@ -306,7 +306,7 @@ def remedy_rows(assessment: Assessment) -> list[Row]:
             ),
             "probability": figure(chance(each.probability, each.trials or 0)),
             "from": each.basis
-            + under(None if each.trials is None else f"{each.fell:,} of {each.trials:,}"),
+            + under(None if each.trials is None else prose(f"{each.fell:,} of {each.trials:,}")),
         }
         for each in assessment.remedies
     ]

@@ -7,6 +7,7 @@ from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.plots.risk.fragility import plot_fragility, plot_fragility_states
 from rocksteady.show.style.page import SCREEN, Page
+from rocksteady.show.style.wording import greek
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -31,6 +32,7 @@ def fragility_figure(
     page
         Width of the figure, and place of its legends.
     """
+    title = greek(title)
     if not isinstance(fragility, Fragility) or len(fragility.states) == 1:
         return page.panel(6.6, 4.4, title, plot_fragility, fragility, state=state)
     with page.figure(10.8, 4.6, title, stacked=1.6) as figure:

@@ -47,6 +47,8 @@ PLAIN = 8e-5
 """End of an axis below which its ticks are powers of ten."""
 LONGEST_NAME = 0.45
 """Of a row of bars beside it, in parts of the width of axes without their labels."""
+MOST_NAME = 0.75
+"""The same, beyond which bars have too little room beside it."""
 HEIGHT_OF_ROW = 19.0
 """Of a bar and the name over it, at least [points]."""
 LEAST_ROOM = 1.0 / 32.0
@@ -197,9 +199,9 @@ def name_rows(axes: "Axes", names: Sequence[str], *, bars: bool = False, **text:
 
     Names of `bars` that are too long to stand beside them stand over them.
     """
-    inks, size, (wide, high) = inks_of(axes), text_size(axes, 8.0), size_of(axes)
-    long = bars and LETTER * size * max(map(len, names)) > LONGEST_NAME * wide
-    over = long and high > HEIGHT_OF_ROW * len(names)
+    inks, size = inks_of(axes), text_size(axes, 8.0)
+    share, high = _rows_room(axes, names)
+    over = bars and share > LONGEST_NAME and high
     axes.set_yticks(range(len(names)), [""] * len(names) if over else names, **text)
     axes.set_ylim(len(names) - 0.4, -0.9 if over else -0.6)
     axes.tick_params(axis="y", length=0.0)
@@ -209,6 +211,19 @@ def name_rows(axes: "Axes", names: Sequence[str], *, bars: bool = False, **text:
     for place, name in enumerate(names if over else ()):
         box = {"fc": inks.paper, "ec": "none", "pad": 0.0}
         axes.annotate(name, (0.0, place - 0.3), (2.0, 0.0), bbox=box, **style)
+
+
+def fit_rows(axes: "Axes", names: Sequence[str]) -> bool:
+    """Return whether names of bars have room beside them, or over them."""
+    share, high = _rows_room(axes, names)
+    return high or share <= MOST_NAME
+
+
+def _rows_room(axes: "Axes", names: Sequence[str]) -> tuple[float, bool]:
+    """Return the width of names over that of axes, and whether rows are as high as both."""
+    wide, high = size_of(axes)
+    share = LETTER * text_size(axes, 8.0) * max(map(len, names)) / wide
+    return share, high > HEIGHT_OF_ROW * len(names)
 
 
 def extent(axes: "Axes", *, width: float, height: float) -> tuple[float, float]:

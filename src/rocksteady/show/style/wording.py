@@ -49,6 +49,17 @@ def greek(text: str) -> str:
     return text.replace("Sa_avg", "average Sa")
 
 
+def minus(text: str) -> str:
+    """Return a text with minus signs before its negative numbers, and hyphens as they are.
+
+    Examples
+    --------
+    >>> minus("width -5 %, from -.5 to 3-4")
+    'width −5 %, from −.5 to 3-4'
+    """
+    return re.sub(r"(?<![\w.,)\]-])-(?=\.?\d)", "−", text)
+
+
 def state_words(name: str) -> str:
     """Return the name of a damage state as pictures and tables show it.
 

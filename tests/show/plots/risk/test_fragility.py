@@ -107,7 +107,7 @@ def test_the_curve_is_solid_where_it_was_run_and_dashed_beyond() -> None:
 def test_the_plain_curve_stands_beside_and_medians_are_named() -> None:
     curve = two_stages()
     words = entries(plots.fragility(curve, axes()))
-    assert f"one curve, median {curve.plain.median:.3g} g, β {curve.plain.beta:.2f}" in words
+    assert f"one curve, median {curve.plain.median:.3g} g, β {curve.plain.beta:.3g}" in words
 
 
 def test_curve_and_median_are_named_beside_them_where_there_is_room() -> None:

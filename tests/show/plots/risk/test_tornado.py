@@ -12,6 +12,7 @@ from rocksteady import plots
 from rocksteady.errors import InputError
 from rocksteady.measures import Measure
 from rocksteady.risk import Efficiency, FitOptions, Fragility
+from rocksteady.seismic.measures.scalar import MEASURES
 from rocksteady.show.style.page import Page
 
 ROWS = [
@@ -35,14 +36,14 @@ def bars(drawn: Axes) -> list[list[Rectangle]]:
 def test_bars_reach_from_the_base_to_both_ends_and_the_longest_is_on_top() -> None:
     drawn = plots.tornado(ROWS, 0.4, axes())
     names = [text.get_text() for text in drawn.get_yticklabels()]
-    assert names == ["mass centre", "restitution", "width -5 %", "model", "vertical motion"]
+    assert names == ["mass centre", "restitution", "width −5 %", "model", "vertical motion"]
     low, high = drawn.get_ylim()
     assert low > high, "the first row is on top"
     of = {name: ends for name, *ends in ROWS}
     for container, column in zip(bars(drawn), (0, 1), strict=True):
         for name, bar in zip(names, container, strict=True):
             box = bar.get_bbox()
-            end = of[name][column]
+            end = of[name.replace("−", "-")][column]
             assert sorted((box.x0, box.x1)) == pytest.approx(sorted((0.4, end)))
 
 
@@ -122,7 +123,7 @@ def ranked(*rows: tuple[tuple[str, ...], float, float]) -> Fragility:
 
 def test_measures_are_ranked_by_akaikes_criterion_beside_their_beta() -> None:
     found = ranked(
-        (("p_pgv_per_uplift",), 0.46, 1000.0),
+        (("p_pgv_per_uplift",), 0.4551, 1000.0),
         (("pgv_m_s", "pga_g"), np.nan, 1020.0),
         (("pgv_m_s",), 0.52, 1133.0),
         (("pga_g",), 1.12, 2500.0),
@@ -136,8 +137,16 @@ def test_measures_are_ranked_by_akaikes_criterion_beside_their_beta() -> None:
         0.0, 20.0, 133.0, 1500.0,
     ]  # fmt: skip
     assert [text.get_text() for text in drawn.texts] == [
-        "best, β 0.46", "+20", "+133, β 0.52", "+1500, β 1.12",
+        "best, β 0.455", "+20", "+133, β 0.52", "+1500, β 1.12",
     ]  # fmt: skip
+    pairs = [((name, "significant_5_75_s"), np.nan, 1e3) for name in (*MEASURES, "pga_g")]
+    many = ranked((("pga_g", "pgv_m_s"), np.nan, 900.0), *pairs, (("pga_g",), 0.5, 2000.0))
+    with Page(width_mm=84.0).figure(6.6, 2.0, "") as figure:
+        narrow = plots.measure_efficiency(many, figure.add_subplot())
+    figure.draw_without_rendering()
+    assert len(narrow.patches) == 2
+    assert narrow.get_xlabel().endswith("\n10 pairs left out")
+    assert len(plots.measure_efficiency(many, axes()).patches) == 12
     with pytest.raises(InputError, match="no ranking"):
         plots.measure_efficiency(ranked(), axes())
 

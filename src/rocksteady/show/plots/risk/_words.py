@@ -5,11 +5,11 @@ from rocksteady.show.style.escaping import literal
 
 
 def greek(text: str) -> str:
-    """Return a name as a picture shows it, with letters for angles.
+    """Return a name as a picture shows it, with letters for angles and minus signs.
 
     Examples
     --------
-    >>> greek("theta/alpha > 0.5")
-    'θ/α > 0.5'
+    >>> greek("theta/alpha > 0.5"), greek("width -5 %")
+    ('θ/α > 0.5', 'width −5 %')
     """
-    return wording.greek(literal(text))
+    return wording.minus(wording.greek(literal(text)))

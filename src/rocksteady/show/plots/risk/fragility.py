@@ -300,7 +300,7 @@ def _words(curve: Curve, name: str, named: bool = False) -> str:
             return f"step {_between_words(curve.step)}{unit}"
         if curve.status in NO_CURVE:
             return NO_CURVE[curve.status]
-        words = f"{name}{median}, β {curve.beta:.2f}"
+        words = f"{name}{median}, β {number(curve.beta)}"
         return marked(words, curve.misfit)
     if not math.isfinite(curve.median):
         return f"{name}, no median"

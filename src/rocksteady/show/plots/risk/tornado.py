@@ -9,13 +9,13 @@ import numpy as np
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import number, plural
 from rocksteady.risk.fragility.efficiency import Efficiency
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.export.components import text_value
 from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style import palette
-from rocksteady.show.style.layout import axes_or_new, name_rows
+from rocksteady.show.style.layout import axes_or_new, fit_rows, name_rows
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
 from rocksteady.show.style.limits import name_above
 from rocksteady.show.style.tokens import inks_of
@@ -31,7 +31,8 @@ LEAST_SCALE = 0.1
 def plot_measure_efficiency(fragility: Fragility | Efficiency, ax: "Axes | None" = None) -> "Axes":
     """Draw how far each measure of intensity is behind the most efficient, which is on top.
 
-    The shorter the bar, the better; a pair of measures has no beta.
+    The shorter the bar, the better; a pair of measures has no beta. On axes too small for the names
+    of all rows the pairs are left out, the best of them excepted.
 
     Parameters
     ----------
@@ -75,24 +76,32 @@ def plot_measure_efficiency(fragility: Fragility | Efficiency, ax: "Axes | None"
         )
     axes = axes_or_new(ax)
     inks, small = inks_of(axes), text_size(axes, 8.0)
-    best = min(each.aic for each in rows)
+    best, count = min(each.aic for each in rows), len(rows)
+    if not fit_rows(axes, [_name(each) for each in rows]):
+        pairs = [each for each in rows if len(each.measure) > 1]
+        rows = [each for each in rows if each not in pairs[1:]]
     behind = [each.aic - best for each in rows]
     place = np.arange(len(rows))
     axes.barh(place, behind, height=0.55, color=inks.edge, lw=0.0)
     for at, (each, more) in enumerate(zip(rows, behind, strict=True)):
         words = f"+{more:.0f}" if more else "best"
-        words += f", β {each.beta:.2f}" if math.isfinite(each.beta) else ""
+        words += f", β {number(each.beta)}" if math.isfinite(each.beta) else ""
         axes.annotate(
             words, (more, at), (4.0, 0.0),
             textcoords="offset points", va="center", fontsize=small, color=inks.ink,
         )  # fmt: skip
-    names = [" and ".join(part.label for part in each.measure) for each in rows]
-    name_rows(axes, [greek(name) for name in names], bars=True)
+    name_rows(axes, [_name(each) for each in rows], bars=True)
+    left = f"\n{plural(count - len(rows), 'pair')} left out" if len(rows) < count else ""
     axes.set(
-        xlabel="AIC above that of the best",
+        xlabel=f"AIC above that of the best{left}",
         xlim=(0.0, (1.0 + _share_of_text(axes, 14.0, sides=1)) * (max(behind) or 1.0)),
     )
     return axes
+
+
+def _name(row: Efficiency) -> str:
+    """Return the name of a measure, or of a pair."""
+    return greek(" and ".join(part.label for part in row.measure))
 
 
 @checked
@@ -135,7 +144,7 @@ def plot_tornado(
     >>> rows = [("restitution", 0.31, 0.45), ("width -5 %", 0.47, 0.40)]
     >>> axes = plot_tornado(rows, 0.40, Figure().add_subplot())
     >>> [text.get_text() for text in axes.get_yticklabels()]
-    ['restitution', 'width -5 %']
+    ['restitution', 'width −5 %']
     """
     hint = "give the answer of each run"
 
@@ -174,11 +183,11 @@ def plot_tornado(
     ]
     axes.axvline(middle, color=inks.ink, lw=1.0, zorder=3.0)
     unit, digits = (" %", 2) if "%" in label else ("", 3)
-    name_above(axes, middle, f"as described, {number(middle, digits)}{unit}")
+    name_above(axes, middle, f"as described, {greek(number(middle, digits))}{unit}")
     small, longest = text_size(axes, 8.0), 0
     for row, column in np.argwhere(ends).tolist():
         end = float(ends[row, column])
-        text = number(middle + end, digits)
+        text = greek(number(middle + end, digits))
         longest = max(longest, len(text))
         axes.annotate(
             text, (middle + end, float(lanes[row, column])), (math.copysign(3.0, end), 0.0),
