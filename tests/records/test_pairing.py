@@ -56,7 +56,7 @@ def test_what_differs_is_said() -> None:
 
     assert _doubts((one, two)) == (
         "intervals of 0.01, 0.02 s",
-        "lengths of 90, 100 samples",
+        "lengths from 90 to 100 samples",
         "starts up to 0.05 s apart",
         "azimuths 0 and 40 deg, not at right angles",
     )

@@ -145,6 +145,6 @@ def test_components_of_one_station() -> None:
         assert trimmed.warnings == ()
     assert {one.warnings for one in found} == {
         (),
-        ("lengths of 5346, 5372, 5378 samples",),
-        ("lengths of 7997, 7999 samples",),
+        ("lengths from 5,346 to 5,378 samples",),
+        ("lengths from 7,997 to 7,999 samples",),
     }

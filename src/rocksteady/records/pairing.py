@@ -312,7 +312,7 @@ def _doubts(channels: tuple[Recording, ...]) -> tuple[str, ...]:
         doubts.append(f"intervals of {', '.join(f'{value:g}' for value in intervals)} s")
     lengths = sorted({len(recording.record.acceleration_m_s2) for recording in channels})
     if len(lengths) > 1:
-        doubts.append(f"lengths of {', '.join(map(str, lengths))} samples")
+        doubts.append(f"lengths from {lengths[0]:,} to {lengths[-1]:,} samples")
     starts = {recording.start_time for recording in channels if recording.start_time is not None}
     if len(starts) > 1:
         apart = (max(starts) - min(starts)).total_seconds()
@@ -344,8 +344,8 @@ def _cut(recording: Recording, first: int, last: int) -> Recording:
     before, after = max(-first, 0), max(last - count, 0)
     kept = np.pad(values[max(first, 0) : min(last, count)], (before, after))
     note = (
-        f"{max(first, 0)} samples cut from the start and {max(count - last, 0)} from the end, "
-        f"{before} and {after} zeros put there"
+        f"{max(first, 0):,} samples cut from the start and {max(count - last, 0):,} from the end, "
+        f"{before:,} and {after:,} zeros put there"
     )
     record = replace(recording.record, acceleration_m_s2=kept)
     start = recording.start_time

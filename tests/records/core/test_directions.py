@@ -222,7 +222,7 @@ def test_what_does_not_belong_is_named(tmp_path: Path) -> None:
     second.write_text(other.replace("Hut", "Shed").replace("1/17/1994", "1/18/1994"))
     (across,), (up,) = map(read_recordings, (first, second))
     words = "; ".join(pair_doubts(across, up))
-    for part in ("1/17/1994", "1/18/1994", "Shed", "0.005, 0.01 s", "300, 403 samples"):
+    for part in ("1/17/1994", "1/18/1994", "Shed", "0.005, 0.01 s", "300 to 403 samples"):
         assert part in words
     assert pair_doubts(across, replace(across, component="UP", orientation="vertical")) == ()
     wrong = "; ".join(pair_doubts(up, across))

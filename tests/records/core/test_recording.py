@@ -1,11 +1,13 @@
 """A recording describes itself: keys, name and title."""
 
+from dataclasses import replace
 from datetime import UTC, datetime
 from typing import Any
 
 import numpy as np
 import pytest
 
+from rocksteady import Record
 from rocksteady.records import Recording
 from tests.cli.motion_files import samples
 from tests.records import recording
@@ -44,5 +46,7 @@ def test_the_summary_has_what_was_done_and_what_is_odd() -> None:
     for words in ("peak stated", "5.9 m/s^2", "mean taken off", "601 every 0.02 s, 12 s, in g"):
         assert words in text
     assert text.endswith("it is odd")
+    long = replace(one, record=Record(acceleration_m_s2=np.ones(4800), dt_s=0.01))
+    assert "4,800 every 0.01 s" in long.summary()
     assert one.to_dict()["processing"] == ["mean taken off"]
     assert np.abs(one.record.acceleration_m_s2).max() > 0.0

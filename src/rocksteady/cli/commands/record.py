@@ -171,7 +171,7 @@ def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") 
     ]
     columns = [
         Column("name", "record", lambda name: shortened(printable(name), 30), left=True),
-        Column("samples", "samples", str),
+        Column("samples", "samples"),
         Column("dt_s", "dt s"),
         Column("pga_g", "PGA g"),
         Column("pgv_m_s", "PGV m/s"),

@@ -108,7 +108,7 @@ class Recording(Result):
                 "npts",
                 count,
                 "samples",
-                f"{count} every {record.dt_s:g} s, {record.duration_s:g} s, "
+                f"{count:,} every {record.dt_s:g} s, {record.duration_s:g} s, "
                 f"in {self.units_in_file}",
             ),
             Fact("dt_s", record.dt_s),

@@ -176,8 +176,8 @@ def _reason(findings: Findings, lifts: str) -> str:
     base = findings.cases[0]
     that = " that lift" if findings.level.measure.given_uplift else ""
     reason = (
-        f"{lifts}; the demand is {findings.demand}. In {base.fell or 'none'} of "
-        f"{base.trials} runs{that} at the demand it falls."
+        f"{lifts}; the demand is {findings.demand}. In {f'{base.fell:,}' if base.fell else 'none'} of "
+        f"{base.trials:,} runs{that} at the demand it falls."
     )
     for widest in tornado(findings.cases, findings.answer.basis)[:1]:
         if ends := bar_words(widest):

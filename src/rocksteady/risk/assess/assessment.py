@@ -166,7 +166,7 @@ class Assessment(Result):
         case = self.cases[0]
         if self.by_curve is not None and counted_otherwise(self.by_curve, case.counted):
             sentences.append(
-                f"{counted(case.fell, f'{case.trials} runs')} at the demand, "
+                f"{counted(case.fell, f'{case.trials:,} runs')} at the demand, "
                 f"{chance(case.counted, case.trials)}: "
                 f"the curve's {number(100.0 * self.by_curve)} % is more than "
                 f"{100.0 * MOST_MISFIT:g} points from that."

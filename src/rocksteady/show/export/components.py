@@ -488,7 +488,7 @@ def _state_along(fragility: Fragility, ratio: float) -> LossState:
         raise InputError("fragility", Words("has no surface"), valid, hint)
     note = (
         f"Lognormal where PGV is {number(ratio)} m/s per g of PGA, of the runs that lift, by a "
-        f"fit over both to {surface.trials} runs with {surface.failures} in this state."
+        f"fit over both to {surface.trials:,} runs with {surface.failures:,} in this state."
     )
     return LossState(name=fragility.states[-1].state.name, median=median, beta=beta, note=note)
 
@@ -505,7 +505,7 @@ def _state_of(fragility: StateFragility, factor: float, lifting: str) -> LossSta
         kind = "curve in two stages, uplift and failure given uplift"
     of = f"the runs {lifting}" if fragility.given_uplift else "all runs"
     note = (
-        f"{kind.capitalize()}, of {of}, fitted to {plain.trials} runs with {plain.failures} in "
+        f"{kind.capitalize()}, of {of}, fitted to {plain.trials:,} runs with {plain.failures:,} in "
         f"this state; largest distance from the stripes {best.misfit:.3f}."
     )
     poor = misfit_words(best.misfit)
