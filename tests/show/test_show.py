@@ -345,6 +345,21 @@ def test_words_in_the_regions_leave_point_and_each_other_free() -> None:
             assert not frame.contains(*axes.transData.transform(point)), point
 
 
+def test_the_words_beside_a_point_cross_no_curve_where_a_legend_narrows_the_axes() -> None:
+    from matplotlib.path import Path as Outline
+
+    for restitution, point in ((0.5, (3.0, 3.0)), (0.8, (2.0, 1.0)), (0.925, (4.0, 2.0))):
+        found = compute_region_map(np.linspace(0.1, 14.0, 300), restitution)
+        axes = plots.steady_regions(found, Figure().add_subplot(), point=point, legend="right")
+        axes.figure.canvas.draw()
+        (words,) = (text for text in axes.texts if text.get_text().startswith("A = "))
+        for line in (each for each in axes.lines if len(each.get_xdata()) > 1):
+            path = axes.transData.transform(np.array(line.get_xydata()))
+            path = path[np.isfinite(path).all(axis=1)]
+            box = words.get_window_extent()
+            assert not Outline(path).intersects_bbox(box, filled=False), line.get_label()
+
+
 def test_an_orbit_is_solid_dashed_or_dotted_as_it_is_stable_or_no_motion() -> None:
     for place, order, branch, style in (
         ((0.8, 5.0, 0.9), 1, 1, "-"),

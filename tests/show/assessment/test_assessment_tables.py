@@ -35,7 +35,9 @@ def test_an_object_without_remedies_needs_none() -> None:
 
 
 def test_a_count_below_a_remedy_stays_on_its_line() -> None:
-    wider = Remedy(name="width", words="widen it", probability=0.05, basis="count", fell=3, trials=66)
+    wider = Remedy(
+        name="width", words="widen it", probability=0.05, basis="count", fell=3, trials=66
+    )
     (row,) = remedy_rows(SimpleNamespace(remedies=[wider]))  # type: ignore[arg-type]
     assert "3\xa0of\xa066<" in str(row["from"])
 

@@ -172,7 +172,6 @@ class Screens(Result):
         rows = [(row.name, f"{row.verdict} ({row.words})") for row in shown[:most]]
         return Answer(sentence, facts, rows)
 
-
     def _next(self) -> str:
         """Return what a demand of a spectrum alone is without, in words; empty of others."""
         demand = self.demand

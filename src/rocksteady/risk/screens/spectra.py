@@ -156,9 +156,7 @@ def damping_factor(damping: float) -> float:
     return max(0.55, math.sqrt(10.0 / (5.0 + 100.0 * damping)))
 
 
-def tabulated(
-    table: object, damping: object, *, shown: object = None
-) -> TabulatedSpectrum | None:
+def tabulated(table: object, damping: object, *, shown: object = None) -> TabulatedSpectrum | None:
     """Return a validated table; None where its damping is not known.
 
     Parameters

@@ -296,6 +296,12 @@ def draw_regions(
             *here[0], "o", ms=6.5, color=inks.paper, mec=inks.ink, mew=1.6, zorder=5, clip_on=False
         )
     draw_far_axes(axes, across, up)
+    entries = [
+        *handles.values(),
+        *_region_entries(range(1, 6), (deep, pale, inks.paper), inks.edge),
+    ]
+    if place == "right":  # whose room the words are to know
+        draw_legend(axes, place, handles=entries)
     words = Words(axes, [np.column_stack([w, each]) for each in bounds.values()])
     words.take(here, 5.0)
     corner, taken = words.emptiest_corner(*KEY), (0.0, 0.0, 0.0, 0.0)

@@ -37,6 +37,8 @@ MOST_SHIFT = 6.0
 """Distance of a name from the end of its line at which it is no longer there [heights of text]."""
 MARK = 3.0
 """How far marks on a line stand out from it [points]."""
+LEAST_GAP = 0.62
+"""Least distance of lines from the middle of a word beside a mark [heights of text]."""
 MOST_ROOM = 40.0
 """Distance from other lines beyond which more of it is no better [points]."""
 AROUND = [(1, 0), (1, 1), (1, -1), (-1, 0), (-1, 1), (-1, -1), (0, 1), (0, -1)]
@@ -242,7 +244,7 @@ class Words:
         width = LETTER * size * len(text)
         (mark,) = self.there(np.array([place]))
         best: tuple[float, Floats] | None = None
-        for reach in (5.0, 12.0):
+        for reach in (5.0, 12.0, 20.0):
             for across, up in AROUND:
                 aside = 0.5 * width + reach * (0.7 if up else 1.0)
                 offset = np.array([across * aside, up * (0.5 * size + reach)])
@@ -252,7 +254,7 @@ class Words:
                 room = min(self._room(shape), size)
                 if best is None or room > best[0] + 0.5:
                     best = (room, offset)
-        if best is None or best[0] < 0.45 * size:
+        if best is None or best[0] < LEAST_GAP * size:
             return False
         offset = best[1]
         self.taken.append((self._shape(mark + offset, 0.0, 0.5 * width), 0.6 * size))
