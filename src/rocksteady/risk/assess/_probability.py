@@ -171,7 +171,7 @@ def probability_of(
 
 
 def is_outside(fragility: Fragility, level: DemandLevel, block: Block) -> bool:
-    """Return whether a demand lies outside the levels of the runs, where curves are extrapolated."""
+    """Return whether a demand lies outside the levels of the runs."""
     low, high = fragility.state(OVERTURNED).curve.sampled
     return not low <= level.of(fragility.measure, block) <= high
 

@@ -175,8 +175,9 @@ def _reason(findings: Findings, lifts: str) -> str:
     """Return why: uplift, the median, and what matters most."""
     base = findings.cases[0]
     that = " that lift" if findings.level.measure.given_uplift else ""
+    fell = f"{base.fell:,}" if base.fell else "none"
     reason = (
-        f"{lifts}; the demand is {findings.demand}. In {f'{base.fell:,}' if base.fell else 'none'} of "
+        f"{lifts}; the demand is {findings.demand}. In {fell} of "
         f"{base.trials:,} runs{that} at the demand it falls."
     )
     for widest in tornado(findings.cases, findings.answer.basis)[:1]:

@@ -240,7 +240,7 @@ DAMPING_LINE = re.compile(r"damping\D*?((?:\d*\.?\d+\s*%?[\s,;]*)+)", re.IGNOREC
 
 
 WHOLE_NUMBERS = re.compile(r"\d+(,\d+){2,},?")
-"""A row in which no decimal can be told from a column."""
+"""A row whose commas may separate numbers, or be decimal ones."""
 
 
 def read_table(path: Path) -> tuple[Floats, tuple[float, ...] | None]:

@@ -255,8 +255,6 @@ def draw_regions(
     block: AnyBlock | None = None,
 ) -> None:
     """Draw the regions over acceleration and frequency, in the units of a block."""
-    from matplotlib.lines import Line2D
-
     inks = inks_of(axes)
     across, up = scale_of("frequency_ratio", block), scale_of("amplitude", block)
     w = across.factor * curves.frequency_ratio
@@ -269,11 +267,10 @@ def draw_regions(
         floor = 0.3 * max(float(curves.existence.min()), 1e-6 * ceiling)
     if spaced_by_ratio(w):
         axes.set_xscale("log")
-    ends = [float(w[0]), float(w[-1])]
     here: list[tuple[float, float]] = []
     if point is not None:
         here = [(across.factor * point[0], up.factor * point[1])]
-        ends = [min(ends[0], here[0][0]), max(ends[1], here[0][0])]
+    ends = [end([float(w[at]), *(x for x, _ in here)]) for end, at in ((min, 0), (max, -1))]
     sky = up.factor * ceiling
     axes.set(xlabel=across.label, ylabel=up.label, xlim=ends, ylim=(up.factor * floor, sky))
     axes.grid(visible=False)
@@ -285,23 +282,16 @@ def draw_regions(
         (high, np.maximum(sky, high), None, pale),
     ):
         axes.fill_between(w, under, over, where=where, color=fill, lw=0)
-    handles: dict[str, Artist] = {}
-    for bound, curve in bounds.items():
-        name, dash = BOUNDARIES[bound]
-        look: dict[str, Any] = {"color": inks.limit, "ls": dash, "lw": 1.1}
-        axes.plot(w, curve, label=name, **look)
-        handles[name] = Line2D([], [], label=name, **look)
+    handles = _draw_bounds(axes, w, bounds)
     if here:
         axes.plot(
             *here[0], "o", ms=6.5, color=inks.paper, mec=inks.ink, mew=1.6, zorder=5, clip_on=False
         )
     draw_far_axes(axes, across, up)
-    entries = [
-        *handles.values(),
-        *_region_entries(range(1, 6), (deep, pale, inks.paper), inks.edge),
-    ]
-    if place == "right":  # whose room the words are to know
-        draw_legend(axes, place, handles=entries)
+    fills = (deep, pale, inks.paper)
+    if place == "right":  # the words need the final width of the axes
+        entries = _region_entries(range(1, 6), fills, inks.edge)
+        draw_legend(axes, place, handles=[*handles.values(), *entries])
     words = Words(axes, [np.column_stack([w, each]) for each in bounds.values()])
     words.take(here, 5.0)
     corner, taken = words.emptiest_corner(*KEY), (0.0, 0.0, 0.0, 0.0)
@@ -310,11 +300,15 @@ def draw_regions(
         x, y = CORNERS[corner][0] * (1.0 - wide), CORNERS[corner][1] * (1.0 - tall)
         taken = x, y, x + wide, y + tall
         words.take_box(*taken)
-    least = max(LEAST_ROOM, 0.75 * text_size(axes, 9.5) / size_of(axes)[1])
     centres = {
         number: (across.factor * x, up.factor * y)
         for number, (x, y) in region_centres(
-            curves, ceiling, floor, taken=taken, point=point, least=least
+            curves,
+            ceiling,
+            floor,
+            taken=taken,
+            point=point,
+            least=max(LEAST_ROOM, 0.75 * text_size(axes, 9.5) / size_of(axes)[1]),
         ).items()
     }
     _number_regions(axes, centres)
@@ -323,8 +317,21 @@ def draw_regions(
         words.beside(here[0], _shaking_text(point, across, up))
     named = words.along([*handles], [inks.ink] * len(handles), aside=True)
     left = [handle for name, handle in handles.items() if name not in named]
-    left += _region_entries([*centres], (deep, pale, inks.paper), inks.edge)
-    draw_legend(axes, place, handles=left, corner=corner)
+    entries = _region_entries([*centres], fills, inks.edge)
+    draw_legend(axes, place, handles=[*left, *entries], corner=corner)
+
+
+def _draw_bounds(axes: "Axes", w: Floats, bounds: Mapping[str, Floats]) -> "dict[str, Artist]":
+    """Draw boundaries over the frequency, and return their entries by their names."""
+    from matplotlib.lines import Line2D
+
+    handles: dict[str, Artist] = {}
+    for bound, curve in bounds.items():
+        name, dash = BOUNDARIES[bound]
+        look: dict[str, Any] = {"color": inks_of(axes).limit, "ls": dash, "lw": 1.1}
+        axes.plot(w, curve, label=name, **look)
+        handles[name] = Line2D([], [], label=name, **look)
+    return handles
 
 
 def _number_regions(axes: "Axes", centres: Mapping[int, tuple[float, float]]) -> None:
