@@ -45,11 +45,6 @@ def pytest_collection() -> Iterator[None]:
     gc.set_threshold(20_000, 20, 20)
 
 
-def pytest_unconfigure() -> None:
-    """Let what collecting has made be taken down as the process ends."""
-    gc.unfreeze()
-
-
 # A script that has started the tests in its background has SIGINT ignored, in all that they start.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -3,11 +3,9 @@ error messages and help texts. Each rule is a pattern with what to write in its 
 """
 
 import ast
-import io
 import re
 import subprocess
 import sys
-import tokenize
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -123,16 +121,16 @@ def in_python(file: Path) -> Iterator[tuple[int, str]]:
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and " " in node.value:
             yield node.lineno, prose(node.value)
     first, last, words = 0, -1, ""
-    tokens = tokenize.generate_tokens(io.StringIO(file.read_text(encoding="utf-8")).readline)
-    for token in tokens:
-        if token.type != tokenize.COMMENT:
+    for line, text in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+        comment = re.search(r"(?:^|\s)#(.*)", text)
+        if not comment:
             continue
-        if token.start[0] == last + 1:
-            words += " " + token.string[1:]
+        if line == last + 1:
+            words += comment[1]
         else:
             yield first, prose(words)
-            first, words = token.start[0], token.string[1:]
-        last = token.start[0]
+            first, words = line, comment[1]
+        last = line
     yield first, prose(words)
 
 

@@ -353,7 +353,7 @@ def test_the_words_beside_a_point_cross_no_curve_where_a_legend_narrows_the_axes
         axes = plots.steady_regions(found, Figure().add_subplot(), point=point, legend="right")
         axes.figure.canvas.draw()
         (words,) = (text for text in axes.texts if text.get_text().startswith("A = "))
-        for line in (each for each in axes.lines if len(each.get_xdata()) > 1):
+        for line in (each for each in axes.lines if np.size(each.get_xdata()) > 1):
             path = axes.transData.transform(np.array(line.get_xydata()))
             path = path[np.isfinite(path).all(axis=1)]
             box = words.get_window_extent()

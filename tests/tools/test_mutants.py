@@ -76,6 +76,7 @@ def test_a_mutant_is_given_to_the_quickest_tests_and_to_those_of_its_name() -> N
     assert nowhere == [own[1], own[0]]
 
 
+@pytest.mark.slow
 def test_a_mutant_is_killed_where_a_test_fails_that_did_not(tree: Path) -> None:
     package = tree / "src" / "rocksteady"
     (package / "__init__.py").touch()

@@ -135,11 +135,11 @@ def test_the_vertical_component_stays_that_of_the_ground(file: Path, tmp_path: P
 
 
 def test_scales_of_a_record_are_those_of_the_ground(file: Path) -> None:
-    command = f"overturn {SIZE} --json --record {file} --scales 1:3.6"
+    command = f"overturn {SIZE} --json --record {file} --scales 2.3:2.4"
     ground, floor = (
         rocksteady(f"{command}{each}").json["records"][0] for each in ("", " --floor-hz 1")
     )
-    assert floor["first"] != ground["first"]
+    assert ground["first"] is None
     assert floor["first_g"] == pytest.approx(0.6 * floor["first"], rel=1e-6)
 
 
@@ -205,12 +205,12 @@ def test_hertz_need_a_block(command: str) -> None:
 
 def test_windows_of_a_pulse_are_those_of_the_ground_below_the_floor() -> None:
     values = rocksteady(
-        f"overturn {SIZE} --pulse one-sine --accel-g 1.5 --freq-hz 1:2:2 --json {FLOOR}"
+        f"overturn {SIZE} --pulse one-sine --accel-g 1.5 --freq-hz 2 --json {FLOOR}"
     ).json
     found = find_overturning_windows(
         BLOCK,
         "one-sine",
-        [2.0 * math.pi * hertz / BLOCK.p for hertz in (1.0, 2.0)],
+        [4.0 * math.pi / BLOCK.p],
         within=(0.05, 1.5 * 9.80665 / BLOCK.uplift_acceleration),
         floor=Floor(**MODES),
     )

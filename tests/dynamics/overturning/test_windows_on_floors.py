@@ -47,13 +47,19 @@ def falls(found: OverturningWindows, index: int, amplitude: float) -> bool:
     return simulate(block, moved, model=found.model).status is Status.OVERTURNED
 
 
-@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+RICKER = Pulse(shape="ricker", amplitude=1, frequency_ratio=1, tolerance=1e-3)
+REVERSED = Pulse(shape="one-sine", amplitude=1, frequency_ratio=1, reverse=True)
+
+
 @pytest.mark.parametrize(
-    ("pulse", "one_sided"),
+    ("model", "pulse", "one_sided"),
     [
-        ("one-sine", False),
-        (Pulse(shape="ricker", amplitude=1, frequency_ratio=1, tolerance=1e-3), False),
-        (Pulse(shape="one-sine", amplitude=1, frequency_ratio=1, reverse=True), True),
+        (Linear(), "one-sine", False),
+        (Nonlinear(), RICKER, False),
+        (Linear(), REVERSED, True),
+        pytest.param(Nonlinear(), "one-sine", False, marks=pytest.mark.slow),
+        pytest.param(Linear(), RICKER, False, marks=pytest.mark.slow),
+        pytest.param(Nonlinear(), REVERSED, True, marks=pytest.mark.slow),
     ],
 )
 def test_each_end_parts_falls_from_stands(

@@ -174,6 +174,7 @@ def test_the_table_has_a_row_for_each_wall_and_level(saved: Path) -> None:
         assert (int(row["records_beyond_d0"]) > 0) == math.isinf(ratio)
 
 
+@pytest.mark.slow
 def test_the_page_has_its_parts(saved: Path) -> None:
     page = (saved / "facade-checks.html").read_text(encoding="utf-8")
     assert page.count("<img ") == len(study().pictures)
