@@ -74,7 +74,7 @@ function fateWords(fates, k) {
  * @param {ShownUnits} units
  */
 export function windowWords({ low, high, impacts, side }, end, units) {
-  const from = numeral(low * units.amplitude, 5), to = numeral(high * units.amplitude, 5);
+  const from = numeral(low * units.amplitude), to = numeral(high * units.amplitude);
   const range = high >= end ? `from ${from}${units.a}` : `${from} to ${to}${units.a}`;
   const ways = impacts >= 10 ? 'after 10 or more impacts' : impactWords(impacts);
   return `${range}: ${ways}, ${sideWords(side)}`;
@@ -199,7 +199,7 @@ export function makePulsePanel(app) {
     const { state, theme } = app, found = app.shared.pulseWindows;
     if (!found) return;
     const middle = onto.x.at(found.ratio * units.frequency), wide = 10;
-    const labelled = middle > onto.box.left + onto.box.width - 70 ? 'right' : 'left';
+    const labelled = middle > onto.box.left + onto.box.width - 120 ? 'right' : 'left';
     clipped(pen, onto, () => {
       for (const { low, high, impacts, side } of found.windows) {
         const [top, bottom] = [high, low].map((a) => onto.y.at(a * units.amplitude));
@@ -214,12 +214,13 @@ export function makePulsePanel(app) {
       }
     });
     let before = Infinity;
-    for (const low of new Set(found.windows.flatMap((/** @type {PulseWindow} */ each) =>
-      each.high >= found.high ? [each.low] : [each.low, each.high]))) {
-      const y = onto.y.at(low * units.amplitude);
-      if (y > before - 13 || low < state.pa0 || low > state.pa1) continue;
+    // A border between two windows is where the upper one begins.
+    const ends = new Map(found.windows.flatMap((/** @type {PulseWindow} */ { low, high }) => [[low, 'from'], [high, 'to']]));
+    for (const [end, word] of ends) {
+      const y = onto.y.at(end * units.amplitude);
+      if (y > before - 13 || end < state.pa0 || end > state.pa1 || end >= found.high) continue;
       before = y;
-      const text = numeral(low * units.amplitude, 4);
+      const text = `falls ${word} ${numeral(end * units.amplitude)}${units.a}`;
       note(pen, onto, text, middle + (labelled === 'left' ? 10 : -10), y, { align: labelled, colour: theme.ink });
     }
   };

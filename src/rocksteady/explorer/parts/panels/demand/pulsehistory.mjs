@@ -123,9 +123,8 @@ export function makePulseHistoryPanel(app) {
     else if (!found.windows.length) {
       place.textContent = `${at} no amplitude up to ${numeral(found.high * units.amplitude, 4)}${units.a} fells it.`;
     } else {
-      const [first] = found.windows, shown = found.windows.slice(0, 4);
-      place.textContent = `${at} the smallest amplitude that fells it is ${numeral(first.low * units.amplitude, 6)}`
-        + `${units.a}. It falls`;
+      const shown = found.windows.slice(0, 4);
+      place.textContent = `${at} it falls`;
       list.append(...shown.map((/** @type {PulseWindow} */ each) =>
         make('li', {}, windowWords(each, found.high, units))));
       const rest = found.windows.length - shown.length + found.leftOut;

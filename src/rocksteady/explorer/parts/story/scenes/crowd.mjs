@@ -23,10 +23,10 @@ const SECONDS = 10, ACROSS = 9, MIDDLE = 13; // cabinets in a row, place of the 
  * @param {number} all  of its neighbours
  */
 export function crowdAnswer(own, others, all) {
-  const alike = own ? others : all - others;
-  if (alike === all) return own ? 'It falls, and so do all its neighbours.' : 'It stands, and so do all its neighbours.';
+  const alike = own ? others : all - others, fate = own ? 'falls' : 'stands';
+  if (alike === all) return `It ${fate}, and so do all its neighbours.`;
   const rest = own ? `${all - others} of its ${all} neighbours stand` : `${others} of its ${all} neighbours fall`;
-  return `Yours ${own ? 'falls' : 'stands'}, but ${rest}. That is why engineers give probabilities.`;
+  return `Yours ${fate}, but ${rest}. That is why engineers give probabilities.`;
 }
 
 /** Make the scene. @param {App} app */
@@ -39,14 +39,19 @@ export function makeCrowd(app) {
   /** @type {Area | null} */
   let course = null;
 
-  const go = async (/** @type {boolean} */ play) => {
+  let shaken = false;
+  const speak = () => {
+    const [own, ...others] = reels;
+    answer(shaken && own ? crowdAnswer(own.falls, others.filter(({ falls }) => falls).length, others.length)
+      : 'All stand. Shake the ground.');
+  };
+  const go = async () => {
     const scale = (app.state.pga * GRAVITY) / peak, { samples, dt } = motion;
     const asked = { motion: { samples, dt }, block, scale, seconds: SECONDS };
     const found = await app.pool.ask('crowdReels', asked, { key: 'story:crowd' });
     if (!found) return;
-    const [own, ...others] = reels = /** @type {Reel[]} */ (found);
-    answer(crowdAnswer(own.falls, others.filter(({ falls }) => falls).length, others.length));
-    if (play) player.play();
+    reels = /** @type {Reel[]} */ (found);
+    speak();
     view.ask();
   };
   const view = makeView(canvas, (pen, width, height) => {
@@ -97,12 +102,27 @@ export function makeCrowd(app) {
     }
   };
   const player = makePlayer(app, view, SECONDS, () => []);
-  tieSlider(app, 'pga', { text: gText, change: () => go(false) });
-  element('go-quake').addEventListener('click', player.play);
+  tieSlider(app, 'pga', {
+    text: gText,
+    change: () => {
+      shaken = true;
+      player.seek(SECONDS);
+      go();
+    },
+  });
+  element('go-quake').addEventListener('click', () => {
+    shaken = true;
+    player.play();
+    speak();
+  });
   dragOn(canvas, (x, y) => (inArea(course, x, y, 6) ? 'time' : null), (_, x) => {
     const [left, , width] = /** @type {Area} */ (course);
+    shaken = true;
     player.seek(((x - left) / width) * SECONDS);
+    speak();
   });
-  go(false);
+  player.time = 0;
+  speak();
+  go();
   return view;
 }

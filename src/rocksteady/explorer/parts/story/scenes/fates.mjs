@@ -30,13 +30,23 @@ const WORDS = {
   rest: ['rests', 'ink', 'rest'], rocking: ['rocks', 'onRocks', 'rocks'],
   overturned: ['falls', 'onFalls', 'falls'], undecided: ['', 'ink', 'paper'],
 };
-const LEAST_ROOM = 36; // [px] of a region for its word
+const LEAST_ROOM = 10; // [px] of a region on each side of its word's middle
+const CLEAR = [28, 30]; // [px] from the middle of a word to the curve and the ring: across, up
+
+/** Return the state in the middle of a column or a row. @param {number} k */
+const middle = (k) => REACH * ((2 * k + 1) / SIDE - 1);
 
 /**
- * Return where the regions have most room for a word, and their shares.
+ * Return where the regions have most room for a word off a curve, and their shares.
  * @param {Fate[]} fates
+ * @param {Reel} reel  the curve
+ * @param {number[]} reach  how far a word keeps off it: across, up
  */
-function regionWords(fates) {
+function regionWords(fates, { angle, velocity }, [far, high]) {
+  // What words keep off: the curve and, at 1.5 times the distance, each other.
+  const taken = Array.from(angle, (u, k) => [u, velocity[k], 1]);
+  const clear = (/** @type {number} */ row, /** @type {number} */ column) => taken.every(([u, v, times]) =>
+    Math.abs(u - middle(column)) > times * far || Math.abs(v - middle(row)) > times * high);
   return FATES.filter((fate) => fates.includes(fate)).map((fate) => {
     const at = (/** @type {number} */ row, /** @type {number} */ column) => row >= 0 && row < SIDE
       && column >= 0 && column < SIDE && fates[row * SIDE + column] === fate;
@@ -45,9 +55,10 @@ function regionWords(fates) {
       for (let column = 0; column < SIDE; column++) {
         let half = 0;
         while (at(row, column - half) && at(row, column + half) && at(row - half, column) && at(row + half, column)) half++;
-        if (2 * half > best.room) best = { room: 2 * half, row, column };
+        if (half > best.room && clear(row, column)) best = { room: half, row, column };
       }
     }
+    taken.push([middle(best.column), middle(best.row), 1.5]);
     return { fate, share: fates.filter((each) => each === fate).length / fates.length, ...best };
   });
 }
@@ -67,11 +78,11 @@ export function makeFates(app) {
   let reel;
   /** @type {(Fate | undefined)[]} */
   const fates = new Array(SIDE * SIDE);
-  /** @type {ReturnType<typeof regionWords> | null} */
-  let words = null;
+  /** @type {ReturnType<typeof regionWords>} */
+  let words = [];
+  let placed = ''; // for which start and size they are
   /** @type {Area | null} */
   let plane = null;
-  const middle = (/** @type {number} */ k) => REACH * ((2 * k + 1) / SIDE - 1);
 
   const go = () => {
     const { su: u, sv: v } = app.state;
@@ -139,7 +150,11 @@ export function makeFates(app) {
   /** @param {CanvasRenderingContext2D} pen @param {Area} area */
   const drawWords = (pen, [left, top, width, height]) => {
     if (fates.includes(undefined)) return;
-    words ??= regionWords(/** @type {Fate[]} */ (fates));
+    const { su, sv } = app.state, now = [su, sv, width, height].join();
+    if (now !== placed) {
+      words = regionWords(/** @type {Fate[]} */ (fates), reel, [width, height].map((size, k) => (2 * REACH * CLEAR[k]) / size));
+      placed = now;
+    }
     for (const { fate, share, column, row, room } of words) {
       if ((room * width) / SIDE < LEAST_ROOM) continue;
       const x = left + ((column + 0.5) / SIDE) * width, y = top + (1 - (row + 0.5) / SIDE) * height;
