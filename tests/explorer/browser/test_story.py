@@ -95,6 +95,18 @@ def test_each_scene_has_a_picture_and_one_answer(scene: str, explorer: Explorer)
     assert page.locator(f"#scene-{scene}").bounding_box()["y"] < 100.0  # type: ignore[index]
 
 
+def test_the_earthquake_is_answered_once_it_has_shaken(explorer: Explorer) -> None:
+    page = explorer.open({"at": "quake", "pga": 0.5})
+    said(page, "answer-quake", r"^All stand\. Shake the ground\.$", seconds=20.0)
+    page.locator("#go-quake").focus()
+    page.keyboard.press("Enter")
+    said(page, "answer-quake", r"^Yours falls, but \d+ of its 26 neighbours stand\.", seconds=20.0)
+    answer = page.locator("#answer-quake").inner_text()
+    assert page.locator("#scene-quake canvas").get_attribute("aria-label") == (
+        f"An earthquake. {answer}"
+    )
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("scene", SCENES)
 def test_a_scene_is_told_by_keys_alone_and_goes_on_in_the_laboratory(

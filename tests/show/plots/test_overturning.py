@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.path import Path
@@ -27,7 +27,7 @@ from rocksteady.overturning import OverturningWindows
 from rocksteady.show.figures.single import overturning_figure
 from rocksteady.show.plots.overturning import MODES
 from rocksteady.show.style import palette
-from rocksteady.show.style.tokens import HATCHES, LIGHT
+from rocksteady.show.style.tokens import DARK, HATCHES, LIGHT
 from tests.every import every
 
 
@@ -121,6 +121,26 @@ def test_windows_left_out_are_not_drawn_as_standing() -> None:
     legend = axes.get_legend()
     assert legend is not None
     assert "narrower windows, not listed" in [text.get_text() for text in legend.get_texts()]
+
+
+def test_rims_of_narrow_windows_lie_beneath_what_falls() -> None:
+    windows = find_overturning_windows(DimensionlessBlock(restitution=0.9), "type-c2", [0.7, 3.0])
+    with palette.on_paper(DARK), palette.style():
+        axes = plots.overturning(windows, Figure().add_subplot())
+    falls = next(each for each in axes.collections if isinstance(each, PolyCollection))
+    rims = [
+        each
+        for each in axes.collections
+        if isinstance(each, LineCollection)
+        and len(each.get_segments())
+        and to_hex(each.get_color()[0]) == DARK.edge
+    ]
+    beneath = [each for each in rims if each.get_zorder() < falls.get_zorder()]
+    assert beneath
+    assert len(beneath) < len(rims)
+    assert max(each.get_linewidth()[0] for each in beneath) < min(
+        each.get_linewidth()[0] for each in rims if each not in beneath
+    )
 
 
 def test_on_a_floor_falls_are_of_one_kind_from_the_least_amplitude_on() -> None:

@@ -17,9 +17,9 @@ from rocksteady.dynamics.overturning.windows import OverturningWindows, threshol
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.style import palette
-from rocksteady.show.style.areas import area_style, swatch, write_words
+from rocksteady.show.style.areas import LEAST_RIMMED, area_style, rim_style, swatch, write_words
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
-from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, place_of
+from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, place_of, size_of
 from rocksteady.show.style.scales import FAR_ROOM, draw_far_axes, scale_of
 from rocksteady.show.style.tokens import DASHED, MARKS, inks_of
 
@@ -52,6 +52,8 @@ TOUCHING = 1.0 + 1e-9
 """Factor between the ends of windows that touch."""
 LEAN = 1.3
 """Largest factor by which a window moves from one frequency to the next."""
+LEVEL = 1.5
+"""Place of what falls above what is not listed."""
 ROWS = 240
 """Heights at which room for words is looked for."""
 LONGEST_PERIOD = 20.0
@@ -130,18 +132,16 @@ def plot_overturning(
     factors = np.array([right.factor, up.factor])
     parts = _parts(windows, by_ratio=by_ratio)
     style = area_style(inks, "falls")
+    tall = high > TALL * low > 0.0
     handles: dict[int, Patch] = {}
     lines: list[Line2D] = []
     for words, hatch, least in _ways(windows):
         if not parts[least]:
             continue
         outlines = [part * factors for part in parts[least]]
-        drawn = PolyCollection(outlines, **(style | {"hatch": hatch}), zorder=1.5)
+        drawn = PolyCollection(outlines, **(style | {"hatch": hatch}), zorder=LEVEL)
         axes.add_collection(drawn, autolim=False)
-        # Lines along the borders keep areas apart that touch.
-        borders = [half for part in outlines for half in np.split(part, 2)]
-        rims = LineCollection(borders, colors=inks.edge, linewidths=0.8, zorder=1.6)
-        axes.add_collection(rims, autolim=False)
+        _draw_rims(axes, outlines, (low * up.factor, high * up.factor), tall=tall)
         handles[least] = Patch(**(style | {"hatch": hatch, "linewidth": 0.6}), label=words)
     handles |= _draw_unlisted(axes, windows, factors, by_ratio=by_ratio)
     # None on a floor, and where a wall holds the block in the first half of a reversed pulse.
@@ -164,7 +164,7 @@ def plot_overturning(
         lines.append(line)
     if by_ratio:
         axes.set_xscale("log")
-    if high > TALL * low > 0.0:
+    if tall:
         axes.set_yscale("log")
     axes.set(
         xlabel=right.label,
@@ -185,6 +185,26 @@ def plot_overturning(
         handleheight=1.3,
     )
     return axes
+
+
+def _draw_rims(
+    axes: "Axes", outlines: Sequence[Floats], ends: tuple[float, float], *, tall: bool
+) -> None:
+    """Draw lines along borders, which keep areas apart that touch, on an axis between two ends."""
+    from matplotlib.collections import LineCollection
+
+    low, high = ends
+    points = size_of(axes)[1] / (math.log(high / low) if tall else high - low)
+    heights = [points * _height(outline, tall=tall) for outline in outlines]
+    for wide in (True, False):
+        borders = [
+            half
+            for outline, height in zip(outlines, heights, strict=True)
+            if (height > LEAST_RIMMED) == wide
+            for half in np.split(outline, 2)
+        ]
+        rims = LineCollection(borders, **rim_style(inks_of(axes), LEVEL, wide=wide))
+        axes.add_collection(rims, autolim=False)
 
 
 def _draw_unlisted(
@@ -359,6 +379,12 @@ def _merged(windows: OverturningWindows, index: int) -> list[_Drawn]:
         else:
             merged.append(_Drawn(window.low, window.high, way))
     return merged
+
+
+def _height(part: Floats, *, tall: bool) -> float:
+    """Return the largest height of a polygon, in the logarithm of the amplitude where `tall`."""
+    low, high = np.split(part[:, 1], 2)
+    return float((np.log(high[::-1] / low) if tall else high[::-1] - low).max())
 
 
 def _between(w: Floats, k: int, *, by_ratio: bool) -> float:

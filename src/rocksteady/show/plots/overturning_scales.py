@@ -1,7 +1,7 @@
 """Plots of the scales of records, and of the kicks, that overturn a block."""
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.seismic.spectra.overturning_scales import OverturningScales
 from rocksteady.show.style import palette
-from rocksteady.show.style.areas import area_style, swatch
+from rocksteady.show.style.areas import LEAST_RIMMED, area_style, rim_style, swatch
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of
 from rocksteady.show.style.limits import draw_limit
@@ -27,10 +27,8 @@ SIDES = (
 """Words and pattern of each side, as the legend has them."""
 LONGEST_NAME = 18
 BAR = 0.7
-RIM, NARROW_RIM = 0.8, 0.3
-"""Widths of the rims of what falls [points]."""
-LEAST_RIMMED = 4.0
-"""Width of a window below which a grey rim would hide what falls [points]."""
+LEVEL = 1.2
+"""Place of what falls above the row and what is not listed."""
 
 
 @checked
@@ -69,15 +67,6 @@ def plot_overturning_scales(
     low, high = scales.within
     per_factor = size_of(axes)[0] / math.log(high / low)
 
-    def rims(windows: list[tuple[float, float]]) -> dict[str, Any]:
-        """Return rims that keep falls to either side apart, but do not hide a narrow window."""
-        wide = [per_factor * math.log1p(width / begin) > LEAST_RIMMED for begin, width in windows]
-        narrow = inks.edge if inks.dark else inks.falls  # black is not seen on dark paper
-        return {
-            "edgecolor": [inks.edge if each else narrow for each in wide],
-            "linewidth": [RIM if each else NARROW_RIM for each in wide],
-        }
-
     handles = []
     for row, top in enumerate(scales.top.tolist()):
         axes.barh(row, top - low, BAR, left=low, facecolor=inks.paper, edgecolor=inks.edge, lw=0.6)
@@ -90,8 +79,16 @@ def plot_overturning_scales(
             if parts:
                 drawn = True
                 place_of_row = (row - 0.5 * BAR, BAR)
-                axes.broken_barh(parts, place_of_row, **area_style(inks, "falls", pattern))
-                axes.broken_barh(parts, place_of_row, facecolor="none", **rims(parts))
+                style = area_style(inks, "falls", pattern)
+                axes.broken_barh(parts, place_of_row, **style, zorder=LEVEL)
+                for wide in (True, False):
+                    rimmed = [
+                        (begin, width)
+                        for begin, width in parts
+                        if (per_factor * math.log1p(width / begin) > LEAST_RIMMED) == wide
+                    ]
+                    rim = rim_style(inks, LEVEL, wide=wide)
+                    axes.broken_barh(rimmed, place_of_row, facecolor="none", **rim)
         if drawn:
             handles.append(swatch(inks, "falls", words, pattern))
     if scales.left_out.any():

@@ -38,6 +38,10 @@ WIDE_ENOUGH = 0.9
 """Fraction of the largest room that is enough for a word, which stands amid such places."""
 MARK = 6.0
 """Radius around marks of which words keep clear [points]."""
+RIM, NARROW_RIM = 0.8, 0.3
+"""Widths of the rims of what falls, seen of them [points]."""
+LEAST_RIMMED = 4.0
+"""Width of what falls below which a rim over it would hide it [points]."""
 SAMPLES = 220
 """Points along a side at which room for words is looked for."""
 
@@ -101,6 +105,35 @@ def area_style(inks: Inks, role: str, pattern: str | None = None) -> dict[str, A
     hatch = HATCHES.get(role if pattern is None else pattern)
     ink = pattern_ink(fill) if hatch else fill
     return {"facecolor": fill, "edgecolor": ink, "hatch": hatch, "linewidth": 0.0}
+
+
+def rim_style(inks: Inks, zorder: float, *, wide: bool) -> dict[str, Any]:
+    """Return the settings of lines along the borders of what falls, which keep areas apart.
+
+    Those of a narrow area lie beneath all that falls, so that many close to each other stay as
+    dark as they are.
+
+    Parameters
+    ----------
+    inks
+        Colours of the paper.
+    zorder
+        That of the areas.
+    wide
+        Whether the area is wider than `LEAST_RIMMED`.
+
+    Examples
+    --------
+    >>> from rocksteady.show.style.tokens import DARK
+    >>> style = rim_style(DARK, 1.5, wide=False)
+    >>> style["edgecolor"] == DARK.edge, style["zorder"] < 1.5
+    (True, True)
+    """
+    if wide:
+        return {"edgecolor": inks.edge, "linewidth": RIM, "zorder": zorder + 0.1}
+    # Black is not seen on dark paper.  The inner half of a rim is covered.
+    ink = inks.edge if inks.dark else inks.falls
+    return {"edgecolor": ink, "linewidth": 2.0 * NARROW_RIM, "zorder": zorder - 0.05}
 
 
 def swatch(inks: Inks, role: str, words: str, pattern: str | None = None) -> "Patch":
