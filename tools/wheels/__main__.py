@@ -30,9 +30,9 @@ def main(arguments: list[str]) -> int:
         return 0
     with tempfile.TemporaryDirectory() as folder:
         rows = check(sorted(asked.wheels.glob("*.whl")), Path(folder, "environment"))
-    print(f"{'checked':62}{'found':24}at most")
+    print(f"{'checked':62}{'found':32}at most")
     for what, found, goal, good in rows:
-        print(f"{what:62}{found:24}{goal}{'' if good else '   FAILED'}")
+        print(f"{what:62}{found:32}{goal}{'' if good else '   FAILED'}")
     return 0 if all(row.good for row in rows) else 1
 
 

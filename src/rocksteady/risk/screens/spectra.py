@@ -237,8 +237,6 @@ def spectrum_of(spectrum: object, damping: object) -> Spectrum | None:
 
 DAMPING_LINE = re.compile(r"damping\D*?((?:\d*\.?\d+\s*%?[\s,;]*)+)", re.IGNORECASE)
 """What a comment or a header states of the damping, as ``# damping 0.02 0.05`` or ``5 %``."""
-
-
 WHOLE_NUMBERS = re.compile(r"\d+(,\d+){2,},?")
 """A row whose commas may separate numbers, or be decimal ones."""
 
