@@ -178,6 +178,18 @@ def legend_of(axes: Axes) -> list[str]:
     return [text.get_text() for text in legend.get_texts()]
 
 
+def test_words_on_the_end_lie_in_axes_that_a_caller_has_made_longer() -> None:
+    for run in (overturning(), coming_to_rest()):
+        whole = plots.trajectory(run, Figure().add_subplot()).get_xlim()
+        axes = Figure().add_subplot()
+        axes.set_xlim(0.0, 6.0 * whole[1])
+        plots.trajectory(run, axes)
+        assert axes.get_xlim() == (0.0, 6.0 * whole[1])
+        (words,) = (text for text in axes.texts if re.match("falls|rests", text.get_text()))
+        box = words.get_window_extent()
+        assert axes.bbox.x0 <= box.x0 < box.x1 <= axes.bbox.x1
+
+
 def test_the_end_is_marked() -> None:
     fall = overturning()
     assert fall.status is Status.OVERTURNED

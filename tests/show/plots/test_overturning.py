@@ -133,13 +133,14 @@ def test_rims_of_narrow_windows_lie_beneath_what_falls() -> None:
         for each in axes.collections
         if isinstance(each, LineCollection)
         and len(each.get_segments())
-        and to_hex(each.get_color()[0]) == DARK.edge
+        and to_hex(np.asarray(each.get_edgecolor(), float)[0]) == DARK.edge
     ]
     beneath = [each for each in rims if each.get_zorder() < falls.get_zorder()]
     assert beneath
     assert len(beneath) < len(rims)
-    assert max(each.get_linewidth()[0] for each in beneath) < min(
-        each.get_linewidth()[0] for each in rims if each not in beneath
+    widths = {each: float(np.ravel(each.get_linewidth())[0]) for each in rims}
+    assert max(widths[each] for each in beneath) < min(
+        width for each, width in widths.items() if each not in beneath
     )
 
 

@@ -122,8 +122,9 @@ def plot_trajectory(
         "ylim": angle_limits(trajectory, path[1], angle.factor, headroom=headroom),
         "xlim": time_limits(trajectory, start * time.factor, end * time.factor),
     }
-    if axes.has_data():  # of another run, which stays in the picture
-        for name, (low, high) in limits.items():
+    for name, (low, high) in limits.items():
+        # Another run stays in the picture, and so does the time that a caller has set.
+        if axes.has_data() or (name == "xlim" and not axes.get_autoscalex_on()):
             first, last = getattr(axes, f"get_{name}")()
             limits[name] = min(low, first), max(high, last)
     axes.set(xlabel=time.label, ylabel=angle.label, **limits)

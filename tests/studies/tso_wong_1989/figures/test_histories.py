@@ -284,7 +284,7 @@ def test_the_figure_shows_every_side_over_the_papers_axis(name: str) -> None:
     rows = motions(figure)
     assert len(rows) == len(case.sides)
     for axes, (side, run) in zip(rows, case.runs.items(), strict=True):
-        assert axes.get_xlim() == (0.0, case.case.periods)
+        assert axes.get_xlim() == pytest.approx((0.0, case.case.periods), rel=1e-12)
         assert axes.get_ylabel() == palette.LABELS["angle"]
         longest = max(axes.lines, key=lambda line: len(np.asarray(line.get_xdata())))
         np.testing.assert_allclose(

@@ -228,11 +228,11 @@ class History:
                 settled = figure.add_subplot(grid[row, 1], sharey=motion)
                 first = motion if first is None else first
                 fate = self.fates[side]
+                motion.set_xlim(0.0, self.case.periods)
                 plots.trajectory(self.runs[side], motion)
                 limits.append(motion.get_ylim())
                 ends = (1.12 * fate.lowest, 1.12 * fate.highest)
                 limits.append(ends if fate.period else limits[0])
-                motion.set_xlim(0.0, self.case.periods)
                 motion.set_title(self._heading(side, fate))
                 plot_settled(fate, settled)
                 if row + 1 < rows:
