@@ -70,7 +70,7 @@ def test_compiled_here_and_uncompiled_kernels_give_the_same_bits(other: str) -> 
         check=False,
     )
     assert ran.returncode == 0, ran.stdout + ran.stderr
-    assert "all equal, bit for bit" in ran.stdout
+    assert "recorded values agree bit for bit" in ran.stdout
 
 
 def test_the_calls_reach_every_end_of_a_motion_in_both_models() -> None:

@@ -58,13 +58,17 @@ class Sessions:
     def likelihoods(self, session: int) -> tuple[Integers, Floats, Floats]:
         """Return the tests of a session, their ln likelihoods at the nodes, and ln of the prior."""
         tests = np.flatnonzero(self.member == session)
-        p = self.falls[self.column[tests]].astype(np.float64)
-        fell = self.fell[tests][:, np.newaxis, np.newaxis]
-        outliers = self.outliers[:, np.newaxis]
-        likely = np.where(fell > 0.0, p, 1.0 - p)
-        logs = np.log((1.0 - outliers) * likely + 0.5 * outliers + 1e-300)
-        logs *= np.isfinite(fell)
-        return tests, logs, self.weight[int(np.isfinite(fell).sum() >= ENOUGH)]
+        fell = self.fell[tests]
+        known, outliers = np.isfinite(fell), self.outliers[:, np.newaxis]
+        # Tests of one motion and gain that ended alike have one likelihood.
+        kinds, kind = np.unique(3 * self.column[tests] + known + (fell > 0.0), return_inverse=True)
+        logs = np.zeros((len(kinds), *self.falls.shape[1:]))
+        for row, (column, outcome) in enumerate(zip(*divmod(kinds, 3), strict=True)):
+            if outcome:
+                p = self.falls[column].astype(np.float64)
+                likely = p if outcome == 2 else 1.0 - p
+                logs[row] = np.log((1.0 - outliers) * likely + 0.5 * outliers + 1e-300)
+        return tests, logs[kind], self.weight[int(known.sum() >= ENOUGH)]
 
     def gains(self) -> dict[str, Floats]:
         """Return mean and deviation of ln(gain) of each session at each draw, shape (draws, 2)."""

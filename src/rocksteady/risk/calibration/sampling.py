@@ -25,7 +25,7 @@ class DrawOptions:
     draws
         Draws of each object in all rounds together, default 1500.
     gains
-        Gains that each draw and test is run at, default 5.  They are quantiles of the amplitude
+        Gains that each draw and test is run at, default 2.  They are quantiles of the amplitude
         error in equal strata, shifted at random for each draw and test.
     rounds
         The first draws from the prior, each other from the posterior before it; default one for
@@ -49,7 +49,7 @@ class DrawOptions:
     """
 
     draws: Annotated[int, Whole(LEAST_DRAWS, MOST_DRAWS, "give a whole number, as 1500")] = 1500
-    gains: Annotated[int, Whole(1, MOST_GAINS, "give a whole number, as 5")] = 5
+    gains: Annotated[int, Whole(1, MOST_GAINS, "give a whole number, as 5")] = 2
     rounds: int | None = None
     error: Annotated[float, Bounds(0.0, 1.0, "(]", "give a probability, as 0.01")] = 0.01
     seed: Annotated[int, Whole(0, None, "give a whole number, as 0")] = 0
