@@ -15,7 +15,6 @@ column = rs.Block.rectangle(width=0.15, height=0.6)
 tests = rs.calibration.make_synthetic_tests(
     column, rs.motions.make_synthetic_suite(6), model=rs.Linear()
 )
-sampling = rs.calibration.DrawOptions(draws=1500, gains=3, rounds=2)
-calibration = rs.calibrate(tests, sampling=sampling, model=rs.Linear())
+calibration = rs.calibrate(tests, model=rs.Linear())
 fig, ax = plt.subplots(figsize=(7.36, 5.0), layout="constrained")
 rs.plots.predictions(calibration.validation.predictions, ax)
