@@ -81,8 +81,8 @@ def _coarse(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]) ->
         return []
     worst = max(coarse, key=lambda test: test.record.dt_s * rates[test.object])
     words = (
-        f"The intervals of the records of {plural(len(coarse), 'test')} are coarse for the object: "
-        f"of {worst.name} dt p is {number(worst.record.dt_s * rates[worst.object])}, above 0.1."
+        f"Records are sampled coarsely in {plural(len(coarse), 'test')}: dt p is "
+        f"{number(worst.record.dt_s * rates[worst.object])} in {worst.name}, above {COARSE:g}."
     )
     return [words]
 

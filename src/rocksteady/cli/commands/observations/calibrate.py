@@ -54,8 +54,6 @@ EXAMPLES = (
 ARGUMENTS = {"folds": "--folds", "model": "--model", "temper": "--temper"}
 """Flags of arguments of `rocksteady.calibrate`."""
 _WHEN = {"auto": None, "yes": True, "no": False}
-EXAMPLE_DRAWS = 240
-"""Draws of --example, which takes some ten seconds."""
 USUAL_DRAWS = 3000
 """Draws to go on with where there are too few effective ones."""
 EXAMPLE_MOTIONS = 8
@@ -91,8 +89,7 @@ def calibrate(
     ),
     example: bool = test_flag(
         "--example",
-        f"Calibrate by synthetic tests of a known block, with {EXAMPLE_DRAWS} draws: no file "
-        "is needed.",
+        "Calibrate by synthetic tests of a known block: no file is needed.",
         default=False,
     ),
 ) -> None:
@@ -105,7 +102,6 @@ def calibrate(
     if example:
         valid = "--example has synthetic tests and reads no file"
         refuse({**table.given, "--prior": prior}, valid, "leave one out")
-        sampled = _example_draws(context, sampled)
     sampling, exponent, folds = sampled.sampling(), sampled.exponent, sampled.folds
     # The default of calibrate has a tolerance of its own.
     equations = None if model == "nonlinear" else named_model(model)
@@ -155,13 +151,6 @@ def _next_command(context: typer.Context, calibration: "Calibration", out: Path 
         return report_command(context, out)
     flags = [f"--draws {max(USUAL_DRAWS, 2 * len(few.values))}", *(["--force"] if out else [])]
     return again(context, *flags, but=("--draws",))
-
-
-def _example_draws(context: typer.Context, sampled: SamplingFlags) -> SamplingFlags:
-    """Return the flags with fewer draws, unless their number was given."""
-    source = context.get_parameter_source("draws")
-    given = source is not None and source.name != "DEFAULT"
-    return sampled if given else replace(sampled, draws=EXAMPLE_DRAWS)
 
 
 def _tests(table: TableFlags, *, example: bool) -> "Observations":
