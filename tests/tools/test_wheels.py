@@ -4,6 +4,8 @@ import base64
 import csv
 import hashlib
 import io
+import json
+import lzma
 import shutil
 import struct
 import subprocess
@@ -30,7 +32,7 @@ from tools.wheels.first_start import sizes, wheel_of_this_machine
 from tools.wheels.needs import faults
 from tools.wheels.platforms import PLATFORMS, PURE, Platform
 
-BESIDE = (NAME, *program.NAMES.values())
+BESIDE = (NAME, program.NAME)
 """What every wheel has of the explorer, beside the libraries."""
 SQUARE = "double g(double x) { return x * x; }"
 KERNELS = SQUARE + "".join(f"int rs_{name}(void) {{ return 0; }}" for name in ENTRIES)
@@ -60,9 +62,11 @@ def libraries(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Every library of every wheel, small ones, and what is made for the explorer."""
     folder = tmp_path_factory.mktemp("libraries")
     (folder / NAME).write_bytes(BEGINS + sources_hash().encode())
-    for scene, name in program.NAMES.items():
-        heading = program.heading(script(program.entry_of(scene)))
-        (folder / name).write_text(f"{heading}start();", "utf-8")
+    shorts = {
+        name: program.heading(script(program.entry_of(name))) + "start();"
+        for name in program.SCRIPTS
+    }
+    (folder / program.NAME).write_bytes(lzma.compress(json.dumps(shorts).encode()))
     for file in programs(folder):
         file.write_text(f"// rocksteady kernels {sources_hash()}\n.version 7.0\n", "ascii")
     for platform in PLATFORMS:
@@ -249,9 +253,14 @@ def test_no_wheel_is_built_without_the_programs_of_these_sources(
 
 def test_no_wheel_is_built_with_a_script_of_other_parts(libraries: Path, tmp_path: Path) -> None:
     shutil.copy(libraries / NAME, tmp_path)
-    (tmp_path / program.NAME).write_text(f"{program.heading('other')}start();", "utf-8")
-    with pytest.raises(SystemExit, match=f"{program.NAME} was made from other parts"):
+    shorts = program.shortened_scripts(libraries / program.NAME)
+    shorts["push"] = program.heading("other") + "start();"
+    del shorts["swing"]
+    (tmp_path / program.NAME).write_bytes(lzma.compress(json.dumps(shorts).encode()))
+    with pytest.raises(SystemExit) as refusal:
         build(PURE, tmp_path, tmp_path)
+    said = [line.partition(": ")[2] for line in str(refusal.value).splitlines()]
+    assert said == [f"{name} was made from other parts" for name in ("push", "swing")]
 
 
 def test_no_wheel_is_built_of_a_library_that_does_not_fit(tmp_path: Path) -> None:

@@ -27,7 +27,7 @@ LARGEST = 3_800_000
 PROGRAMS = "rocksteady-gpu"
 """Name of the package of programs for GPUs."""
 PARTS = ["*.mjs", "*.mts"]
-"""Scripts of the explorer's page, which stand in a wheel as one shortened script."""
+"""Scripts of the explorer's page, which stand in a wheel shortened, in one file."""
 
 
 class _Builder(WheelBuilder):
@@ -73,7 +73,7 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
         The platform.
     libraries
         Folder that ``python -m tools.aot build`` wrote its libraries to, and
-        ``python -m tools.aot.web.program`` the script of the page.
+        ``python -m tools.aot.web.program`` the scripts of the page.
     out
         Folder for the wheel.
 
@@ -85,21 +85,23 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     Raises
     ------
     SystemExit
-        If a library, the module or the script is missing, if the module or the script was made from
+        If a library, the module or a script is missing, if the module or a script was made from
         other sources, if systems to which the tag belongs could not load a library, or if the wheel
         is too large.
     """
     page = libraries / module.NAME
-    scripts = {scene: libraries / name for scene, name in program.NAMES.items()}
+    scripts = libraries / program.NAME
     compiled = platform.libraries(libraries)
     wrong = list(filter(None, [module.fault(page)]))
-    for scene, short in scripts.items():
-        if not short.is_file():
-            wrong.append(f"{short} is missing")
-        elif not short.read_text("utf-8").startswith(
-            program.heading(script(program.entry_of(scene)))
-        ):
-            wrong.append(f"{short} was made from other parts")
+    if not scripts.is_file():
+        wrong.append(f"{scripts} is missing")
+    else:
+        shorts = program.shortened_scripts(scripts)
+        wrong += [
+            f"{scripts}: {name} was made from other parts"
+            for name in program.SCRIPTS
+            if not shorts.get(name, "").startswith(program.heading(script(program.entry_of(name))))
+        ]
     for file in compiled:
         found = faults(file, platform.tag, list(ENTRIES)) if file.is_file() else ["it is missing"]
         wrong += [f"{file} does not fit {platform.tag}: {fault}" for fault in found]
@@ -108,7 +110,7 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     asked = f"{PROGRAMS} == {__version__}; sys_platform != 'darwin'"
     config["project"]["optional-dependencies"]["gpu"].append(asked)
     config["tool"]["hatch"]["build"]["targets"]["wheel"]["exclude"] = PARTS
-    return _Builder(config, platform, [*compiled, page, *scripts.values()], INSIDE).made(out, wrong)
+    return _Builder(config, platform, [*compiled, page, scripts], INSIDE).made(out, wrong)
 
 
 def programs(folder: Path) -> list[Path]:
