@@ -11,6 +11,8 @@ import struct
 import subprocess
 import sys
 import zipfile
+import zlib
+from collections.abc import Iterator
 from pathlib import Path, PurePath
 
 import pytest
@@ -27,7 +29,7 @@ from rocksteady.kernels.machine_code.sources import sources_hash
 from tests.every import every
 from tests.strategies import rest_slow
 from tools.wheels import building
-from tools.wheels.building import INSIDE, PARTS, ROOT, build, build_programs, programs
+from tools.wheels.building import INSIDE, PARTS, ROOT, build, build_programs, deflated, programs
 from tools.wheels.first_start import sizes, wheel_of_this_machine
 from tools.wheels.needs import faults
 from tools.wheels.platforms import PLATFORMS, PURE, Platform
@@ -85,6 +87,14 @@ class Wheels(dict[Platform, Path]):
     def __missing__(self, platform: Platform) -> Path:
         self[platform] = build(platform, self._libraries, self._out)
         return self[platform]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def quickly_deflated() -> Iterator[None]:
+    """Zopfli takes half a minute for the files of a wheel."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(building, "deflated", lambda data: zlib.compress(data)[2:-4])
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -202,6 +212,21 @@ def test_the_same_libraries_give_the_same_bytes(
         shutil.copy(file, tmp_path)  # which gives it another time stamp
     again = build(platform, tmp_path, tmp_path)
     assert again.read_bytes() == wheels[platform].read_bytes()
+
+
+def test_files_are_deflated_by_zopfli_and_read_by_any_zip(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(building, "deflated", deflated)
+    license_text = (ROOT / "LICENSE").read_bytes()
+    assert zlib.decompress(deflated(license_text), wbits=-15) == license_text
+    assert len(deflated(license_text)) < len(zlib.compress(license_text, 9)) - 6
+    for file in programs(tmp_path):
+        file.write_text(f"// rocksteady kernels {sources_hash()}\n", "ascii")
+    wheel = build_programs(tmp_path, tmp_path)
+    with zipfile.ZipFile(wheel) as archive:
+        assert archive.testzip() is None
+        assert {each.compress_type for each in archive.infolist()} == {zipfile.ZIP_DEFLATED}
 
 
 def test_no_wheel_is_built_without_a_library_of_its_platform(
