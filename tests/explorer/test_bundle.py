@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady.explorer._bundle import ENTRY, PARTS, PartError, joined, script
-from rocksteady.explorer._program import NAMES, entry_of
+from rocksteady.explorer._program import SCRIPTS, entry_of
 from tests.every import every
 from tools.aot.replay.wasm import node
 
@@ -27,7 +27,7 @@ def test_a_module_stands_after_those_that_it_imports() -> None:
 
 
 def test_every_module_but_those_of_types_is_joined() -> None:
-    modules = {path for scene in NAMES for path in joined(entry_of(scene))}
+    modules = {path for name in SCRIPTS for path in joined(entry_of(name))}
     assert modules == set(PARTS.rglob("*.mjs"))
 
 
@@ -38,14 +38,10 @@ def test_the_script_has_no_imports_no_exports_and_begins_by_itself() -> None:
     assert text.endswith("$.at(-1).start();\n}\n")
 
 
-@every("scene", NAMES)
-def test_the_script_begins_in_a_worker_which_has_no_window(
-    scene: str | None, tmp_path: Path
-) -> None:
+@every("name", SCRIPTS)
+def test_the_script_begins_in_a_worker_which_has_no_window(name: str, tmp_path: Path) -> None:
     file = tmp_path / "worker.cjs"
-    text = (
-        f"globalThis.onmessage = null;\n{script(entry_of(scene))}\nconsole.log(typeof onmessage);"
-    )
+    text = f"globalThis.onmessage = null;\n{script(entry_of(name))}\nconsole.log(typeof onmessage);"
     file.write_text(text, encoding="utf-8")
     ran = subprocess.run([*node(), str(file)], check=False, capture_output=True, text=True)
     assert (ran.stdout, ran.stderr) == ("function\n", "")

@@ -4,11 +4,15 @@ import base64
 import csv
 import hashlib
 import io
+import json
+import lzma
 import shutil
 import struct
 import subprocess
 import sys
 import zipfile
+import zlib
+from collections.abc import Iterator
 from pathlib import Path, PurePath
 
 import pytest
@@ -25,12 +29,12 @@ from rocksteady.kernels.machine_code.sources import sources_hash
 from tests.every import every
 from tests.strategies import rest_slow
 from tools.wheels import building
-from tools.wheels.building import INSIDE, PARTS, ROOT, build, build_programs, programs
+from tools.wheels.building import INSIDE, PARTS, ROOT, build, build_programs, deflated, programs
 from tools.wheels.first_start import sizes, wheel_of_this_machine
 from tools.wheels.needs import faults
 from tools.wheels.platforms import PLATFORMS, PURE, Platform
 
-BESIDE = (NAME, *program.NAMES.values())
+BESIDE = (NAME, program.NAME)
 """What every wheel has of the explorer, beside the libraries."""
 SQUARE = "double g(double x) { return x * x; }"
 KERNELS = SQUARE + "".join(f"int rs_{name}(void) {{ return 0; }}" for name in ENTRIES)
@@ -60,9 +64,11 @@ def libraries(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Every library of every wheel, small ones, and what is made for the explorer."""
     folder = tmp_path_factory.mktemp("libraries")
     (folder / NAME).write_bytes(BEGINS + sources_hash().encode())
-    for scene, name in program.NAMES.items():
-        heading = program.heading(script(program.entry_of(scene)))
-        (folder / name).write_text(f"{heading}start();", "utf-8")
+    shorts = {
+        name: program.heading(script(program.entry_of(name))) + "start();"
+        for name in program.SCRIPTS
+    }
+    (folder / program.NAME).write_bytes(lzma.compress(json.dumps(shorts).encode()))
     for file in programs(folder):
         file.write_text(f"// rocksteady kernels {sources_hash()}\n.version 7.0\n", "ascii")
     for platform in PLATFORMS:
@@ -81,6 +87,14 @@ class Wheels(dict[Platform, Path]):
     def __missing__(self, platform: Platform) -> Path:
         self[platform] = build(platform, self._libraries, self._out)
         return self[platform]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def quickly_deflated() -> Iterator[None]:
+    """Zopfli takes half a minute for the files of a wheel."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(building, "deflated", lambda data: zlib.compress(data)[2:-4])
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -200,6 +214,21 @@ def test_the_same_libraries_give_the_same_bytes(
     assert again.read_bytes() == wheels[platform].read_bytes()
 
 
+def test_files_are_deflated_by_zopfli_and_read_by_any_zip(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(building, "deflated", deflated)
+    license_text = (ROOT / "LICENSE").read_bytes()
+    assert zlib.decompress(deflated(license_text), wbits=-15) == license_text
+    assert len(deflated(license_text)) < len(zlib.compress(license_text, 9)) - 6
+    for file in programs(tmp_path):
+        file.write_text(f"// rocksteady kernels {sources_hash()}\n", "ascii")
+    wheel = build_programs(tmp_path, tmp_path)
+    with zipfile.ZipFile(wheel) as archive:
+        assert archive.testzip() is None
+        assert {each.compress_type for each in archive.infolist()} == {zipfile.ZIP_DEFLATED}
+
+
 def test_no_wheel_is_built_without_a_library_of_its_platform(
     libraries: Path, tmp_path: Path
 ) -> None:
@@ -249,9 +278,14 @@ def test_no_wheel_is_built_without_the_programs_of_these_sources(
 
 def test_no_wheel_is_built_with_a_script_of_other_parts(libraries: Path, tmp_path: Path) -> None:
     shutil.copy(libraries / NAME, tmp_path)
-    (tmp_path / program.NAME).write_text(f"{program.heading('other')}start();", "utf-8")
-    with pytest.raises(SystemExit, match=f"{program.NAME} was made from other parts"):
+    shorts = program.shortened_scripts(libraries / program.NAME)
+    shorts["push"] = program.heading("other") + "start();"
+    del shorts["swing"]
+    (tmp_path / program.NAME).write_bytes(lzma.compress(json.dumps(shorts).encode()))
+    with pytest.raises(SystemExit) as refusal:
         build(PURE, tmp_path, tmp_path)
+    said = [line.partition(": ")[2] for line in str(refusal.value).splitlines()]
+    assert said == [f"{name} was made from other parts" for name in ("push", "swing")]
 
 
 def test_no_wheel_is_built_of_a_library_that_does_not_fit(tmp_path: Path) -> None:

@@ -3,9 +3,13 @@
 import tomllib
 import zipfile
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
+from unittest.mock import patch
 
+import zopfli.zlib
 from hatchling.builders.wheel import WheelBuilder
 
 from rocksteady import __version__
@@ -22,12 +26,12 @@ from tools.wheels.platforms import PURE, Platform
 ROOT = Path(__file__).parents[2]
 INSIDE = "rocksteady/kernels/machine_code/libraries"
 """Folder of the libraries and of the module in a wheel."""
-LARGEST = 3_800_000
-"""Bytes of a wheel. That of Windows has 3.5 million, its three libraries 1.0 of them."""
+LARGEST = 3_500_000
+"""Bytes of a wheel. That of Windows is the largest, its three libraries are 1.0 million of them."""
 PROGRAMS = "rocksteady-gpu"
 """Name of the package of programs for GPUs."""
 PARTS = ["*.mjs", "*.mts"]
-"""Scripts of the explorer's page, which stand in a wheel as one shortened script."""
+"""Scripts of the explorer's page, which stand in a wheel shortened, in one file."""
 
 
 class _Builder(WheelBuilder):
@@ -54,14 +58,25 @@ class _Builder(WheelBuilder):
             raise SystemExit("\n".join(wrong))
         (built,) = self.build(directory=str(out), versions=["standard"])
         wheel, packed = Path(built), Path(f"{built}.tmp")
-        with zipfile.ZipFile(wheel) as plain, zipfile.ZipFile(packed, "w") as harder:
+        compressor = SimpleNamespace(compress=deflated, flush=bytes)
+        with (
+            zipfile.ZipFile(wheel) as plain,
+            zipfile.ZipFile(packed, "w") as harder,
+            patch("zipfile._get_compressor", lambda *_: compressor),
+        ):
             for each in plain.infolist():
-                harder.writestr(each, plain.read(each), zipfile.ZIP_DEFLATED, compresslevel=9)
+                harder.writestr(each, plain.read(each), zipfile.ZIP_DEFLATED)
         packed.replace(wheel)
         size = wheel.stat().st_size
         if size > LARGEST:
             raise SystemExit(f"{wheel} has {size} bytes, and {LARGEST} is the most")
         return wheel
+
+
+@cache
+def deflated(data: bytes) -> bytes:
+    """Return the content of a file deflated by zopfli, once for all wheels that hold it."""
+    return bytes(zopfli.zlib.compress(data, numiterations=5)[2:-4])  # without zlib's header and sum
 
 
 def build(platform: Platform, libraries: Path, out: Path) -> Path:
@@ -73,7 +88,7 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
         The platform.
     libraries
         Folder that ``python -m tools.aot build`` wrote its libraries to, and
-        ``python -m tools.aot.web.program`` the script of the page.
+        ``python -m tools.aot.web.program`` the scripts of the page.
     out
         Folder for the wheel.
 
@@ -85,21 +100,23 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     Raises
     ------
     SystemExit
-        If a library, the module or the script is missing, if the module or the script was made from
+        If a library, the module or a script is missing, if the module or a script was made from
         other sources, if systems to which the tag belongs could not load a library, or if the wheel
         is too large.
     """
     page = libraries / module.NAME
-    scripts = {scene: libraries / name for scene, name in program.NAMES.items()}
+    scripts = libraries / program.NAME
     compiled = platform.libraries(libraries)
     wrong = list(filter(None, [module.fault(page)]))
-    for scene, short in scripts.items():
-        if not short.is_file():
-            wrong.append(f"{short} is missing")
-        elif not short.read_text("utf-8").startswith(
-            program.heading(script(program.entry_of(scene)))
-        ):
-            wrong.append(f"{short} was made from other parts")
+    if not scripts.is_file():
+        wrong.append(f"{scripts} is missing")
+    else:
+        shorts = program.shortened_scripts(scripts)
+        wrong += [
+            f"{scripts}: {name} was made from other parts"
+            for name in program.SCRIPTS
+            if not shorts.get(name, "").startswith(program.heading(script(program.entry_of(name))))
+        ]
     for file in compiled:
         found = faults(file, platform.tag, list(ENTRIES)) if file.is_file() else ["it is missing"]
         wrong += [f"{file} does not fit {platform.tag}: {fault}" for fault in found]
@@ -108,7 +125,7 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     asked = f"{PROGRAMS} == {__version__}; sys_platform != 'darwin'"
     config["project"]["optional-dependencies"]["gpu"].append(asked)
     config["tool"]["hatch"]["build"]["targets"]["wheel"]["exclude"] = PARTS
-    return _Builder(config, platform, [*compiled, page, *scripts.values()], INSIDE).made(out, wrong)
+    return _Builder(config, platform, [*compiled, page, scripts], INSIDE).made(out, wrong)
 
 
 def programs(folder: Path) -> list[Path]:

