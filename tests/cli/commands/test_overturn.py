@@ -2,6 +2,7 @@
 
 import csv
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -196,6 +197,17 @@ def test_the_scales_of_a_record_keep_the_contract(tmp_path: Path) -> None:
     with table.open(encoding="utf-8", newline="") as rows:
         assert float(next(csv.DictReader(rows))["low"]) == row["first"]
     assert picture.stat().st_size > 5000
+
+
+def test_no_scale_above_the_first_that_falls_is_shown_as_standing() -> None:
+    """A window too narrow to list, below the one that holds 1, is a fall all the same."""
+    record = Record(acceleration_m_s2=np.array([0.0, 4.0, -4.0, 0.0]), dt_s=0.3)
+    found = find_overturning_scales(Block.rectangle(width=0.3, height=1.6), record)
+    assert any(low < 1.0 < high for low, high in found.intervals(0))
+    stands = float(overturn.standing(found).split()[0])
+    assert stands < found.first[0]
+    narrow = replace(found, first=0.9 * stands * np.ones(1))
+    assert overturn.standing(narrow) == ""
 
 
 def test_a_kick_keeps_the_contract(tmp_path: Path) -> None:

@@ -201,3 +201,10 @@ def test_on_a_terminal_a_sweep_shows_its_rate(monkeypatch: pytest.MonkeyPatch) -
     text = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", terminal.getvalue())
     assert "2,000 of 2,000" in text
     assert "1,000 cells/s" in text
+
+
+def test_a_sweep_that_is_run_again_has_more_cells_and_no_time_below_none() -> None:
+    meter = Meter(100, lambda _: None)
+    for cells in (0, 60, 40, 0, 30):
+        meter(cells)
+    assert (meter.passed, meter.cells) == (130, 200)

@@ -1,6 +1,6 @@
 """Sentences on an object: the least change is named with what it does, in its unit."""
 
-from rocksteady.risk.assess._answers import _change_words
+from rocksteady.risk.assess._answers import _change_words, _row_words
 from rocksteady.risk.assess._remedies import Remedy
 
 
@@ -37,3 +37,8 @@ def test_what_is_not_enough_is_told_once() -> None:
     never = [remedy("width", None, None), remedy("ballast", None, None)]
     assert _change_words([*never, never[0]]) == "no width is enough; no ballast is enough"
     assert _change_words([]) == ""
+
+
+def test_a_certain_curve_is_no_count() -> None:
+    row = {"colour": "red", "probability": 1.0, "tried": 12, "method": "curve", "basis": "curve"}
+    assert _row_words(row) == "red, > 99 %"

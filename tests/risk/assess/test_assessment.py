@@ -589,6 +589,9 @@ def test_the_friction_cap_holds_for_the_worst_end_of_every_range() -> None:
     # It lifts, and its impacts need more friction than uplift.
     assert first_motion(worst, 0.11, 1.05 * (cap.value or 0.0)) == "slides and rocks"
     assert first_motion(worst, 0.11, 0.5) == "rocks"
+    # A range of something else does not stand for the higher mass centre: both count together.
+    narrow = described(geometry={"width_m": {"low": 0.3, "high": 0.34}, "height_m": 1.8})
+    assert _friction_cap(narrow).value == pytest.approx(0.15 / (1.1 * 0.9))
 
 
 def test_an_object_against_a_wall_falls_as_runs_of_its_own_with_both_signs_do() -> None:

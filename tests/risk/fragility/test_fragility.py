@@ -119,7 +119,9 @@ def test_without_a_median_there_is_no_answer() -> None:
     assert ": no level at which half fall; " in fragility(state(plain=never))._headline()
     step = curve([0, 0, 40, 40])
     sentence, _ = told(fragility(state(plain=step)))
-    assert sentence.endswith(", a step: levels between them are not run.")
+    assert sentence.endswith(" m/s of PGV (a step: no level between 0.4 and 0.8).")
+    at_one = fragility(state(plain=replace(step, step=(0.4, 0.4), median=0.4)))
+    assert told(at_one)[0] == "Half of them fall at 0.4 m/s of PGV, a step."
     assert "beta" not in sentence
 
 

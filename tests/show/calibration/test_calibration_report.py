@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -10,6 +11,7 @@ import pytest
 from rocksteady.calibration import Calibration
 from rocksteady.results.numbers import number
 from rocksteady.show.calibration._calibration_report import calibration_html
+from rocksteady.show.calibration._calibration_tables import sentence_of
 from rocksteady.show.export.manifest import make_manifest
 from tests.every import every
 from tests.show.assessment.pages import Page, check_alone, drawn_once
@@ -106,6 +108,18 @@ def test_without_scores_the_page_says_so() -> None:
 def test_the_page_is_the_same_twice() -> None:
     made = make_manifest(command="rocksteady calibrate --tests x")
     assert calibration_html(unscored(), made) == calibration_html(unscored(), made)
+
+
+def test_where_all_outcomes_are_predicted_their_number_is_stated_once() -> None:
+    usual = calibrated()
+    scores = replace(usual.validation.rows["calibrated"], accuracy=(1.0, 1.0, 1.0), tests=8)
+    rows = {**usual.validation.rows, "calibrated": scores}
+    found = replace(usual, validation=replace(usual.validation, rows=rows))
+    assert "8 of 8 outcomes came as the calibrated block expects" in sentence_of(found)
+    described = found.describe().answer
+    assert described is not None
+    facts = dict(described.facts)
+    assert str(facts["held out"]).startswith("8 of 8 tests predicted")
 
 
 @every("promise", ["only alpha is identified", "0.42 g", "is Bayesian", "0.09"])

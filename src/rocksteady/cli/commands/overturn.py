@@ -219,14 +219,13 @@ def with_standing(scales: "OverturningScales", answer: "Answer | None") -> "Answ
 
 
 def standing(scales: "OverturningScales") -> str:
-    """Return the largest scale of a record at which no neighbour falls, in words, or nothing."""
+    """Return the largest scale below the first that falls with no neighbour falling, in words."""
     from rocksteady.dynamics.history.neighbours import check_neighbours
     from rocksteady.dynamics.history.simulate import simulate
 
     block, motion = scales.block, scales.motions[0]
     base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
-    whole = any(low <= 1.0 <= high for low, high in scales.intervals(0))
-    scale = 1.0 if whole else float(scales.first[0])
+    scale = float(scales.first[0])
     case = simulate(block, base.scaled(scale), model=scales.model)
     part = check_neighbours(case).stands_at
     if part is None:

@@ -135,14 +135,14 @@ class Meter:
     Attributes
     ----------
     cells, passed
-        Number of cells, and of finished cells.
+        Number of cells, of all runs of a sweep that is run again, and of finished cells.
     there
         Number of cells that were done before.
     """
 
     def __init__(self, cells: int, show: "Callable[[Meter], None]") -> None:
         self.cells, self.passed, self.there = cells, 0, 0
-        self._show = show
+        self._sweep, self._show = cells, show
         self._marks: deque[tuple[float, int]] = deque(maxlen=LATELY)
         self._began = self._last = 0.0
 
@@ -151,6 +151,8 @@ class Meter:
         terminal.say_notes()  # nothing is refused any more
         self._last = time.monotonic()
         self.passed += cells
+        if self.passed > self.cells:  # the same sweep once more, over wider limits
+            self.cells += self._sweep
         if not self._marks:
             self._began, self.there = self._last, cells
         if not self._marks or self._last - self._marks[-1][0] >= 1.0:
@@ -228,7 +230,9 @@ def _cells_bar(task: str, cells: int) -> Iterator[Callable[[Meter], None]]:
     )
     with Progress(*columns, console=Console(stderr=True, **styled())) as bar:
         row = bar.add_task(task, total=cells, rate="")
-        yield lambda meter: bar.update(row, completed=meter.passed, rate=meter.text)
+        yield lambda meter: bar.update(
+            row, total=meter.cells, completed=meter.passed, rate=meter.text
+        )
 
 
 def _cells_lines(task: str) -> Callable[[Meter], None]:

@@ -177,7 +177,8 @@ def _row_words(row: Mapping[str, Any]) -> str:
     """Return the number that the colour of an object follows, and what else is known."""
     if row["probability"] is None:
         return f"grey: {row['verdict']}, no probability"
-    words = f"{row['colour']}, {chance(row['probability'], row['tried'])}"
+    of = row["tried"] if row["basis"] == "count" else 0
+    words = f"{row['colour']}, {chance(row['probability'], of)}"
     if row["basis"] == "statics":
         return f"{row['colour']}: the PGA does not lift it"
     if row["basis"] == "count":

@@ -392,9 +392,12 @@ def _ballast(search: Search) -> Remedy:
 
 def _friction_cap(described: DescribedObject) -> Remedy:
     """Return the friction below which it slides and does not lift, with its mass centre higher."""
-    # At either end of every range of the file too: the side that lifts first of all of them.
-    blocks = [described.block_of(described.body.with_centre(1.0 + CENTRE))]
-    blocks += [variant.block for variant in described.variants()]
+    # At either end of every range too, a range of the mass centre for itself: what lifts first.
+    bodies = [described.body.with_centre(1.0 + CENTRE)]
+    for variant in described.variants():
+        stated = variant.key == "geometry.mass_centre_height_m"
+        bodies.append(variant.body if stated else variant.body.with_centre(1.0 + CENTRE))
+    blocks = [described.block_of(body) for body in bodies]
     cap = min(tan(first_side(block).alpha) for block in blocks)
     friction = described.given.friction
     change = None if friction is None else max(0.0, 1.0 - cap / bounds_of(friction)[1])
@@ -402,8 +405,8 @@ def _friction_cap(described: DescribedObject) -> Remedy:
         name="friction cap",
         words=f"let it slide on a base with a coefficient of friction of at most {number(cap)}, "
         f"where it does not lift even with its mass centre {100.0 * CENTRE:g} % higher than "
-        "stated and at both ends of each range of "
-        "its geometry; it needs room to slide and no edge to catch on"
+        "stated, at either end of each range of its geometry; "
+        "it needs room to slide and no edge to catch on"
         + ("" if friction is not None else "; its friction now is not given"),
         change=change,
         value=cap,

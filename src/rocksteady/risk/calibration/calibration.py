@@ -265,8 +265,9 @@ class Calibration(Result):
             _, low, high = best.accuracy
             band = interval(None if np.isnan(low) else (low, high), 0.9)
             share, rate = (chance(each.accuracy[0], each.tests) for each in (best, base))
-            held = f"{share} of tests predicted; by the base rate {rate}"
-            sentence = f"{share} of held-out tests are predicted{band}."
+            share += "" if " of " in share else " of"
+            held = f"{share} tests predicted; by the base rate {rate}"
+            sentence = f"{share} held-out tests are predicted{band}."
         if not few.identified:
             sentence = (
                 f"No answer yet: it rests on {few.effective_draws:.0f} effective draws of "

@@ -33,18 +33,16 @@ class Labels:
     status, peak_angle
         Over all dimensions.
     answered
-        Which runs have an answer.
+        Which runs have an answer; where all blocks are symmetric, of one direction.
+    without
+        Number of runs without an answer.
     """
 
     ensemble: "xarray.Dataset"
     status: NDArray[np.int8]
     peak_angle: Floats
     answered: NDArray[np.bool_]
-
-    @property
-    def without(self) -> int:
-        """Runs without an answer."""
-        return int(self.answered.size - self.answered.sum())
+    without: int
 
     @property
     def trials(self) -> Integers:
@@ -96,7 +94,9 @@ def labels_of(ensemble: "xarray.Dataset") -> Labels:
             "give run_ensemble(blocks, motions)",
         )
     status = ensemble["status"].transpose(*DIMENSIONS).values
-    answered = np.isin(status, ANSWERS)
+    answered, kept = np.isin(status, ANSWERS), np.ones(status.shape, dtype=np.bool_)
+    if not {"negative_alpha", "one_sided"} & set(ensemble.coords):
+        kept[:, :, 1:] = False  # mirror images; beside other blocks they give each the same weight
     share = 1.0 - float(answered.mean())
     if share > MOST_WITHOUT:
         lost, open_ = (float((status == s).mean()) for s in (Status.LOST_CONTACT, Status.UNDECIDED))
@@ -111,7 +111,8 @@ def labels_of(ensemble: "xarray.Dataset") -> Labels:
         ensemble=ensemble,
         status=status,
         peak_angle=ensemble["peak_angle"].transpose(*DIMENSIONS).values,
-        answered=answered,
+        answered=answered & kept,
+        without=int((kept & ~answered).sum()),
     )
 
 

@@ -162,7 +162,7 @@ def compute_fragility(
     ...     fitting=FitOptions(states=["uplift"], bands=None),
     ... )
     >>> fragility.state("uplift").plain.status, fragility.state("uplift").plain.step
-    ('separated', (0.2, 0.3))
+    ('separated', (0.25, 0.25))
     """
     began = time.perf_counter()
     bodies, asked = blocks_of(blocks), Levels() if levels is None else levels
@@ -198,9 +198,8 @@ def _fitted(
     )
     some = 0 < lifted.sum() < trials.sum()
     known = isinstance(uplifted, float) and lifted.any()  # it may lie below the lowest level
-    gate = (some or known) and state.name != UPLIFT
-    two_stage = None
-    if gate:
+    of_uplift, two_stage = state.name == UPLIFT, None
+    if known or (some and not of_uplift):
         two_stage = fit_two_stages(
             at,
             uplifted,
@@ -211,7 +210,7 @@ def _fitted(
             bands=options.bands,
             measure=named,
         )
-        plain = two_stage.plain
+        plain = two_stage.uplift if of_uplift else two_stage.plain
     else:
         plain = fit_curve(
             at,
@@ -225,8 +224,8 @@ def _fitted(
     fitted = StateFragility(
         state=state,
         plain=plain,
-        two_stage=two_stage,
-        given_uplift=measure.given_uplift and state.name != UPLIFT,
+        two_stage=None if of_uplift else two_stage,
+        given_uplift=measure.given_uplift and not of_uplift,
     )
     points: list[tuple[float, int, int | None, int]] = []
     if labels.ensemble.attrs["measure"] == measure.key:

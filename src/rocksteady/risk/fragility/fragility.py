@@ -211,8 +211,8 @@ class Fragility(Result):
         half += f" {_verb(last.state)} at {self._median_words(last)}"
         if not math.isnan(shape.beta):
             half += f", {self._beta_words()}"
-        if shape.step is not None:
-            half += ", a step: levels between them are not run"
+        if shape.step is not None and shape.step[0] == shape.step[1]:
+            half += ", a step"
         sentence, provisional = f"{half}.", ""
         if math.isnan(curve.median):
             headline = shape.describe().headline
@@ -246,6 +246,10 @@ class Fragility(Result):
         curve, unit = each.curve, self.measure.unit
         name = self.measure.label
         words = f"{number(curve.median)} {unit} of {name}" if unit else f"{name} {curve.median:.3g}"
+        step = _shape(each).step
+        if step is not None and step[0] < step[1]:
+            low, high = (number(end + getattr(curve, "offset", 0.0)) for end in step)
+            return f"{words} (a step: no level between {low} and {high})"
         band, bands = getattr(curve, "median_band", None), self.fitting.bands
         if band is None or bands is None:
             return words

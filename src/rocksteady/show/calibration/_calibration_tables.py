@@ -65,10 +65,11 @@ def sentence_of(calibration: Calibration) -> str:
     rows = calibration.validation.rows
     mine, base = rows["calibrated"], rows["base rate"]
     right = round(mine.accuracy[0] * mine.tests)
+    share = f" ({chance(mine.accuracy[0])})" if 0 < right < mine.tests else ""
     words = (
-        f"Predicted without the tests of its own group, {right} of {plural(mine.tests, 'outcome')} "
-        f"({chance(mine.accuracy[0], mine.tests)}) came as the calibrated block expects; the more "
-        f"frequent outcome alone is right in {chance(base.accuracy[0], base.tests)}"
+        f"Predicted without the tests of its own group, {right} of {plural(mine.tests, 'outcome')}"
+        f"{share} came as the calibrated block expects; the more frequent outcome alone is right "
+        f"in {chance(base.accuracy[0], base.tests)}"
     )
     logistic = chance(rows["logistic"].accuracy[0], mine.tests)
     return f"{words}, a logistic on intensity in {logistic}."

@@ -69,12 +69,13 @@ class Variant:
         What is changed, as "content.mass_kg".
     label
         The change in words, as "content.mass_kg 20".
-    block
-        The block that it then is.
+    body, block
+        The body and the block that it then is.
     """
 
     key: str
     label: str
+    body: Body
     block: Block
 
 
@@ -245,7 +246,8 @@ did you mean width_m?
             Variant(
                 key=key,
                 label=f"{key} {number(end)}",
-                block=self._made(body_of(self.given, self.source, choose), self.restitution),
+                body=(body := body_of(self.given, self.source, choose)),
+                block=self._made(body, self.restitution),
             )
             for choose, key, end in self._ends()
         )
