@@ -329,7 +329,12 @@ def test_the_risk_is_that_of_the_fragility_over_the_velocity(found: Assessment) 
     other = compute_risk(found.curve, risk.hazard)
     assert risk.annual_rate == pytest.approx(other.annual_rate, rel=1e-9)
     assert 0.0 < risk.annual_rate < 1.0
-    assert found.to_dict()["risks"][0]["annual_rate"] == risk.annual_rate
+    (row,) = found.to_dict()["risks"]
+    assert row["annual_rate"] == risk.annual_rate
+    assert row["share_outside"] == risk.share_outside
+    # A rate of a hazard curve that ends too early is not stated without that.
+    assert risk.describe().notes
+    assert set(risk.describe().notes) <= set(found.describe().notes)
 
 
 def test_everything_is_plain_json_and_every_caveat_is_printed(found: Assessment) -> None:

@@ -167,7 +167,7 @@ def test_marks_line_ends_separators_commas_and_orders(file: Any, content: bytes)
     [
         (".1,.02\n.4,.001\n", "the columns have no names, as PGA, PGV and Sa(PERIOD)"),
         ("x,rate\n.1,.02\n.4,.001\n", "or give measure="),
-        ("Sa [g],rate\n.1,.02\n.4,.001\n", 'give measure= with its period, as "sa_g:1.0"'),
+        ("Sa [g],rate\n.1,.02\n.4,.001\n", 'as "Sa(1.0) [g]", or give measure="sa_g:1.0"'),
         ("PGA,rate\n.1,.02\n.4,.001\n", 'give level_unit=, as "g"'),
         ("PGV,rate\n.1,.02\n.4,.001\n", 'give level_unit=, as "m/s"'),
         ("PGV [g],rate\n.1,.02\n.4,.001\n", "names no unit of velocity"),

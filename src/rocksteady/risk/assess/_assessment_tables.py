@@ -39,6 +39,7 @@ def tables_of(
             "years": risk.years,
             "probability": risk.probability,
             "hclpf": risk.hclpf,
+            "share_outside": risk.share_outside,
         }
         for risk in risks_found
     ]

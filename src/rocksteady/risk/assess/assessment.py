@@ -392,7 +392,7 @@ class Assessment(Result):
                 "probability is "
                 + ("the share at the demand." if self.basis == "count" else WHOLE_CURVE)
             )
-        warnings += [remark for risk in self.risks for remark in risk.remarks]
+        warnings += [note for risk in self.risks for note in risk.describe().notes]
         return list(dict.fromkeys(filter(None, warnings)))
 
 

@@ -118,7 +118,10 @@ def _measure(text: HazardText, header: str, measure: Measure | None) -> tuple[Me
     match = _IMT.search(header)
     if match is None:
         if measure is None:
-            raise text.error('no imt="PGA" or the like stands above the columns', "give measure=")
+            raise text.error(
+                'no imt="PGA" or the like stands above the columns',
+                "write it into that line, or give measure=",
+            )
         return measure, _openquake_unit(measure)
     word, _, period = match[1].rstrip(")").partition("(")
     period_s = read_number(period)

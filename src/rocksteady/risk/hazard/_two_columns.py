@@ -147,7 +147,8 @@ def _level(
         period = _PERIOD.search(name)
         if period is None and given is None:
             raise text.error(
-                f"{name!r} names no period", 'give measure= with its period, as "sa_g:1.0"'
+                f"{name!r} names no period",
+                'write it into the name, as "Sa(1.0) [g]", or give measure="sa_g:1.0"',
             )
         named = f"sa_g:{period[1]}" if period else None
     known = None if named is None else ground_measure("measure", named)

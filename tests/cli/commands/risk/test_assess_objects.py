@@ -76,6 +76,14 @@ def test_the_folder_is_refused_before_anything_is_computed(place: Path) -> None:
     assert "which is no file of an assessment" in line
 
 
+def test_a_hazard_curve_is_refused_with_a_step_that_the_command_knows(place: Path) -> None:
+    for text in ("0.1,0.01\n0.4,0.001\n", "Sa [g],rate\n0.1,0.01\n0.4,0.001\n"):
+        (place / "bare.csv").write_text(text, encoding="utf-8")
+        line = refused("assess statue.toml --records motions --hazard bare.csv")
+        assert "name" in line
+        assert "measure=" not in line
+
+
 def test_the_motions_may_be_named_in_the_file(place: Path) -> None:
     text = OBJECT + 'records = "motions"\n'
     (place / "statue.toml").write_text(text, encoding="utf-8")

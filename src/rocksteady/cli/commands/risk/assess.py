@@ -332,7 +332,8 @@ def _hazard_curves(hazard: Path | None) -> "Sequence[HazardCurve] | None":
     try:
         return read_hazard_curves(hazard)
     except InputError as error:
-        raise InputError("--hazard", error.value, error.valid, error.hint) from None
+        hint = error.hint.partition(", or give measure=")[0]  # there is no such flag
+        raise InputError("--hazard", error.value, error.valid, hint) from None
 
 
 def _refuse_idle(
