@@ -522,6 +522,15 @@ def test_a_measure_needs_its_demand() -> None:
         assess_object(described(), [])
 
 
+def test_an_answer_names_the_peaks_that_its_runs_have() -> None:
+    at_pga = assess_object(described({"intensity_measure": "pga_g"}), SUITE).describe().answer
+    assert " at 0.4 g" in at_pga.sentence
+    assert "m/s" not in at_pga.sentence
+    assert (
+        f" at 0.4 g and {PGV:g} m/s" in assess_object(described(), SUITE).describe().answer.sentence
+    )
+
+
 @pytest.mark.slow
 def test_no_run_that_falls_is_a_count(found: Assessment) -> None:
     case = dataclasses.replace(found.cases[0], fell=0, counted=0.0)

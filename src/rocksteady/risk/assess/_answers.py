@@ -39,7 +39,9 @@ def answer_of_object(result: Any) -> Answer:
     given, target = result.described.given, result.described.given.assessment.target_probability
     at = level.words
     if level.measure.name in ("pga_g", "pgv_m_s") and not level.assumed:
-        at = demand_words(given.demand.pga_g, given.demand.pgv_m_s)
+        # Runs at a PGA have the PGV of their records; at a PGV the PGA decides on uplift.
+        both = level.measure.name == "pgv_m_s"
+        at = demand_words(given.demand.pga_g, given.demand.pgv_m_s if both else None)
     limit = f"the target of {number(100.0 * target)} %"
     verdict = f"{result.colour}, {result.verdict.partition(' ')[0]} {limit}"
     vertical = result.described.demand.vertical_words

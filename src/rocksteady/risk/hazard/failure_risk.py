@@ -247,11 +247,7 @@ class Risk(Result):
                 f"The hazard curve reaches from {ends}: shaking below it is left out, shaking "
                 "above it counts with the probability at its last level. Were its ends power "
                 f"laws, {percent} of the risk would lie outside"
-                + (
-                    ": compute the curve further out, or give it tails with extended()."
-                    if self.share_outside > MUCH
-                    else "."
-                )
+                + (": compute the curve further out." if self.share_outside > MUCH else ".")
             )
         if self.unsampled is not None and self.unsampled > MUCH:
             yield (
