@@ -127,6 +127,7 @@ def test_a_cabinet_has_a_verdict_up_to_a_quarter_away(
     assert details(found)["distance"][0] == pytest.approx(distance)
     assert found.passes is (False if near else None)
     assert ("no cabinet is near" in found.verdict) is not near
+    assert ("probability" in [name for name, _, _ in found.details]) is near
     assert "18.6 x 67.75 in" in found.remark
 
 

@@ -441,14 +441,13 @@ def cabinets_row(case: Case) -> Screen:
     ]
     if pgv is None:
         verdict, needs = "needs a peak floor velocity", "pgv_m_s"
+    elif distance > NEAR:
+        verdict = "no cabinet is near to this size"
     else:
         share = cabinet.probability(pgv)
         details.append(("probability", share, ""))
-        if distance > NEAR:
-            verdict = "no cabinet is near to this size"
-        else:
-            passes = None if pgv < cabinet.median_m_s else False
-            verdict = f"{chance(share)} of such cabinets fall"
+        passes = None if pgv < cabinet.median_m_s else False
+        verdict = f"{chance(share)} of such cabinets fall"
     size = f"{cabinet.depth_in:g} x {cabinet.height_in:g} in"
     return case.rocking(
         of_earth=True,
