@@ -40,8 +40,8 @@ def answer_of_object(result: Any) -> Answer:
     at = level.words
     if level.measure.name in ("pga_g", "pgv_m_s") and not level.assumed:
         # Runs at a PGA have the PGV of their records; at a PGV the PGA decides on uplift.
-        both = level.measure.name == "pgv_m_s"
-        at = demand_words(given.demand.pga_g, given.demand.pgv_m_s if both else None)
+        velocity = given.demand.pgv_m_s if level.measure.name == "pgv_m_s" else None
+        at = demand_words(given.demand.pga_g, velocity)
     limit = f"the target of {number(100.0 * target)} %"
     verdict = f"{result.colour}, {result.verdict.partition(' ')[0]} {limit}"
     vertical = result.described.demand.vertical_words
