@@ -141,6 +141,18 @@ def test_a_name_hides_neither_its_curve_nor_a_share() -> None:
             assert not box.count_contains(np.concatenate(places))
 
 
+def test_a_name_lies_beside_the_line_of_uplift() -> None:
+    levels, fell = np.geomspace(0.1, 1.5, 8), [0, 0, 0, 21, 30, 34, 36, 37]
+    curve = fit_two_stages(levels, 0.232, fell, [40] * 8, measure=("PGA", "g"))
+    drawn = plots.fragility(curve, Figure(figsize=(5.0, 4.6)).add_subplot())
+    figure = drawn.get_figure(root=True)
+    assert figure is not None
+    figure.draw_without_rendering()
+    (name,) = [each for each in drawn.texts if each.get_text().startswith("fitted")]
+    box, (across, _) = name.get_window_extent(), drawn.transData.transform((0.232, 0.5))
+    assert not box.x0 <= across <= box.x1
+
+
 def test_probabilities_have_the_hue_of_risk_and_an_axis_from_0_to_100_per_cent() -> None:
     drawn = plots.fragility(two_stages(), axes())
     inks = inks_of(drawn)

@@ -427,6 +427,8 @@ def _name_beside(
     if isinstance(shown.best, TwoStageCurve):
         uplift = shown.best.uplift.probability(at)
         bars += list(zip(at.tolist(), uplift.tolist(), uplift.tolist(), strict=True))
+        if shown.best.uplift.step is not None:
+            bars.append((shown.best.uplift.median, 0.0, 1.0))
     taken: list[tuple[float, float, float, float]] = []
     for text in texts:
         lines = text.split("\n")
