@@ -523,12 +523,14 @@ def test_a_measure_needs_its_demand() -> None:
 
 
 def test_an_answer_names_the_peaks_that_its_runs_have() -> None:
-    at_pga = assess_object(described({"intensity_measure": "pga_g"}), SUITE).describe().answer
-    assert " at 0.4 g" in at_pga.sentence
-    assert "m/s" not in at_pga.sentence
-    assert (
-        f" at 0.4 g and {PGV:g} m/s" in assess_object(described(), SUITE).describe().answer.sentence
-    )
+    sentences = []
+    for measure in ("pga_g", "pgv_m_s"):
+        answer = assess_object(described({"intensity_measure": measure}), SUITE).describe().answer
+        assert answer is not None
+        sentences.append(answer.sentence)
+    assert " at 0.4 g" in sentences[0]
+    assert "m/s" not in sentences[0]
+    assert f" at 0.4 g and {PGV:g} m/s" in sentences[1]
 
 
 @pytest.mark.slow
