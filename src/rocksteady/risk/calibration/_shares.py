@@ -111,8 +111,8 @@ class Curves:
     def at(self, motion: int, shift: Floats, ratio: Floats, sigma: Floats) -> Floats:
         """Return the probability of a fall of a motion that is moved, shape (draws, nodes).
 
-        It is the curve alone: what few runs of a draw have beside it is noise to the likelihood of
-        a session, which would leave the luckiest draw all of the weight.
+        It is the curve alone: what few runs of a draw have beside it is noise to a likelihood of
+        many tests, which would leave the luckiest draw all of the weight.
 
         Parameters
         ----------

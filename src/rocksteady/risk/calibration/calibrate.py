@@ -240,16 +240,16 @@ def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, p
             alike &= [test.peak_rad is None for test in shaken]
             known = np.where(alike, runs.fell[:, 0, 0], np.nan)
         curves = fit_curves(runs.fell, runs.gain, runs.sigma, space.features(values))
-        share = _shares_of(curves, motion, shift, runs.sigma)
+        share, alone = _shares_of(curves, motion, shift, runs.sigma)
         outliers = space.outliers(values)
-        likelihood = log_likelihood(picked, runs, motion, share, outliers, outline)
+        likelihood = log_likelihood(picked, runs, motion, alone, outliers, outline)
         sessions = None
         if space.sessions:
             ratio = space.noise.session_restitution.middle
             nodes = session_nodes(space.between(values), ratio)
-            alone = space.sigma(values, picked)
+            spread = space.sigma(values, picked)
             sessions = make_sessions(
-                picked, curves, motion, shift, alone, nodes=nodes, outliers=outliers
+                picked, curves, motion, shift, spread, nodes=nodes, outliers=outliers
             )
         if space.size == 0:  # all draws are one block: what differs is noise
             likelihood = np.zeros_like(likelihood)
@@ -272,14 +272,20 @@ def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, p
     return fit
 
 
-def _shares_of(curves: Curves, motion: Integers, shift: Floats, sigma: Floats) -> Floats:
-    """Return the probability of a fall of each test, its session unknown, shape (draws, tests)."""
+def _shares_of(
+    curves: Curves, motion: Integers, shift: Floats, sigma: Floats
+) -> tuple[Floats, Floats]:
+    """Return the probability of a fall of each test, its session unknown, shape (draws, tests).
+
+    The first counts the runs of each draw and is for predictions, the second is of the curve alone
+    and is for likelihoods.  Without an error of the gain one run is all, and counts in both.
+    """
     shares = curves.shares[:, motion]
-    for place in np.flatnonzero(shift).tolist():
-        number = motion[place]
-        moved = np.full((len(shares), 1), shift[place])
-        shares[:, place] = curves.at(number, moved, np.zeros((1, 1)), sigma[number])[:, 0]
-    return shares
+    alone = shares.copy()
+    for place in np.flatnonzero(sigma[motion].any(axis=1) | (shift != 0.0)).tolist():
+        number, moved = motion[place], np.full((len(shares), 1), shift[place])
+        alone[:, place] = curves.at(number, moved, np.zeros((1, 1)), sigma[number])[:, 0]
+    return np.where(shift == 0.0, shares, alone), alone
 
 
 def _in_sessions(tests: Sequence[ShakingTest]) -> bool:
