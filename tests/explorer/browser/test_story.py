@@ -29,7 +29,8 @@ def shake(page: Page, pixels: int) -> None:
     x, y = page.viewport_size["width"] / 2, page.viewport_size["height"] / 2
     page.mouse.move(x, y)
     page.mouse.down()
-    for there in (pixels, -pixels, pixels, 0):
+    # More strokes than topple it: fewer do or do not, by how fast the events come.
+    for there in (pixels, -pixels) * 4:
         page.mouse.move(x + there, y, steps=8)
         page.wait_for_timeout(120.0)
     page.mouse.up()
