@@ -55,6 +55,14 @@ def test_a_script_made_from_others_is_not(content: str, folder: Path) -> None:
     assert program("push") == script(entry_of("push"))
 
 
+@every("content", [b"", b"not packed", lzma.compress(b"{}")[:-9], lzma.compress(b"no JSON")])
+def test_a_damaged_file_is_not_taken(content: bytes, folder: Path) -> None:
+    (folder / NAME).write_bytes(content)
+    assert program() == script()
+    with pytest.raises(MissingKernelsError, match="is damaged"):
+        shortened_scripts(folder / NAME)
+
+
 def test_without_a_module_that_can_be_used_the_page_holds_the_whole_one(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -46,7 +46,7 @@ def shortened_scripts(file: Path) -> dict[str, str]:
     Raises
     ------
     MissingKernelsError
-        If this Python has no module that unpacks them.
+        If this Python has no module that unpacks them, or the file is damaged.
     """
     try:
         import lzma
@@ -57,7 +57,12 @@ def shortened_scripts(file: Path) -> dict[str, str]:
             "a Python built without the library liblzma lacks it",
             "install another build of Python",
         ) from error
-    scripts: dict[str, str] = json.loads(lzma.decompress(file.read_bytes()))
+    try:
+        scripts: dict[str, str] = json.loads(lzma.decompress(file.read_bytes()))
+    except (lzma.LZMAError, ValueError) as error:
+        raise MissingKernelsError(
+            str(file), Words("is damaged"), "it holds scripts packed as JSON", "install it again"
+        ) from error
     return scripts
 
 
