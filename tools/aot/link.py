@@ -81,6 +81,8 @@ def _options(target: Target) -> list[str]:
     options = ["-shared", "-fvisibility=default", "-s"]
     if target.name.startswith("linux"):
         options += ["-fPIC", "-Wl,--no-undefined"]
+    if target.name.startswith("windows"):
+        options += ["-nostdlib", "-lkernel32"]
     if target.name.startswith("macos"):  # without a name it holds the folder it was linked in
         options += [f"-Wl,-install_name,@rpath/{target.file}"]
     return options

@@ -9,13 +9,37 @@ typedef struct {
     size bytes, allocator;
 } block;
 
-void *malloc(size);
-void free(void *);
-
 #if defined(_WIN32)
+/* Without a C library, whose start takes 70 kB of a library and does nothing for kernels. */
 #define PUBLIC __declspec(dllexport)
+__declspec(dllimport) void *__stdcall GetProcessHeap(void);
+__declspec(dllimport) void *__stdcall HeapAlloc(void *, unsigned long, size);
+__declspec(dllimport) int __stdcall HeapFree(void *, unsigned long, void *);
+#define malloc(bytes) HeapAlloc(GetProcessHeap(), 0, bytes)
+#define free(room) HeapFree(GetProcessHeap(), 0, room)
+
+int _fltused;
+
+int __stdcall DllMainCRTStartup(void *library, unsigned long reason, void *reserved) {
+    (void)library, (void)reason, (void)reserved;
+    return 1;
+}
+
+void *memcpy(void *to, const void *from, size bytes) {
+    void *start = to;
+    __asm__ volatile("rep movsb" : "+D"(to), "+S"(from), "+c"(bytes) : : "memory");
+    return start;
+}
+
+void *memset(void *to, int value, size bytes) {
+    void *start = to;
+    __asm__ volatile("rep stosb" : "+D"(to), "+c"(bytes) : "a"(value) : "memory");
+    return start;
+}
 #else
 #define PUBLIC __attribute__((visibility("default")))
+void *malloc(size);
+void free(void *);
 #endif
 
 PUBLIC const char rs_sources[] = ROCKSTEADY_SOURCES;

@@ -166,7 +166,7 @@ def test_a_statue_in_pga_is_described_by_two_stages() -> None:
         assert each.two_stage is not None
         assert each.two_stage.misfit < each.plain.misfit - 0.08
         assert each.gain is not None
-        assert each.gain > 200.0
+        assert each.gain > 100.0  # a trial is a run, not also its mirror image
     gaps = [abs(share - float(two.probability(level))) for level, share in shares.items()]
     assert two.misfit == pytest.approx(max(gaps), abs=1e-6)
     assert two.misfit < 0.12

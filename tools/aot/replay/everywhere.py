@@ -23,6 +23,7 @@ from tools.aot.replay.outcome import MissingProgramError, Repeated
 from tools.aot.targets import PAGE, TARGETS, WASM
 
 ARM = "linux-aarch64"
+UNDER_WINE = "windows-x86-64-v3"
 
 
 def built_here() -> Path:
@@ -84,6 +85,16 @@ def on_arm(built: Path, calls: list[Call]) -> list[Repeated]:
         return native.repeat(program, _written(calls, folder), "aarch64")
 
 
+def under_wine(built: Path, calls: list[Call]) -> list[Repeated]:
+    """Repeat calls by a program for Windows, with the library of one CPU level."""
+    if native.emulator(native.WINDOWS) is None:
+        raise MissingProgramError("wine is not installed")
+    library = built / TARGETS[UNDER_WINE].file
+    program = native.on_windows(library, built / "replay.exe")
+    with tempfile.TemporaryDirectory() as folder:
+        return native.repeat(program, _written(calls, folder), native.WINDOWS)
+
+
 def in_wasm(
     repeat: Callable[[Path, Path], list[Repeated]], built: Path, calls: list[Call]
 ) -> list[Repeated]:
@@ -105,6 +116,7 @@ RUNS: dict[str, Callable[[Path, list[Call]], list[Repeated]]] = {
     },
     "C": in_c,
     ARM: on_arm,
+    UNDER_WINE: under_wine,
     "node": functools.partial(in_wasm, wasm.in_node),
     "Chromium": functools.partial(in_wasm, wasm.in_browser),
     "wasmtime": in_wasmtime,

@@ -1,4 +1,4 @@
-"""Recorded calls repeated in C, by a program of this processor or of another one under qemu."""
+"""Recorded calls repeated in C, by a program of this machine, or of another under qemu or wine."""
 
 import platform
 import shutil
@@ -12,6 +12,7 @@ from tools.aot.link import RUNTIME
 from tools.aot.replay.outcome import MissingProgramError, Repeated, read
 
 SOURCE = Path(__file__).with_name("replay.c")
+WINDOWS = "windows"
 DIFFERENT = 1
 """Exit status of the program where a value differs."""
 
@@ -30,6 +31,12 @@ def linked(library: Path, program: Path) -> Path:
     folder = library.resolve().parent
     files = [str(SOURCE), str(library.resolve()), f"-Wl,-rpath,{folder}"]
     return _compiled([compiler], files, program)
+
+
+def on_windows(library: Path, program: Path) -> Path:
+    """Compile the program for Windows, with a library of kernels that lies beside it."""
+    zig = [sys.executable, "-m", "ziglang", "cc", "-target", "x86_64-windows-gnu"]
+    return _compiled(zig, [str(SOURCE), str(library)], program)
 
 
 def standalone(objects: bytes, machine: str, program: Path) -> Path:
@@ -57,22 +64,23 @@ def repeat(program: Path, calls: Path, machine: str = platform.machine()) -> lis
     Parameters
     ----------
     program
-        From `linked` or `standalone`.
+        From `linked`, `on_windows` or `standalone`.
     calls
         The file.
     machine
-        The processor that the program is for.
+        The processor that the program is for, or "windows".
 
     Raises
     ------
     MissingProgramError
-        If it is for another processor and qemu is not there.
+        If it is for another processor or system, and qemu or wine is not there.
     """
     command = [str(program), str(calls)]
     if machine != platform.machine():
         found = emulator(machine)
         if found is None:
-            raise MissingProgramError(f"qemu-{machine} is not installed")
+            missing = "wine" if machine == WINDOWS else f"qemu-{machine}"
+            raise MissingProgramError(f"{missing} is not installed")
         command.insert(0, found)
     ran = subprocess.run(command, capture_output=True, text=True, check=False)
     if ran.returncode not in (0, DIFFERENT):
@@ -81,7 +89,9 @@ def repeat(program: Path, calls: Path, machine: str = platform.machine()) -> lis
 
 
 def emulator(machine: str) -> str | None:
-    """Return the program that runs those of another processor; None where it is not installed."""
+    """Return the program that runs those of another machine; None where it is not installed."""
+    if machine == WINDOWS:
+        return shutil.which("wine64") or shutil.which("wine")
     return shutil.which(f"qemu-{machine}") or shutil.which(f"qemu-{machine}-static")
 
 
