@@ -155,10 +155,31 @@ def step_to_landing(
     drive: StepDrive, at: Instant, span: float, left_out: float, second: float
 ) -> tuple[Course, float, bool]:
     """Return a step up to the landing, of a flight whose step over the span is not exact."""
-    step = min(BEYOND * root_of_parabola(at.angle, at.velocity, 2.0 * second, TRUE), span)
+    step = landing_step(at.angle, at.velocity, second, span)
     course, exact = middle_step(drive, at, step, left_out)
     landed, _ = state_after(course, at.angle, at.velocity, step)
     return course, step, exact and landed <= 0.0
+
+
+@inlined
+def landing_step(angle: float, velocity: float, second: float, span: float) -> float:
+    """Return the length of a step that ends soon after a landing, or with the span."""
+    return min(BEYOND * root_of_parabola(angle, velocity, 2.0 * second, TRUE), span)
+
+
+@inlined
+def shortened(
+    course: Course, angle: float, velocity: float, step: float, left_out: float, brief: bool
+) -> tuple[Course, bool]:
+    """Return what `middle_step` does of a course that is known to degree 10, or 8 if it is `brief`.
+
+    Here without branches.
+    """
+    short = (step <= BRIEF) & is_enough(course, angle, velocity, step, left_out, TRUE)
+    exact = short or (not brief and is_enough(course, angle, velocity, step, left_out, FALSE))
+    second, third, fourth, fifth, sixth, seventh, eighth, ninth, tenth = course
+    ninth, tenth = 0.0 if short else ninth, 0.0 if short else tenth
+    return Course(second, third, fourth, fifth, sixth, seventh, eighth, ninth, tenth), exact
 
 
 @inlined

@@ -20,6 +20,7 @@ from rocksteady.kernels.core.tables import (
     end_of_run,
     free_side,
     keep_passage,
+    speed_in_unit,
     write_row,
 )
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
@@ -148,18 +149,16 @@ def fly_through(
                 lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
                 alpha = sides[row, columns.ALPHA]
                 pull, unit, slowing = side / lean, lean * rate, 1.0 / rate
-                if watch and unit != before:
-                    peaks[columns.PEAK_SPEED] = max(peaks[columns.PEAK_SPEED], top_speed * before)
-                    top_speed = peaks[columns.PEAK_SPEED] / unit
+                top_speed = speed_in_unit(peaks, top_speed, before, unit)
             y, v = 0.0, side * velocity / unit
             if bounced:
                 break
-            continue
-        segment += 1
-        phase = 0.0
-        if y > 1.0 and v >= 0.0 and y > point_of_no_return(segments, segment, sides, side):
-            fallen = True  # nothing that is still to come can bring it back
-            break
+        else:
+            segment += 1
+            phase = 0.0
+            if y > 1.0 and v >= 0.0 and y > point_of_no_return(segments, segment, sides, side):
+                fallen = True  # nothing that is still to come can bring it back
+                break
         held = is_ride(ride) and segment < behind and segments[segment, columns.ALIKE] > 0.0
         if held and flights < until.limit:
             hold(ride, y, v, top_angle, top_speed)
