@@ -20,7 +20,7 @@ from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats2, Floats3, Integers2
 from rocksteady.kernels.nonlinear import sample_lanes as lane
 from rocksteady.kernels.nonlinear.proofs import HALF_PI
-from rocksteady.kernels.nonlinear.sample_lanes import LANES, land_lanes, step_lanes
+from rocksteady.kernels.nonlinear.sample_lanes import LANES, land_lanes, pass_coarse, step_lanes
 
 FEW = 8
 """Lanes in use below which the march alone is faster."""
@@ -110,6 +110,7 @@ def land(
     segments: Floats2,
     blocks: Floats3,
     passages: Floats2,
+    work: Floats,
     limit: int,
 ) -> tuple[int, int]:
     """Do what `step` does, and take lanes that land within the sample up to their landing.
@@ -143,6 +144,11 @@ def land(
                 )
             lanes[lane.ANGLE + j], lanes[lane.VELOCITY + j] = 0.0, later_side * velocity / unit
             landed += 1
+        elif lanes[lane.COARSE + j] > 0.0 and pass_coarse(lanes, j, work):
+            lanes[lane.PASSES + j] = 1.0
+            wholes[SEGMENT, j] += 1
+            wholes[FLIGHTS, j] += 1
+            waiting -= 1
     return waiting - landed, landed
 
 

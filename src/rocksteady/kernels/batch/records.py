@@ -210,7 +210,7 @@ def _lane_fates(
                 if waiting < enough:
                     waiting = free
                     continue
-            waiting, landed = land(lanes, wholes, segments, blocks.sides, passages, limit)
+            waiting, landed = land(lanes, wholes, segments, blocks.sides, passages, work, limit)
 
 
 @inlined_allocating

@@ -224,6 +224,27 @@ def bounds_over(course: Course, step: float) -> tuple[float, float]:
     return 6.0 * abs(third) + step * fourths, fourths
 
 
+class Stretch(NamedTuple):
+    """A flight over a step, by what bounds it."""
+
+    angle: float  # at its start
+    velocity: float
+    later_angle: float  # at its end
+    later_velocity: float
+    bend: float  # second derivative at its start
+    third: float  # bound of the third derivative
+    span: float
+
+
+@inlined
+def most_over(stretch: Stretch) -> tuple[float, float, bool]:
+    """Return upper bounds of |y'| and y over a step, and whether either may have a peak within."""
+    angle, velocity, later_angle, later_velocity, bend, third, span = stretch
+    fastest = max(abs(velocity), abs(later_velocity)) + span * (abs(bend) + third * span)
+    turns = (abs(bend) <= third * span) | ((velocity > 0.0) & (later_velocity < 0.0))
+    return fastest, max(angle, later_angle) + span * fastest, turns
+
+
 @inlined
 def fill_course(course: Course, angle: float, velocity: float, work: Floats) -> None:
     """Fill the coefficients of y."""
