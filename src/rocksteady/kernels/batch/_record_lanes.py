@@ -1,11 +1,13 @@
 """Blocks on one record in lanes: what spectra, suites of records and ensembles run.
 
-Each lane holds a block in flight at the start of a sample of its own.  One pass takes all lanes
-through a sample, by the same products as the march, where that needs no search: there is no landing
-in it and no peak, and it ends below the point of balance (`kernels.nonlinear.sample_lanes`).  A
-lane that does not pass is given to the march, which takes it through landings, rests and doubts up
-to the start of the next sample, and gives it back.  So there is one code for all that is not plain,
-and lanes come to the numbers of the march to the last bit.
+Each lane holds a block in flight within a sample of its own.  One pass takes all lanes through the
+rest of their samples, by the same products as the march, where that needs no search: there is no
+landing in it and no peak, and it ends below the point of balance (`nonlinear.sample_lanes`).
+Lanes that do not pass wait until a quarter of them do so.  Then one longer pass finds all their
+landings, by a search of fixed length, and a sample that is too long for a short step takes the
+series.  A lane that waits for anything else is given to the march, which takes it through one
+flight, rest or doubt, and gives it back.  So there is one code for all that is rare, and lanes come
+to the numbers of the march to the last bit.
 
 They are for the nonlinear model.  In the linear one a plain sample is a few products, less than it
 takes to give a lane to the march and back.

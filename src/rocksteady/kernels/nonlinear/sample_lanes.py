@@ -1,5 +1,7 @@
 """One sample of many blocks in lanes: products and conditions of `kernels.nonlinear.samples`.
 
+Landings are found in two looks, by selects alone; what would need more is left to the march.
+
 Fields of a lane are offsets into one flat array.
 """
 
