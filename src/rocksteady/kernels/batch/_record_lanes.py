@@ -3,7 +3,7 @@
 Each lane holds a block in flight within a sample of its own.  One pass takes all lanes through the
 rest of their samples, by the same products as the march, where that needs no search: there is no
 landing in it and no peak, and it ends below the point of balance (`nonlinear.sample_lanes`).
-Lanes that do not pass wait until a quarter of them do so.  Then one longer pass finds all their
+Lanes that do not pass wait until a third of them do so.  Then one longer pass finds all their
 landings, by a search of fixed length, and a sample that is too long for a short step takes the
 series.  A lane that waits for anything else is given to the march, which takes it through one
 flight, rest or doubt, and gives it back.  So there is one code for all that is rare, and lanes come

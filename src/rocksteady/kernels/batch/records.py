@@ -46,7 +46,7 @@ from rocksteady.kernels.nonlinear import sample_lanes as lane
 from rocksteady.kernels.nonlinear.sample_lanes import FIELDS, LANES
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
 
-WAITING = 4
+WAITING = 3
 """A landing is looked for as soon as one of so many lanes in use waits."""
 FEW = 2
 """Blocks that wait at rest step by step: for so few it takes no longer than to make a table."""
