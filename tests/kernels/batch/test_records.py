@@ -129,8 +129,10 @@ def test_each_block_fares_as_in_a_march_in_its_own_units(nonlinear: bool, alike:
 def drawn(rng: np.random.Generator, count: int, nonlinear: bool) -> tuple[Floats, Floats]:
     """Return a record and blocks on it with every parameter drawn."""
     step, samples = float(rng.choice([0.002, 0.01, 0.02, 0.05])), int(rng.integers(20, 400))
+    quiet = int(rng.integers(10, 200)) if rng.random() < 0.5 else 0  # where blocks chatter
     lifted = nonlinear and rng.random() < 0.5
-    flat = sampled(synthetic(rng, samples, step, 10.0 ** rng.uniform(0.0, 1.2)), step)
+    values = synthetic(rng, samples, step, 10.0 ** rng.uniform(0.0, 1.2))
+    flat = sampled(np.concatenate([values, 0.2 * synthetic(rng, quiet + 2, step, 1.0)]), step)
     heave = synthetic(rng, samples, step, float(rng.choice([0.3, 0.9, 1.4])))
     segments = flat
     if nonlinear:
@@ -142,7 +144,7 @@ def drawn(rng: np.random.Generator, count: int, nonlinear: bool) -> tuple[Floats
     # Lanes take other steps where all samples are brief than where some are.
     quickest = 4.0 if rng.random() < 0.4 else 30.0
     sides[:, :, RATE] = np.exp(rng.uniform(math.log(0.3), math.log(quickest), (count, 2)))
-    sides[:, :, RESTITUTION] = rng.uniform(0.05, 1.0, (count, 2))
+    sides[:, :, RESTITUTION] = rng.uniform(float(rng.choice([0.05, 0.9])), 1.0, (count, 2))
     if nonlinear:
         sides[:, :, ALPHA] = alpha
         sides[:, :, LEFT_OUT] = 10.0 ** rng.uniform(-15.0, -11.0)

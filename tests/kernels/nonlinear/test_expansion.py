@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rocksteady.kernels.core.tables import FOUND
-from rocksteady.kernels.core.typed import FALSE
+from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.linear.short import DOUBT, LANDS
 from rocksteady.kernels.nonlinear._expansion import (
     BRIEF,
@@ -17,9 +17,10 @@ from rocksteady.kernels.nonlinear._expansion import (
     bounds_over,
     fill_course,
     middle_step,
+    shortened,
     state_after,
 )
-from rocksteady.kernels.nonlinear._landing_step import first_landing
+from rocksteady.kernels.nonlinear._landing_step import first_landing, landing_at_once
 from rocksteady.kernels.nonlinear.drive import Drive, Instant, StepDrive, SteppedFlight
 from rocksteady.kernels.nonlinear.flight import fly
 from rocksteady.kernels.nonlinear.series import (
@@ -190,6 +191,46 @@ def test_a_brief_step_takes_degree_8_where_that_is_exact() -> None:
         assert enough or not eighth
         longer += step <= BRIEF and not eighth
     assert longer > 0.02 * cases
+
+
+def test_what_lanes_take_from_a_course_is_what_a_step_gives() -> None:
+    rng = np.random.default_rng(51)
+    brief, cases = 0, sample_size(4_000, 200)
+    for _ in range(cases):
+        drive, angle, velocity = drawn(rng)
+        step, left = spread(rng, 1e-3, 0.5), spread(rng, 1e-16, 1e-10)
+        whole, _ = stepped(drive, angle, velocity, 2.0 * BRIEF, 0.0)  # never enough: of degree 10
+        course, exact = stepped(drive, angle, velocity, step, left)
+        assert shortened(whole, angle, velocity, step, left, FALSE) == (course, exact)
+        if step <= BRIEF and course.tenth == 0.0:
+            assert shortened(course, angle, velocity, step, left, TRUE) == (course, exact)
+            brief += exact
+    assert brief > 0.02 * cases
+
+
+def test_a_landing_found_at_once_is_that_of_the_search_to_the_last_bit() -> None:
+    rng = np.random.default_rng(52)
+    at_once = landings = 0
+    for _ in range(sample_size(10_000, 500)):
+        alpha, step = 10.0 ** rng.uniform(-2.0, 0.0), 10.0 ** rng.uniform(-3.0, -1.0)
+        shaking, slope = rng.normal(0.0, 1.5), rng.normal() * 10.0 ** rng.uniform(0.0, 2.0)
+        angle = 0.0 if rng.random() < 0.5 else 10.0 ** rng.uniform(-8.0, -1.0)
+        velocity = rng.normal() * 10.0 ** rng.uniform(-6.0, -1.0)
+        if angle == 0.0:
+            velocity = abs(velocity)
+        drive = Drive(alpha, shaking, slope, 0.0, 0.0, 0.0, 0.0)
+        course, _ = stepped(drive, angle, velocity, step, 1e-15)
+        _, fourths = bounds_over(course, step)
+        end = state_after(course, angle, velocity, step)
+        found = first_landing(course, angle, velocity, step, fourths, *end)
+        if found.event != LANDS:
+            continue
+        landings += 1
+        time, speed, there = landing_at_once(course, angle, velocity, step)
+        if there:
+            assert (time, speed) == (found.time, found.velocity)
+            at_once += 1
+    assert at_once > 0.9 * landings > 0.0
 
 
 def test_landings_are_those_of_the_search() -> None:

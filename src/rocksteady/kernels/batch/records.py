@@ -16,6 +16,7 @@ from rocksteady.kernels.batch._record_lanes import (
     CELL,
     WHOLES,
     empty_lanes,
+    land,
     put_flight,
     step,
     taken,
@@ -45,6 +46,8 @@ from rocksteady.kernels.nonlinear import sample_lanes as lane
 from rocksteady.kernels.nonlinear.sample_lanes import FIELDS, LANES
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
 
+WAITING = 3
+"""A landing is looked for as soon as one of so many lanes in use waits."""
 FEW = 2
 """Blocks that wait at rest step by step: for so few it takes no longer than to make a table."""
 
@@ -162,7 +165,7 @@ def _lane_fates(
     waits = np.zeros(LANES, np.int64)
     ride, work = np.zeros(rides.RIDE_COLUMNS), np.empty((WORK_ROWS, TERMS))
     empty_lanes(lanes, wholes)
-    fresh, busy, many = True, 0, len(blocks.sides) > FEW
+    fresh, busy, landed, many = True, 0, 0, len(blocks.sides) > FEW
     while True:
         # What is left of a batch in few lanes is marched to its end.
         few = not fresh and busy < FEW_LANES
@@ -198,8 +201,16 @@ def _lane_fates(
                 busy -= 1
         if busy == 0:
             return
-        while step(lanes, wholes, segments, limit) <= LANES - busy:
-            pass
+        free = waiting = LANES - busy
+        enough = free + busy // WAITING
+        while waiting == free:
+            # Lanes that have landed often do so once more, as in chatter.
+            if free + landed < enough:
+                waiting = step(lanes, wholes, segments, limit)
+                if waiting < enough:
+                    waiting = free
+                    continue
+            waiting, landed = land(lanes, wholes, segments, blocks.sides, passages, work, limit)
 
 
 @inlined_allocating

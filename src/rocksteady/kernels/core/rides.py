@@ -1,8 +1,8 @@
-"""State of a flight between samples, in the units of its side: what lanes and the march exchange.
+"""State of a flight in a run of samples, in its side's units: what lanes and the march exchange.
 
 The march holds a state in reference units between flights, and in those of the side while it flies
-through samples.  Lanes that take a flight over between two samples, and give it back, do so in
-the latter, so that what comes out is the march's own to the last bit.
+through samples.  Lanes that take a flight over at the start of a sample or after a landing in it,
+and give it back, do so in the latter, so that what comes out is the march's own to the last bit.
 """
 
 from rocksteady.kernels.core.tables import Floats
@@ -19,13 +19,13 @@ RIDE_COLUMNS = 6
 
 @inlined
 def is_ride(ride: Floats) -> bool:
-    """Return whether a march is to end with the first sample that it has flown through."""
+    """Return whether a march is to end with the first flight within a run of samples."""
     return len(ride) > 0 and ride[ON] == 0.0
 
 
 @inlined
 def is_held(ride: Floats) -> bool:
-    """Return whether a flight is held, between two samples."""
+    """Return whether a flight is held, in a run of samples."""
     return len(ride) > 0 and ride[HELD] > 0.0
 
 

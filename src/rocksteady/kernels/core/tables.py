@@ -174,6 +174,18 @@ def keep_passage(
 
 
 @inlined
+def speed_in_unit(peaks: Floats, top_speed: float, before: float, unit: float) -> float:
+    """Return the largest speed so far in the unit of a side, from that of the side before.
+
+    Peaks that are watched hold it in reference units.
+    """
+    if len(peaks) == 0 or unit == before:
+        return top_speed
+    peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], top_speed * before)
+    return float(peaks[PEAK_SPEED] / unit)
+
+
+@inlined
 def kept_passage(peaks: Floats) -> March:
     """Return the state at the start of the flight that was kept.
 

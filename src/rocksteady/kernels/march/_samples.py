@@ -37,6 +37,7 @@ from rocksteady.kernels.core.tables import (
     end_of_run,
     free_side,
     keep_passage,
+    speed_in_unit,
     write_row,
 )
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
@@ -170,9 +171,7 @@ def fly_through(tables: Tables, state: March, until: Until, kept: Kept) -> tuple
                 if duration * rate != h:
                     h = duration * rate
                     stride = make_stride(h)
-                if watch and unit != before:
-                    peaks[columns.PEAK_SPEED] = max(peaks[columns.PEAK_SPEED], top_speed * before)
-                    top_speed = peaks[columns.PEAK_SPEED] / unit
+                top_speed = speed_in_unit(peaks, top_speed, before, unit)
             y, v = 0.0, side * velocity * per_unit
             if bounced or h > LONGEST:
                 break

@@ -69,7 +69,7 @@ def nonlinear_march(tables: Tables, start: March, until: Until, kept: Kept) -> t
 def nonlinear_ride(
     tables: Tables, start: March, until: Until, kept: Kept, work: Floats, ride: Floats
 ) -> tuple[int, March]:
-    """March as `nonlinear_march` does, until a sample is flown through: UNDECIDED, and it is held.
+    """March as `nonlinear_march` does, until a flight in samples ends: UNDECIDED, and it is held.
 
     Parameters are those of `march`, with the working space of a step, and a `ride` of
     `kernels.core.rides`; with an empty one the march goes on.

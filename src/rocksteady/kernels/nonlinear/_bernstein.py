@@ -58,7 +58,7 @@ def control_points(work: Floats, degree: int, step: float, dropped: int) -> floa
         term = work[ANGLE, i + dropped] * power
         power *= step
         total += abs(term)
-        for j in range(i, TERMS):
+        for j in range(TERMS):  # a loop of fixed length is fastest; weights before i are 0
             work[POINTS, j] += WEIGHTS[i, j] * term
     return ROUNDING * total
 

@@ -155,10 +155,31 @@ def step_to_landing(
     drive: StepDrive, at: Instant, span: float, left_out: float, second: float
 ) -> tuple[Course, float, bool]:
     """Return a step up to the landing, of a flight whose step over the span is not exact."""
-    step = min(BEYOND * root_of_parabola(at.angle, at.velocity, 2.0 * second, TRUE), span)
+    step = landing_step(at.angle, at.velocity, second, span)
     course, exact = middle_step(drive, at, step, left_out)
     landed, _ = state_after(course, at.angle, at.velocity, step)
     return course, step, exact and landed <= 0.0
+
+
+@inlined
+def landing_step(angle: float, velocity: float, second: float, span: float) -> float:
+    """Return the length of a step that ends soon after a landing, or with the span."""
+    return min(BEYOND * root_of_parabola(angle, velocity, 2.0 * second, TRUE), span)
+
+
+@inlined
+def shortened(
+    course: Course, angle: float, velocity: float, step: float, left_out: float, brief: bool
+) -> tuple[Course, bool]:
+    """Return what `middle_step` does of a course that is known to degree 10, or 8 if it is `brief`.
+
+    Here without branches.
+    """
+    short = (step <= BRIEF) & is_enough(course, angle, velocity, step, left_out, TRUE)
+    exact = short or (not brief and is_enough(course, angle, velocity, step, left_out, FALSE))
+    second, third, fourth, fifth, sixth, seventh, eighth, ninth, tenth = course
+    ninth, tenth = 0.0 if short else ninth, 0.0 if short else tenth
+    return Course(second, third, fourth, fifth, sixth, seventh, eighth, ninth, tenth), exact
 
 
 @inlined
@@ -201,6 +222,27 @@ def bounds_over(course: Course, step: float) -> tuple[float, float]:
     high = 360.0 * abs(sixth) + step * (840.0 * abs(seventh) + step * high)
     fourths = 24.0 * abs(fourth) + step * (120.0 * abs(fifth) + step * high)
     return 6.0 * abs(third) + step * fourths, fourths
+
+
+class Stretch(NamedTuple):
+    """A flight over a step, by what bounds it."""
+
+    angle: float  # at its start
+    velocity: float
+    later_angle: float  # at its end
+    later_velocity: float
+    bend: float  # second derivative at its start
+    third: float  # bound of the third derivative
+    span: float
+
+
+@inlined
+def most_over(stretch: Stretch) -> tuple[float, float, bool]:
+    """Return upper bounds of |y'| and y over a step, and whether either may have a peak within."""
+    angle, velocity, later_angle, later_velocity, bend, third, span = stretch
+    fastest = max(abs(velocity), abs(later_velocity)) + span * (abs(bend) + third * span)
+    turns = (abs(bend) <= third * span) | ((velocity > 0.0) & (later_velocity < 0.0))
+    return fastest, max(angle, later_angle) + span * fastest, turns
 
 
 @inlined

@@ -20,18 +20,21 @@ from rocksteady.kernels.core.tables import (
     end_of_run,
     free_side,
     keep_passage,
+    speed_in_unit,
     write_row,
 )
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.short import DOUBT, LANDS, NO_LANDING
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear._expansion import (
     DEGREE,
+    Stretch,
     bounds_over,
     fill_course,
     middle_step,
+    most_over,
     state_after,
     step_to_landing,
 )
@@ -103,15 +106,12 @@ def fly_through(
                     break
         else:
             drive = Drive(alpha, shaking, shaking_slope, 0.0, 0.0, lift, lift_slope, 0.0)
-            degree, step = expand_series(drive, at, reach_of(v, span), left_out, work)
-            if step < span:
+            above, degree, third, later_y, later_v = series_step(drive, at, span, left_out, work)
+            bend = 2.0 * work[ANGLE, 2]
+            if not above:
                 break
-            bend, third = 2.0 * work[ANGLE, 2], third_bound(work, degree, span)
-            later_y, later_v = angle_at(work, degree, span)
-            if not stays_above(y, v, bend - third * span, span):
-                break
-        fastest = max(abs(v), abs(later_v)) + span * (abs(bend) + third * span)
-        highest = max(y, later_y) + span * fastest
+        stretch = Stretch(y, v, later_y, later_v, bend, third, span)
+        fastest, highest, turns = most_over(stretch)
         if highest >= HALF_PI / alpha:
             break
         moved = True
@@ -127,7 +127,7 @@ def fly_through(
                 keep_passage(peaks, now, top_angle, top, rise)
         flights += 1
         if watch and (fastest > top_speed or highest > top_angle):
-            if abs(bend) <= third * span or (v > 0.0 and later_v < 0.0):
+            if turns:
                 if exact:
                     fill_course(course, y, v, work)
                 top_angle, top_speed = largest(
@@ -148,18 +148,16 @@ def fly_through(
                 lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
                 alpha = sides[row, columns.ALPHA]
                 pull, unit, slowing = side / lean, lean * rate, 1.0 / rate
-                if watch and unit != before:
-                    peaks[columns.PEAK_SPEED] = max(peaks[columns.PEAK_SPEED], top_speed * before)
-                    top_speed = peaks[columns.PEAK_SPEED] / unit
+                top_speed = speed_in_unit(peaks, top_speed, before, unit)
             y, v = 0.0, side * velocity / unit
             if bounced:
                 break
-            continue
-        segment += 1
-        phase = 0.0
-        if y > 1.0 and v >= 0.0 and y > point_of_no_return(segments, segment, sides, side):
-            fallen = True  # nothing that is still to come can bring it back
-            break
+        else:
+            segment += 1
+            phase = 0.0
+            if y > 1.0 and v >= 0.0 and y > point_of_no_return(segments, segment, sides, side):
+                fallen = True  # nothing that is still to come can bring it back
+                break
         held = is_ride(ride) and segment < behind and segments[segment, columns.ALIKE] > 0.0
         if held and flights < until.limit:
             hold(ride, y, v, top_angle, top_speed)
@@ -170,6 +168,26 @@ def fly_through(
     if moved:  # otherwise untouched, to the last bit
         angle, velocity = side * y * lean, side * v * unit
     return March(side, angle, velocity, segment, half, phase, impacts, flights), fallen, bounced
+
+
+@inlined
+def series_step(
+    drive: Drive, at: Instant, span: float, left_out: float, work: Floats
+) -> tuple[bool, int, float, float, float]:
+    """Step over a span by the long series.
+
+    Returns
+    -------
+    tuple
+        Whether it is exact and the block does not land in it, the degree, a bound of the third
+        derivative, and y and y' at the end.
+    """
+    degree, step = expand_series(drive, at, reach_of(at.velocity, span), left_out, work)
+    third = third_bound(work, degree, span)
+    later, later_velocity = angle_at(work, degree, span)
+    least = 2.0 * work[ANGLE, 2] - third * span
+    above = step >= span and stays_above(at.angle, at.velocity, least, span)
+    return above, degree, third, later, later_velocity
 
 
 @compiled
