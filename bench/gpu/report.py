@@ -16,6 +16,7 @@ at most, CUDA {cuda}{smi}). *Kernel* is the time between two events on the GPU, 
 the arguments in NumPy to the results there. Cells are those of B1, of the nonlinear model with
 alpha = 0.2; records are 5400 samples of noise. Impacts leapt over in periodic motions are counted,
 as they are for the processor above."""
+COMPILED = "The first map of a model begins with what the driver takes to compile the program."
 
 
 def main(source: Path, page: Path) -> None:
@@ -123,7 +124,7 @@ def _sameness(rows: list[dict[str, Any]]) -> list[str]:
 
 
 def _map(rows: list[dict[str, Any]]) -> list[str]:
-    return table(
+    lines = table(
         ("map of fates with a store", "executor", "cells", "elapsed", "the same"),
         [
             (
@@ -137,6 +138,7 @@ def _map(rows: list[dict[str, Any]]) -> list[str]:
         ],
         words=2,
     )
+    return [*lines, "", COMPILED]
 
 
 def _atlas(data: dict[str, Any]) -> list[str]:
