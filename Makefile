@@ -70,10 +70,10 @@ explore: .venv library ## write the explorer, a page to touch, and open it in th
 
 .PHONY: test
 test: .venv ## run every check, the tests marked slow excepted
-	@$(call ahead,library) $(call run-in-turn,$(CHECKS),$(MAKE))
+	@$(call ahead,library) $(call run-in-turn,$(CHECKS),$(MAKE),exit 1;)
 
 .PHONY: test-all
-test-all: .venv ## run every check, the tests marked slow and the lower bounds included
+test-all: .venv ## run every check to its end, the tests marked slow and the lower bounds included
 	@$(call ahead,library) $(call ahead,warm) \
 		$(call run-in-turn,$(patsubst pages,docs,$(patsubst programs,ptx,$(CHECKS))) tests-jit tests-floor frozen,$(MAKE) MARKS=)
 
@@ -367,16 +367,17 @@ side-by-side = $(1) & $(2); second=$$?; wait $$! && exit $$second
 # the lowering of kernels nor the check of types keeps two cores busy.
 ahead = { $(MAKE) --no-print-directory $(1) >/dev/null 2>&1 & };
 
-# $(call run-in-turn,TARGETS,MAKE): one after the other, with their names, how long each took and its
-# budget; the first that fails ends the run.
+# $(call run-in-turn,TARGETS,MAKE,AT_FAILURE): one after the other, with their names, how long each took
+# and its budget; fails where one does, at once where AT_FAILURE is "exit 1;".
 define run-in-turn
-summary=""; began=$$(date +%s); \
+summary=""; failed=""; began=$$(date +%s); \
 for check in $(1); do \
 	printf '\n== %s\n' "$$check"; \
 	start=$$(date +%s); \
-	$(2) --no-print-directory $$check || { printf '\n== %s failed\n' "$$check" >&2; exit 1; }; \
+	$(2) --no-print-directory $$check || { printf '\n== %s failed\n' "$$check" >&2; failed="$${failed:-failed:} $$check"; $(3) }; \
 	budget=$$(printf '%s\n' $(BUDGETS) | sed -n "s/^$$check=//p"); \
 	summary="$$summary$$(printf '\n   %-12s %4d s of %3d' "$$check" $$(($$(date +%s) - start)) "$$budget")"; \
 done; \
-printf '\n== all passed%s\n   %-12s %4d s\n' "$$summary" total $$(($$(date +%s) - began))
+printf '\n== %s%s\n   %-12s %4d s\n' "$${failed:-all passed}" "$$summary" total $$(($$(date +%s) - began)); \
+test -z "$$failed"
 endef
