@@ -28,9 +28,9 @@ INLINED = 160
 """Cost up to which a function is compiled into its callers.  The default, 225, makes libraries 2 %
 larger, and no kernel faster."""
 UNROLLED = ("--unroll-threshold=180", "--unroll-runtime=false")
-"""Options of LLVM: which loops are unrolled.  Below 150 instructions the lanes of the nonlinear
-model take a third longer; the default, 300, and loops of unknown length make libraries 12 % larger,
-and no kernel faster."""
+"""Options of LLVM: which loops are unrolled.  With 80 instructions the lanes of the nonlinear model
+take a third longer, with 150 three percent; the default, 300, and loops of unknown length make
+libraries a fifth larger, and no kernel faster."""
 
 
 def emit(bitcode: bytes, target: Target) -> bytes:

@@ -89,8 +89,8 @@ def under_wine(built: Path, calls: list[Call]) -> list[Repeated]:
     """Repeat calls by a program for Windows, with the library of one CPU level."""
     if native.emulator(native.WINDOWS) is None:
         raise MissingProgramError("wine is not installed")
-    library = built / TARGETS[UNDER_WINE].file
-    program = native.on_windows(library, built / "replay.exe")
+    target = TARGETS[UNDER_WINE]
+    program = native.on_windows(built / target.file, target.linker, built / "replay.exe")
     with tempfile.TemporaryDirectory() as folder:
         return native.repeat(program, _written(calls, folder), native.WINDOWS)
 

@@ -33,9 +33,9 @@ def linked(library: Path, program: Path) -> Path:
     return _compiled([compiler], files, program)
 
 
-def on_windows(library: Path, program: Path) -> Path:
-    """Compile the program for Windows, with a library of kernels that lies beside it."""
-    zig = [sys.executable, "-m", "ziglang", "cc", "-target", "x86_64-windows-gnu"]
+def on_windows(library: Path, platform: str, program: Path) -> Path:
+    """Compile the program for what zig calls a platform, with a library that lies beside it."""
+    zig = [sys.executable, "-m", "ziglang", "cc", "-target", platform]
     return _compiled(zig, [str(SOURCE), str(library)], program)
 
 
