@@ -19,9 +19,10 @@ keeps a margin of 1e-12 for rounding.  Whatever does not pass it is left to the 
 `rocksteady.kernels.linear.zeros`: a sample or two before each impact, and all that graze.
 
 **No peak is missed.**  Within a sample ``a = y''`` obeys ``a'' = a``, so that it has one zero at
-most and lies between its ends and zero: |a| is at most the larger of its ends, the speed at most
-that of an end plus h times that, the angle likewise.  Only where these bounds surpass the peaks so
-far, and a changes sign or v falls through zero, is there an extremum to be found.
+most and lies between its ends and zero: |a| is at most the larger of its ends, and so is the modulus
+of a'.  A function leaves its chord over h by at most h^2/8 of its second derivative: the angle and
+the speed surpass the larger of their ends by no more than h^2/8 of these.  Only where that surpasses
+the peaks so far, and a changes sign or v falls through zero, is there an extremum to be found.
 """
 
 import math
@@ -144,8 +145,11 @@ def fly_through(tables: Tables, state: March, until: Until, kept: Kept) -> tuple
             here, there = y + start, later_y + (start + change)
             speed = max(abs(v), abs(later_v))
             if (here > 0.0) != (there > 0.0) or (v > 0.0 and later_v < 0.0):
-                fastest = speed + span * max(abs(here), abs(there))
-                if fastest > top_speed or max(y, later_y) + span * fastest > top_angle:
+                eighth = 0.125 * span
+                jerk = max(abs(span * v + change), abs(span * later_v + change))
+                bend = span * max(abs(here), abs(there))
+                fastest, highest = speed + eighth * jerk, max(y, later_y) + eighth * bend
+                if fastest > top_speed or highest > top_angle:
                     tops = (top_angle, top_speed)
                     if span > LONGEST_FLIGHT:
                         forcing = make_forcing(start, change / span, 0.0, 0.0)

@@ -237,12 +237,19 @@ class Stretch(NamedTuple):
 
 
 @inlined
-def most_over(stretch: Stretch) -> tuple[float, float, bool]:
-    """Return upper bounds of |y'| and y over a step, and whether either may have a peak within."""
+def most_over(stretch: Stretch) -> tuple[float, float]:
+    """Return upper bounds of |y'| and y over a step: their ends' where neither has a peak within.
+
+    Over a step of length h a function leaves its chord by at most h^2/8 of its second derivative.
+    """
     angle, velocity, later_angle, later_velocity, bend, third, span = stretch
-    fastest = max(abs(velocity), abs(later_velocity)) + span * (abs(bend) + third * span)
-    turns = (abs(bend) <= third * span) | ((velocity > 0.0) & (later_velocity < 0.0))
-    return fastest, max(angle, later_angle) + span * fastest, turns
+    bend, change, eighth = abs(bend), third * span, 0.125 * (span * span)
+    start, end = abs(velocity), abs(later_velocity)
+    beyond = eighth * third
+    turns = ((velocity > 0.0) != (later_velocity > 0.0)) | (min(start, end) <= beyond)
+    fastest = max(start, end) + (beyond if bend <= change else 0.0)
+    highest = max(angle, later_angle) + (eighth * (bend + change) if turns else 0.0)
+    return fastest, highest
 
 
 @inlined

@@ -36,6 +36,7 @@ from rocksteady.kernels.nonlinear._bernstein import (
     differences,
     hull,
 )
+from rocksteady.kernels.nonlinear._expansion import Stretch, most_over
 from rocksteady.kernels.nonlinear.series import (
     ANGLE,
     HIGHEST,
@@ -272,13 +273,11 @@ def largest(
     """
     angle = max(angle, work[ANGLE, 0], later)
     speed = max(speed, abs(work[ANGLE, 1]), abs(velocity))
-    bend, change_of_bend = 2.0 * work[ANGLE, 2], third * step
-    steady = abs(bend) > change_of_bend  # y'' keeps its sign
-    climbs = work[ANGLE, 1] > 0.0 and velocity < 0.0
-    if steady and not climbs:
-        return angle, speed  # y' is largest at an end, and so is y
-    fastest = max(abs(work[ANGLE, 1]), abs(velocity)) + step * (abs(bend) + change_of_bend)
-    if fastest <= speed and max(work[ANGLE, 0], later) + step * fastest <= angle:
+    stretch = Stretch(
+        work[ANGLE, 0], work[ANGLE, 1], later, velocity, 2.0 * work[ANGLE, 2], third, step
+    )
+    fastest, most = most_over(stretch)
+    if fastest <= speed and most <= angle:
         return angle, speed
     doubt = control_points(work, degree, step, ZERO)
     _, most = hull(work, CONTROL_POINTS)

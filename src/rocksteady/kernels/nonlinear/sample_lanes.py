@@ -108,18 +108,17 @@ def _step(lanes: Floats, brief: bool, lands: bool) -> None:
             found = there and event == LANDS and later_y <= 0.0 and not above
             span = time if found else span
             later_y, later_v = 0.0 if found else later_y, speed if found else later_v
-        fastest, highest, turns = most_over(Stretch(y, v, later_y, later_v, bend, third, span))
+        fastest, highest = most_over(Stretch(y, v, later_y, later_v, bend, third, span))
         top_angle, top_speed = lanes[TOP_ANGLE + j], lanes[TOP_SPEED + j]
-        higher = (fastest > top_speed) | (highest > top_angle)
+        angle, speed = max(top_angle, y, later_y), max(top_speed, abs(v), abs(later_v))
         moves = sound & exact & (above | found) & (highest < lanes[FLAT + j]) & (later_y <= 1.0)
-        moves = moves & ~(turns & higher)
+        moves = moves & (fastest <= speed) & (highest <= angle)
         passes = moves & above
-        speed = max(top_speed, abs(v), abs(later_v))
         lanes[PASSES + j] = 1.0 if passes else 0.0
         lanes[ANGLE + j] = later_y if passes else y
         lanes[VELOCITY + j] = later_v if passes else v
         lanes[PHASE + j] = 0.0 if passes else lanes[PHASE + j]
-        lanes[TOP_ANGLE + j] = max(top_angle, y, later_y) if moves else top_angle
+        lanes[TOP_ANGLE + j] = angle if moves else top_angle
         lanes[TOP_SPEED + j] = speed if moves else top_speed
         if lands:
             lanes[LANDING + j] = span if moves & found else 0.0
@@ -170,15 +169,15 @@ def pass_coarse(lanes: Floats, j: int, work: Floats) -> bool:
     left_out = lanes[LEFT_OUT + j]
     above, degree, third, later_y, later_v = series_step(drive, at, span, left_out, work)
     bend = 2.0 * work[COEFFICIENTS, 2]
-    fastest, highest, turns = most_over(Stretch(y, v, later_y, later_v, bend, third, span))
-    top_angle, top_speed = lanes[TOP_ANGLE + j], lanes[TOP_SPEED + j]
+    fastest, highest = most_over(Stretch(y, v, later_y, later_v, bend, third, span))
+    top_angle = max(lanes[TOP_ANGLE + j], y, later_y)
+    top_speed = max(lanes[TOP_SPEED + j], abs(v), abs(later_v))
     if not above or highest >= lanes[FLAT + j] or later_y > 1.0:
         return False
-    if turns and (fastest > top_speed or highest > top_angle):
+    if fastest > top_speed or highest > top_angle:
         top_angle, top_speed = largest(
             work, degree, span, third, later_y, later_v, top_angle, top_speed
         )
     lanes[ANGLE + j], lanes[VELOCITY + j], lanes[PHASE + j] = later_y, later_v, 0.0
-    lanes[TOP_ANGLE + j] = max(top_angle, y, later_y)
-    lanes[TOP_SPEED + j] = max(top_speed, abs(v), abs(later_v))
+    lanes[TOP_ANGLE + j], lanes[TOP_SPEED + j] = top_angle, top_speed
     return True

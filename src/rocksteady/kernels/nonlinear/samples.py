@@ -110,8 +110,7 @@ def fly_through(
             bend = 2.0 * work[ANGLE, 2]
             if not above:
                 break
-        stretch = Stretch(y, v, later_y, later_v, bend, third, span)
-        fastest, highest, turns = most_over(stretch)
+        fastest, highest = most_over(Stretch(y, v, later_y, later_v, bend, third, span))
         if highest >= HALF_PI / alpha:
             break
         moved = True
@@ -126,16 +125,14 @@ def fly_through(
                 rise = Rise(y, v, later_y, span, segments[segment, columns.CEILING] / lean)
                 keep_passage(peaks, now, top_angle, top, rise)
         flights += 1
-        if watch and (fastest > top_speed or highest > top_angle):
-            if turns:
+        if watch:
+            top_angle, top_speed = max(top_angle, y, later_y), max(top_speed, abs(v), abs(later_v))
+            if fastest > top_speed or highest > top_angle:
                 if exact:
                     fill_course(course, y, v, work)
                 top_angle, top_speed = largest(
                     work, degree, span, third, later_y, later_v, top_angle, top_speed
                 )
-            else:
-                top_angle = max(top_angle, y, later_y)
-                top_speed = max(top_speed, abs(v), abs(later_v))
         y, v = later_y, later_v
         if event == LANDS:
             phase += span * slowing
