@@ -54,12 +54,15 @@ class Line(NamedTuple):
 def state_of(line: Line, time: float) -> tuple[float, float]:
     """Return y and y' at a time of the flight."""
     angle, velocity, bend, third = line
+    # In pairs: nothing waits for a long chain of products.
     square = time * time
-    rise = 1.0 / 40320.0 + square * (1.0 / 3628800.0 + square * (1.0 / 479001600.0))
-    rise = square * (0.5 + square * (1.0 / 24.0 + square * (1.0 / 720.0 + square * rise)))
-    odd = 1.0 / 362880.0 + square * (1.0 / 39916800.0)
-    odd = 1.0 / 6.0 + square * (1.0 / 120.0 + square * (1.0 / 5040.0 + square * odd))
-    excess = time * (square * odd)  # sinh t - t
+    fourth = square * square
+    high = (1.0 / 720.0 + square * (1.0 / 40320.0)) + fourth * (
+        1.0 / 3628800.0 + square * (1.0 / 479001600.0)
+    )
+    rise = square * ((0.5 + square * (1.0 / 24.0)) + fourth * high)
+    high = (1.0 / 5040.0 + square * (1.0 / 362880.0)) + fourth * (1.0 / 39916800.0)
+    excess = (time * square) * ((1.0 / 6.0 + square * (1.0 / 120.0)) + fourth * high)  # sinh t - t
     return (
         angle + (velocity * time + (bend * rise + third * excess)),
         velocity + (bend * (time + excess) + third * rise),
@@ -161,9 +164,12 @@ def polished(
 @inlined
 def bounce_time(angle: float, velocity: float, bend: float, third: float) -> float:
     """Return about when a flight with y'' < 0 lands: where its parabola does, and a step beyond."""
-    speed = velocity
-    if angle != 0.0:
-        speed = math.sqrt(velocity * velocity - 2.0 * bend * angle)
+    if angle == 0.0:
+        inverse = -1.0 / bend
+        time = (velocity + velocity) * inverse
+        turned = third * time * inverse
+        return time + time * ((1.0 / 3.0) * (turned * (1.0 + turned)))
+    speed = math.sqrt(velocity * velocity - 2.0 * bend * angle)
     time = (velocity + speed) / -bend
     # There the parabola falls with that speed; the next term of the motion moves the root.
     moved = third * (time * time)
