@@ -49,6 +49,9 @@ DIFFERENCE = SIDED
     FORCE,  # accumulators of a coefficient of h C, ...
     BY_COSINE,  # ... of y' C ...
     BY_SINE,  # ... and of y' S
+    NEXT_FORCE,  # and those of the next order
+    NEXT_BY_COSINE,
+    NEXT_BY_SINE,
     STAGE,
     CHANGING,
     CELL,
@@ -93,8 +96,8 @@ DIFFERENCE = SIDED
     LAST_VELOCITY,
     BEFORE_PHASE,
     BEFORE_VELOCITY,
-) = range(2 * SIDED, 2 * SIDED + 47 * LANES, LANES)
-FIELDS = 2 * SIDED // LANES + 47
+) = range(2 * SIDED, 2 * SIDED + 50 * LANES, LANES)
+FIELDS = 2 * SIDED // LANES + 50
 
 # Rows of Taylor coefficients, one for each power of time.
 SHAKING = FIELDS * LANES  # of h
