@@ -19,9 +19,9 @@ keeps a margin of 1e-12 for rounding.  Whatever does not pass it is left to the 
 `rocksteady.kernels.linear.zeros`: a sample or two before each impact, and all that graze.
 
 **No peak is missed.**  Within a sample ``a = y''`` obeys ``a'' = a``, so that it has one zero at
-most and lies between its ends and zero: |a| is at most the larger of its ends, and so is the modulus
-of a'.  A function leaves its chord over h by at most h^2/8 of its second derivative: the angle and
-the speed surpass the larger of their ends by no more than h^2/8 of these.  Only where that surpasses
+most and lies between its ends and zero: |a| and |a'| are at most the larger of their ends.  A
+function leaves its chord over h by at most h^2/8 of its second derivative, and so the angle and the
+speed surpass the larger of their ends by no more than h^2/8 of these.  Only where that surpasses
 the peaks so far, and a changes sign or v falls through zero, is there an extremum to be found.
 """
 

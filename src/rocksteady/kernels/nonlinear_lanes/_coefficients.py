@@ -11,7 +11,8 @@ from rocksteady.kernels.nonlinear_lanes._layout import HIGHEST, LANES, OFFSETS
 def expand(lanes: Floats) -> None:
     """Fill the coefficients of h, y', C and S from the state of each lane on.
 
-    The recurrences are those of `rocksteady.kernels.nonlinear.series`.
+    The recurrences are those of `rocksteady.kernels.nonlinear.series`.  Two orders are summed at a
+    time: a term that is read serves both.
     """
     first_terms(lanes)
     for n in range(0, HIGHEST - 1, 2):
@@ -39,7 +40,7 @@ def first_terms(lanes: Floats) -> None:
 
 @inlined
 def first_sums(lanes: Floats, n: int) -> None:
-    """Begin the sums of the orders n, which is even, and n + 1: with terms 0, or 0 to 2."""
+    """Begin the sums of the orders n, an even one, and n + 1, with terms 0 or 0 to 2."""
     here = (n * LANES) & OFFSETS
     if n % 4 == 0:
         for k in range(LANES):
@@ -74,8 +75,7 @@ def first_sums(lanes: Floats, n: int) -> None:
 
 @inlined
 def add_four(lanes: Floats, j: int, rest: int) -> None:
-    """Add the products of terms j to j + 3 with terms `rest` to `rest` - 3, and those of one order
-    more: what is read for the one serves the other."""
+    """Add terms j to j + 3 times terms `rest` to `rest` - 3, and the same of the next order."""
     up = (j * LANES) & OFFSETS
     down = ((rest - 3) * LANES) & OFFSETS
     for k in range(LANES):
@@ -109,7 +109,7 @@ def add_four(lanes: Floats, j: int, rest: int) -> None:
 def next_terms(lanes: Floats, n: int) -> None:
     """Fill the coefficients n + 1 and n + 2 from the sums of the orders n and n + 1.
 
-    To those of order n + 1 the products with terms n + 1 are still to be added.
+    The sums of order n + 1 lack the products with terms n + 1.
     """
     here = (n * LANES) & OFFSETS
     share, next_share = 1.0 / (n + 1), 1.0 / (n + 2)

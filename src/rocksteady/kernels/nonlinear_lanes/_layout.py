@@ -6,7 +6,7 @@ from rocksteady.kernels.machine_code.width import side_by_side
 LANES = side_by_side(32)
 
 HIGHEST = 23
-"""Degree of a step's polynomial."""
+"""Degree of a step's polynomial, an odd one: coefficients are summed two at a time."""
 TERMS = HIGHEST + 1
 TOP = 10
 """Degree up to which its signs are looked at; the terms above are a doubt about them."""
