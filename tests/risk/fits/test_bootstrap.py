@@ -131,6 +131,17 @@ def test_a_redrawn_suite_is_fitted_as_a_suite_of_these_records(family: str) -> N
     assert np.isfinite(solved[:, 0]).sum() >= 4
 
 
+def test_suites_solved_at_once_are_those_solved_one_by_one(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    drawn = np.random.default_rng(2).multinomial(14, np.full(14, 1 / 14), size=60).astype(float)
+    at_once = _bootstrap._solve(FIRST, drawn)
+    monkeypatch.setattr(_bootstrap, "STEPS", 0)
+    alone = _bootstrap._solve(FIRST, drawn)
+    assert np.isfinite(at_once).all(axis=1).sum() > 30
+    assert at_once == pytest.approx(alone, rel=1e-8, abs=1e-10, nan_ok=True)
+
+
 def test_suites_computed_in_parts_are_those_computed_at_once(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -20,6 +20,10 @@ Quantity = Callable[[Floats], tuple[Floats, Floats]]
 MOST_CELLS = 4_000_000
 """Numbers of one array: redrawn suites are computed in parts."""
 LEAST_VARIANCE = 1e-300
+STEPS = 12
+"""Of Newton's method."""
+ARRIVED = 1e-13
+"""Largest score of a trial at the maximum, rounding included."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -199,22 +203,39 @@ def _solved(task: Redrawn) -> Floats:
 
 
 def _solve(stage: Maximum, drawn: Floats) -> Floats:
-    """Return a and b of redrawn suites, shape (r, 2); NaN without a curve."""
+    """Return a and b of redrawn suites, shape (r, 2); NaN without a curve.
+
+    Newton's method goes from the estimate of the whole suite, for all at once; a suite for which it
+    does not arrive is solved alone.
+    """
     failures, trials = drawn @ stage.counts.failures, drawn @ stage.counts.trials
-    design = stage.design
-    status = kinds_of(design[:, 1], failures, trials).status
-    solved = np.full((len(drawn), 2), np.nan)
-    # First guess: linear in the weights of the records, where that has a slope of its size.
-    first, second = slopes(stage.family, design @ stage.coefficients, failures, trials)
-    inverse = _inverse(np.einsum("rl,li,lj->rij", second, design, design))
-    guess = stage.coefficients + np.einsum("rij,rl,lj->ri", inverse, first, design)
-    slope = stage.coefficients[1]
-    guess[~((guess[:, 1] > 0.3 * slope) & (guess[:, 1] < 3.0 * slope))] = stage.coefficients
-    for row in np.flatnonzero(status == FITTED):
-        at = solve_score(stage.family, design, failures[row], trials[row], guess[row])
-        if at is not None and at[1] > 0.0:
-            solved[row] = at
+    fitted = kinds_of(stage.design[:, 1], failures, trials).status == FITTED
+    at, near = np.tile(stage.coefficients, (len(drawn), 1)), ARRIVED * trials.sum(axis=1)
+    arrived = np.zeros(len(drawn), dtype=np.bool_)
+    with np.errstate(all="ignore"):
+        for _ in range(STEPS):
+            first, second = slopes(stage.family, at @ stage.design.T, failures, trials)
+            # A suite's sums are the same beside any others.
+            score = np.einsum("rl,li->ri", first, stage.design)
+            arrived = np.abs(score).max(axis=1) < near
+            if arrived[fitted].all():
+                break
+            step = np.einsum("rij,rj->ri", _inverse(_bread(stage, second)), score)
+            at = np.where(arrived[:, None], at, at + step)
+    solved = np.where((fitted & arrived)[:, None], at, np.nan)
+    for row in np.flatnonzero(fitted & ~arrived):
+        alone = solve_score(
+            stage.family, stage.design, failures[row], trials[row], stage.coefficients
+        )
+        solved[row] = np.nan if alone is None else alone
+    solved[~(solved[:, 1] > 0.0)] = np.nan
     return solved
+
+
+def _bread(stage: Maximum, second: Floats) -> Floats:
+    """Return negative Hessians of the log-likelihood, from negative second derivatives."""
+    bread: Floats = np.einsum("rl,li,lj->rij", second, stage.design, stage.design)
+    return bread
 
 
 def covariance_of(stages: Sequence[Maximum], at: Floats, weight: Floats) -> Floats:
@@ -237,8 +258,7 @@ def covariance_of(stages: Sequence[Maximum], at: Floats, weight: Floats) -> Floa
         counts = stage.counts
         failures, trials = weight @ counts.failures, weight @ counts.trials
         second = slopes(stage.family, eta, failures, trials)[1]
-        bread = np.einsum("rl,li,lj->rij", second, design, design)
-        inverse[:, block, block] = _inverse(bread)
+        inverse[:, block, block] = _inverse(_bread(stage, second))
         up, down = stage.family.hazard(eta), stage.family.hazard(-eta)
         for column in range(2):
             of_failure = counts.failures @ (up * design[:, column]).T
