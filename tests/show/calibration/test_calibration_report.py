@@ -104,12 +104,6 @@ def test_without_scores_the_page_says_so() -> None:
     assert not any(name in "".join(headings) for name in ("Residuals", "Temper", "Learning"))
 
 
-@pytest.mark.slow
-def test_the_page_is_the_same_twice() -> None:
-    made = make_manifest(command="rocksteady calibrate --tests x")
-    assert calibration_html(unscored(), made) == calibration_html(unscored(), made)
-
-
 def test_where_all_outcomes_are_predicted_their_number_is_stated_once() -> None:
     usual = calibrated()
     scores = replace(usual.validation.rows["calibrated"], accuracy=(1.0, 1.0, 1.0), tests=8)
