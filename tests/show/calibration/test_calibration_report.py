@@ -14,6 +14,7 @@ from rocksteady.show.calibration._calibration_report import calibration_html
 from rocksteady.show.calibration._calibration_tables import sentence_of
 from rocksteady.show.export.manifest import make_manifest
 from tests.every import every
+from tests.outputs import unrendered
 from tests.show.assessment.pages import Page, check_alone, drawn_once
 from tests.show.calibrated import HOSTILE, calibrated, hostile, unscored
 
@@ -37,7 +38,7 @@ def page(kind: str) -> str:
     made: dict[str, Calibration] = {
         "usual": calibrated(), "hostile": hostile(), "unscored": unscored()
     }  # fmt: skip
-    with drawn_once():
+    with unrendered(), drawn_once():  # whose pictures are rendered in a folder
         return calibration_html(made[kind], make_manifest(command="rocksteady calibrate --tests x"))
 
 
