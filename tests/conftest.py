@@ -20,7 +20,7 @@ COMPILED = settings(
 settings.register_profile("compiled", COMPILED)
 # Without compilation each call is some hundred times slower, so that fewer have to do.
 settings.register_profile(
-    "plain", COMPILED, max_examples=20, suppress_health_check=[HealthCheck.too_slow]
+    "plain", COMPILED, max_examples=12, suppress_health_check=[HealthCheck.too_slow]
 )
 # Other examples in each run, forty times as many: `pytest --hypothesis-profile=search`.
 settings.register_profile("search", COMPILED, derandomize=False, max_examples=1000)

@@ -234,11 +234,11 @@ def test_no_false_certificate_holds() -> None:
 
 
 @pytest.mark.slow
-def test_a_thousand_false_certificates_are_refused() -> None:
-    seen = tamper(2200, 2, checker.arb, checker.iv)
-    assert seen["False refused"] >= 2000
+def test_hundreds_of_false_certificates_are_refused() -> None:
+    seen = tamper(440, 2, checker.arb, checker.iv)
+    assert seen["False refused"] >= 400
     assert seen["False undecided"] <= 0.3 * seen["False refused"]  # a range, too small a box
-    assert seen["True holds"] >= 400
+    assert seen["True holds"] >= 80
 
 
 @every("kind", TYPES)

@@ -182,12 +182,12 @@ def test_no_false_claim_holds_and_no_true_claim_is_refused() -> None:
 
 
 @pytest.mark.slow
-def test_a_thousand_false_claims_are_refused() -> None:
-    seen = tamper(3000, 2, checker.arb)
-    assert seen["False refused"] >= 1000
+def test_hundreds_of_false_claims_are_refused() -> None:
+    seen = tamper(1000, 2, checker.arb)
+    assert seen["False refused"] >= 330
     assert seen["False undecided"] <= 0.3 * seen["False refused"]
-    assert seen["True holds"] >= 400
-    assert tamper(600, 3, checker.iv)["False refused"] >= 150
+    assert seen["True holds"] >= 130
+    assert tamper(200, 3, checker.iv)["False refused"] >= 50
 
 
 def test_trees_are_read_whole_or_refused() -> None:

@@ -11,7 +11,7 @@ from tests.cli.fuzz import COMMANDS, command_line, fault, fill, run_apart, run_h
 
 SHARDS, LINES = 4, 100
 """Each shard is drawn from its own seed, the same in each run."""
-SLOW_LINES = 400
+SLOW_LINES = 150
 LONG = re.compile(r"^(?:calibrate|fragility) .*--example|^study atlas ")
 """Lines that take seconds where nothing is wrong with them."""
 PROCESSES = 2

@@ -116,8 +116,8 @@ def test_eighty_files(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_three_hundred_files(tmp_path: Path) -> None:
-    run(tmp_path, 300, seed=1989)
+def test_hundred_and_fifty_files(tmp_path: Path) -> None:
+    run(tmp_path, 150, seed=1989)
 
 
 @every("name", sorted(WRITTEN))

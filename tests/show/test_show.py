@@ -46,6 +46,7 @@ from rocksteady.show.style import palette
 from rocksteady.show.style.layout import region_centres
 from rocksteady.show.style.page import Page
 from rocksteady.show.style.tokens import DARK, DASHED, DOTTED, LIGHT, inks_of
+from tests.every import every
 from tests.public.calls import calls
 
 BARE = DimensionlessBlock(restitution=0.8)
@@ -96,6 +97,8 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "nothing": lambda: steady_figure([], curves(), point=(6.0, 0.1), title="title"),
     "response": lambda: response_figure(responses(), hertz=True, title="title"),
 }
+MAGIC = {"png": b"\x89PNG\r\n", "svg": b"<?xml", "pdf": b"%PDF"}
+"""How a file of each ending begins."""
 drawings = pytest.mark.parametrize("draw", PLOTS.values(), ids=PLOTS)
 figures = pytest.mark.parametrize("make", FIGURES.values(), ids=FIGURES)
 
@@ -529,16 +532,15 @@ def test_the_numbers_of_the_regions_stand_in_their_regions() -> None:
         assert steady_states(a, w, 0.5, order=3).region == region
 
 
-@figures
-def test_figures_can_be_saved(make: Callable[[], Figure], tmp_path: Path) -> None:
-    figure = make()
-    for ending, magic in (("png", b"\x89PNG\r\n"), ("svg", b"<?xml"), ("pdf", b"%PDF")):
-        file = tmp_path / f"figure.{ending}"
-        with palette.style():
-            figure.savefig(file)
-        data = file.read_bytes()
-        assert data.startswith(magic), ending
-        assert len(data) > 5_000, ending
+@every(("name", "ending"), zip(FIGURES, itertools.cycle(MAGIC), strict=False))
+def test_figures_can_be_saved(name: str, ending: str, tmp_path: Path) -> None:
+    figure = FIGURES[name]()
+    file = tmp_path / f"figure.{ending}"
+    with palette.style():
+        figure.savefig(file)
+    data = file.read_bytes()
+    assert data.startswith(MAGIC[ending]), ending
+    assert len(data) > 5_000, ending
 
 
 @pytest.mark.slow

@@ -71,11 +71,11 @@ def test_it_agrees_with_a_comparison_of_periods_wherever_a_motion_has_settled() 
 @pytest.mark.slow
 def test_it_agrees_with_a_comparison_of_periods_at_many_points() -> None:
     undecidable = 0
-    for seed in range(2, 8):
+    for seed in (2, 3):
         _, several, wrong = compared(seed, 1500)
         assert not wrong
         undecidable += several
-    assert undecidable <= 9  # in 9,000
+    assert undecidable <= 3  # in 3,000
 
 
 # ------------------------------------------------------------------------------ printed numbers

@@ -87,7 +87,7 @@ def test_each_end_parts_falls_from_stands(
 
 
 def test_windows_are_those_of_a_record_of_the_floor() -> None:
-    times, hertz = 4000, 0.8
+    times, hertz = 2000, 0.8
     dt = 1.0 / (hertz * times)
     samples = [math.sin(2.0 * math.pi * k / times) for k in range(times)] + [0.0, 0.0]
     ground = Record(acceleration_m_s2=np.array(samples), dt_s=dt)

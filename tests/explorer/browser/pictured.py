@@ -7,6 +7,7 @@ other machines do not show, and large enough that a part which is missing does.
 import io
 import shutil
 import tempfile
+from collections.abc import Collection
 from pathlib import Path
 
 from PIL import Image
@@ -33,13 +34,13 @@ PAUSE, PAUSES = 500.0, 40
 """Milliseconds between two looks at a page that may still be computing, and how many."""
 
 
-def sheet(explorer: Explorer, size: str, look: str) -> Image.Image:
-    """Return the pictures of all views, side by side."""
+def sheet(explorer: Explorer, size: str, look: str, views: Collection[str]) -> Image.Image:
+    """Return the pictures of some views, side by side."""
     width, height = SIZES[size]
     small = (round(width * HEIGHT / height), HEIGHT)
-    made = Image.new("RGB", (small[0] * len(VIEWS), HEIGHT))
-    for column, fragment in enumerate(VIEWS.values()):
-        page = explorer.open(fragment, (width, height), color_scheme=look)
+    made = Image.new("RGB", (small[0] * len(views), HEIGHT))
+    for column, view in enumerate(views):
+        page = explorer.open(VIEWS[view], (width, height), color_scheme=look)
         shot = settled(page).convert("RGB").resize(small, Image.Resampling.BOX)
         made.paste(shot, (column * small[0], 0))
         page.context.close()
@@ -71,7 +72,9 @@ def main() -> None:
         for size in SIZES:
             for look in LOOKS:
                 explorer = Explorer(browser, file, Watch())
-                sheet(explorer, size, look).save(FOLDER / f"{size}-{look}.png", optimize=True)
+                sheet(explorer, size, look, VIEWS).save(
+                    FOLDER / f"{size}-{look}.png", optimize=True
+                )
         browser.close()
 
 

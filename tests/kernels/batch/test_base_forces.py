@@ -35,7 +35,7 @@ def drawn(rng: np.random.Generator) -> Block:
 def test_each_block_has_the_forces_of_its_own_run(model: Model) -> None:
     """Scaled, with vertical motion, none of a fall or without uplift."""
     rng = np.random.default_rng(11)
-    count = sample_size(40, 12)
+    count = sample_size(40, 8)
     blocks = [drawn(rng) for _ in range(count)]
     lifted = LIFT if isinstance(model, Nonlinear) else None
     grounds = [GroundShaking(record=RECORD), GroundShaking(record=RECORD, vertical=lifted)]

@@ -80,7 +80,7 @@ def drawn(seed: int, count: int) -> tuple[Floats, Floats]:
 def test_it_is_the_fate_of_a_march_that_goes_on(name: str, lean: float, rate: float) -> None:
     sides = both_sides(0.9) if lean == 1.0 else leaning(0.95, lean, rate)
     whole = table(*PULSES[name], Piece())
-    amplitude, ratio = drawn(3, sample_size(150, 5))
+    amplitude, ratio = drawn(3, sample_size(150, 3))
     status, impacts, side, _, margin = fates(whole[:-1], sides, amplitude, ratio)
     half, phase = segment_start(whole, 0)
     seen = set()

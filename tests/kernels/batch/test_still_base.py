@@ -57,7 +57,7 @@ def test_it_is_what_a_march_finds(name: str, model: str) -> None:
     sides = sides_of(BLOCKS[name], model)  # type: ignore[arg-type]
     rng = np.random.default_rng(11)
     fates = set()
-    for _ in range(sample_size(400, 20)):
+    for _ in range(sample_size(400, 12)):
         side, row = (1, 0) if rng.random() < 0.5 else (-1, 1)
         angle = float(rng.uniform(0.0, 1.9))
         velocity = float(rng.normal(0.0, 1.2))

@@ -13,11 +13,12 @@ from numpy.typing import NDArray
 from rocksteady.kernels import elementary
 from rocksteady.kernels.elementary import arrays
 from rocksteady.kernels.elementary.circular import NEAR
+from tests.strategies import sample_size
 
 Floats = NDArray[np.float64]
 Draw = Callable[[np.random.Generator, int], Floats]
 
-COUNT = 30_000
+COUNT = sample_size(30_000, 6_000)
 MANY = 500_000
 CHUNK = 100_000
 LARGEST = np.finfo(np.float64).max

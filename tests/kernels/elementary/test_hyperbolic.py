@@ -8,11 +8,13 @@ from tests.kernels.elementary.oracle import (
     any_float,
     bits,
 )
+from tests.strategies import sample_size
 
 
 def test_signs_follow_the_argument() -> None:
-    x = any_float(np.random.default_rng(10), 20_000)
-    x = np.concatenate([x, np.linspace(0.0, 30.0, 20_000)])
+    count = sample_size(20_000, 3_000)
+    x = any_float(np.random.default_rng(10), count)
+    x = np.concatenate([x, np.linspace(0.0, 30.0, count)])
     for name in ("sinh", "tanh", "asinh"):
         assert bits(getattr(arrays, name)(-x)) == bits(-getattr(arrays, name)(x))
     assert bits(arrays.cosh(-x)) == bits(arrays.cosh(x))

@@ -278,7 +278,7 @@ def test_a_mirrored_start_settles_to_the_mirror_image() -> None:
 
 @every("cycles", [1, 3, 16])
 def test_few_periods_are_as_many_as_one_by_one(cycles: int) -> None:
-    cells = random_cells(5, sample_size(2000, 20))
+    cells = random_cells(5, sample_size(2000, 12))
     lanes, plain = by_lanes(cells, cycles), one_by_one(cells, cycles)
     on = lanes.whole[:, OUTCOME] != LEFT_OVER
     assert on.any()

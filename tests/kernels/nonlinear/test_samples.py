@@ -241,7 +241,7 @@ def test_the_limit_of_flights_is_kept(limit: int) -> None:
 @every("step", [0.01, 0.2, 0.6])
 def test_without_loss_a_free_block_keeps_its_energy(alpha: float, step: float) -> None:
     # y'' = -sin(alpha (1 - y))/alpha keeps v^2/2 - 2 sin^2(alpha (1 - y)/2)/alpha^2.
-    count = sample_size(20_000, 500)
+    count = sample_size(20_000, 250)
     segments = lifted_table(sampled(np.zeros(count), step))
     ran = run(segments, nonlinear_sides(1.0, alpha), side=1, velocity=0.7, until=count * step)
     assert ran.end.impacts > count * step / 10.0

@@ -525,7 +525,8 @@ def test_a_measure_needs_its_demand() -> None:
 def test_an_answer_names_the_peaks_that_its_runs_have() -> None:
     sentences = []
     for measure in ("pga_g", "pgv_m_s"):
-        answer = assess_object(described({"intensity_measure": measure}), SUITE).describe().answer
+        found = assess_object(described({"intensity_measure": measure}), SUITE[:3])
+        answer = found.describe().answer
         assert answer is not None
         sentences.append(answer.sentence)
     assert " at 0.4 g" in sentences[0]

@@ -25,7 +25,7 @@ Draw = np.random.Generator
 
 SEED = int(os.environ.get("ROCKSTEADY_SEED", "20261123"))
 """Seed of the drawn scenarios; another one draws others."""
-QUICK, THOROUGH = 300, 2_000
+QUICK, THOROUGH = 300, 1_000
 """Single runs of each kind of batch in every run and in the slow tests."""
 GRAVITY = 9.80665
 

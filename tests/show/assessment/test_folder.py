@@ -61,14 +61,24 @@ def names(folder: Path) -> list[str]:
     return sorted(each.name for each in folder.iterdir())
 
 
-@pytest.mark.slow
-def test_every_file_is_there_and_reads_back(rocking: Assessment, tmp_path: Path) -> None:
-    read = tmp_path / "read.toml"
+def write_whole(found: Assessment, folder: Path) -> Path:
+    """Write an answer with all its pictures into a folder, and return that of the answer."""
+    read = folder / "read.toml"
     read.write_bytes(b"name = 'x'")
-    out = tmp_path / "answer"
-    written = write_assessment(rocking, out, command="rocksteady assess x", files=[read])
+    out = folder / "answer"
+    written = write_assessment(found, out, command="rocksteady assess x", files=[read])
     assert sorted(file.name for file in written) == names(out) == FILES
+    return out
 
+
+@pytest.fixture(scope="module", name="out")
+def _out(rocking: Assessment, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with an answer; for reading only."""
+    return write_whole(rocking, tmp_path_factory.mktemp("whole"))
+
+
+@pytest.mark.slow
+def test_every_file_is_there_and_reads_back(rocking: Assessment, out: Path) -> None:
     assert rocking.fragility is not None
     with (out / "results.csv").open(encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
@@ -91,10 +101,9 @@ def test_every_file_is_there_and_reads_back(rocking: Assessment, tmp_path: Path)
 
 @pytest.mark.slow
 def test_curves_are_in_metres_a_second_for_pelicun_and_centimetres_for_openquake(
-    rocking: Assessment, tmp_path: Path
+    rocking: Assessment, out: Path
 ) -> None:
-    write_assessment(rocking, tmp_path / "answer")
-    with (tmp_path / "answer" / "fragility.csv").open(encoding="utf-8", newline="") as stream:
+    with (out / "fragility.csv").open(encoding="utf-8", newline="") as stream:
         row, peaks = csv.DictReader(stream)
     assert peaks["ID"] == f"{row['ID']}.peaks"
     assert rocking.fragility is not None
@@ -105,7 +114,7 @@ def test_curves_are_in_metres_a_second_for_pelicun_and_centimetres_for_openquake
     assert float(row["LS1-Theta_0"]) == pytest.approx(curve.median, rel=1e-9)
     assert float(row["LS1-Theta_1"]) == pytest.approx(curve.beta, rel=1e-9)
     assert re.fullmatch(r"RS\.[A-Za-z0-9_.]+", row["ID"])
-    root = ET.fromstring((tmp_path / "answer" / "fragility.xml").read_text(encoding="utf-8"))
+    root = ET.fromstring((out / "fragility.xml").read_text(encoding="utf-8"))
     space = {"n": "http://openquake.org/xmlns/nrml/0.5"}
     imls = root.find(".//n:imls", space)
     params = root.find(".//n:params", space)
@@ -117,21 +126,19 @@ def test_curves_are_in_metres_a_second_for_pelicun_and_centimetres_for_openquake
 
 
 @pytest.mark.slow
-def test_the_description_for_loss_tools_names_the_object_once_a_component(
-    rocking: Assessment, tmp_path: Path
-) -> None:
-    write_assessment(rocking, tmp_path / "answer")
+def test_the_description_for_loss_tools_names_the_object_once_a_component(out: Path) -> None:
     for name, count in (("fragility.json", 2), ("fragility.xml", 1), ("fragility_peaks.xml", 1)):
-        text = (tmp_path / "answer" / name).read_text(encoding="utf-8")
+        text = (out / name).read_text(encoding="utf-8")
         assert len(re.findall(r"B(?:ü|\\u00fc)ste, 3 \(Saal\)", text)) == count, name
 
 
 @pytest.mark.slow
-def test_the_same_answer_gives_the_same_bytes(rocking: Assessment, tmp_path: Path) -> None:
-    for name in ("one", "two"):
-        write_assessment(rocking, tmp_path / name)
+def test_the_same_answer_gives_the_same_bytes(
+    rocking: Assessment, out: Path, tmp_path: Path
+) -> None:
+    again = write_whole(rocking, tmp_path)
     for file in FILES:
-        assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two" / file).read_bytes()
+        assert (out / file).read_bytes() == (again / file).read_bytes()
 
 
 @pytest.mark.slow
@@ -139,7 +146,8 @@ def test_an_object_that_slides_leaves_its_inputs_alone(
     sliding: Assessment, rocking: Assessment, tmp_path: Path
 ) -> None:
     out = tmp_path / "answer"
-    write_assessment(rocking, out)
+    with unrendered(), drawn_once():
+        write_assessment(rocking, out)
     with pytest.raises(OutputError, match=r"it holds fragility\.csv and 6 more; add --force"):
         write_assessment(sliding, out)
     assert names(out) == FILES

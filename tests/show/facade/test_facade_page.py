@@ -12,6 +12,7 @@ from rocksteady.show.facade._facade_page import facade_html
 from rocksteady.show.facade._facade_tables import _restitution
 from rocksteady.show.plots.facades.languages import TABLES, language_of
 from tests.every import every
+from tests.outputs import unrendered
 from tests.show.assessment.pages import Page, check_alone, drawn_once
 from tests.show.facade.checked_facades import SUITE, alone, thin, tied
 
@@ -22,7 +23,7 @@ NAMES = {"fronte", "timpano", "copertura", "volta", "catene", "puntoni", "synthe
 
 @functools.cache
 def page_of(name: str, language: str) -> tuple[Page, str]:
-    with drawn_once():
+    with unrendered(), drawn_once():  # whose pictures are rendered in a folder
         html = facade_html(CHECKS[name](), make_manifest(SUITE), language_of(language))
     return Page(html), html
 

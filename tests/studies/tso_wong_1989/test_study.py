@@ -404,7 +404,7 @@ def test_every_figure_is_drawn_and_some_the_same_twice(computed: None, tmp_path:
         svg = figure_bytes(timed.panel.draw(), "svg")
         assert svg.startswith(XML)
         assert b"nan" not in svg.lower().replace(b"dominant", b"")
-    few = replace(study(), panels=study().panels[::8])
+    few = replace(study(), panels=study().panels[::16])
     for folder in ("one", "two"):
         few.save(tmp_path / folder)
     for png in (tmp_path / "one").glob("*.png"):

@@ -120,7 +120,7 @@ def test_branches_that_begin_at_others_do_not_depend_on_the_steps(seed: int) -> 
 
 @pytest.mark.slow
 def test_nor_do_many_of_them() -> None:
-    assert not [found for seed in range(308, 318) for found in branches_disagree(seed)]
+    assert not [found for seed in range(308, 313) for found in branches_disagree(seed)]
 
 
 @pytest.mark.slow
