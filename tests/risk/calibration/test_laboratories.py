@@ -18,7 +18,7 @@ pytestmark = pytest.mark.skipif(not FOLDER.exists(), reason="there is no ../shar
 
 @pytest.mark.slow
 def test_sessions_share_their_gain_and_levels_decide_outcomes() -> None:
-    made = [make_laboratory(seed, tests=140) for seed in range(8)]
+    made = [make_laboratory(seed, tests=140) for seed in range(20)]
     gains = np.array([list(each.session_gain.values()) for each in made])
     assert gains.std() == pytest.approx(SESSION_GAIN, rel=0.2)
     assert all(0.1 < each.tests.fell.mean() < 0.6 for each in made)
@@ -27,11 +27,11 @@ def test_sessions_share_their_gain_and_levels_decide_outcomes() -> None:
 
 @pytest.mark.slow
 def test_intervals_hold_what_is_true() -> None:
-    """Of 8 laboratories that the default priors draw; 85 % less two standard errors."""
-    found = [covered(seed, drawn=True) for seed in range(8)]
+    """Of 20 laboratories that the default priors draw; 85 % less two standard errors."""
+    found = [covered(seed, drawn=True) for seed in range(20)]
     for name, lists in ((key, [each[key] for each in found]) for key in found[0]):
         share = np.mean([one for each in lists for one in each])
-        assert share > 0.85 - 2.0 * np.sqrt(0.9 * 0.1 / 8), name
+        assert share > 0.85 - 2.0 * np.sqrt(0.9 * 0.1 / 20), name
 
 
 @pytest.mark.slow
