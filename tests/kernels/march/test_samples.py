@@ -414,6 +414,12 @@ def test_peaks_within_samples_are_found_wherever_they_lie() -> None:
             tops = np.maximum(tops, [angles.max(), np.abs(speeds).max()])
             y, v = angles[-1], speeds[-1]
         np.testing.assert_allclose(peaks / [1.0, lean * rate], tops, rtol=1e-6)
+        # All are searched where nothing was reached before, and none is left out that rises higher.
+        reached = np.zeros(2)
+        fly_through(tables, begin, until, Kept(none, reached))
+        nearly = reached * (1.0 - 1e-9)
+        fly_through(tables, begin, until, Kept(none, nearly))
+        assert nearly.tobytes() == reached.tobytes()
 
 
 def test_a_flight_watched_sample_by_sample_peaks_where_the_search_finds_it() -> None:

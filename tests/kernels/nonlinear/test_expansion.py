@@ -14,9 +14,11 @@ from rocksteady.kernels.nonlinear._expansion import (
     BRIEF,
     DEGREE,
     Course,
+    Stretch,
     bounds_over,
     fill_course,
     middle_step,
+    most_over,
     shortened,
     state_after,
 )
@@ -317,3 +319,51 @@ def test_bounds_hold_and_state_and_rows_are_one_polynomial(seed: int) -> None:
     for found, exact in ((y, curve), (v, curve.deriv())):
         size = np.polynomial.Polynomial(np.abs(exact.coef))(part)
         assert math.isclose(found, exact(part), rel_tol=0.0, abs_tol=2e-15 * size)
+
+
+def cubic_over(span: float, speeds: tuple[float, float, float]) -> tuple[Stretch, float, float]:
+    """Return a flight of degree 3 by its speeds at start, middle and end, its top and its speed."""
+    first, middle, last = speeds
+    slope = np.polynomial.Polynomial(
+        [first, 4.0 * middle - 3.0 * first - last, 2.0 * (first + last - 2.0 * middle)]
+    )
+    angle = 1.0 + slope.integ()
+    bend, third = slope.deriv()(0.0) / span, 2.0 * abs(slope.coef[2]) / span**2
+    heights, rates = 1.0 + span * (angle - 1.0)(TIMES), np.abs(slope(TIMES))
+    stretch = Stretch(1.0, first, heights[-1], last, bend, third, span)
+    return stretch, float(heights.max()), float(rates.max())
+
+
+TIMES = np.linspace(0.0, 1.0, 4001)
+
+
+def test_no_peak_within_a_step_surpasses_its_bounds() -> None:
+    rng = np.random.default_rng(8)
+    inside = np.zeros(2, dtype=np.int64)
+    for _ in range(sample_size(3000, 600)):
+        speeds = rng.normal(size=3) * spread(rng, 1e-3, 1.0) + rng.choice([0.0, 1.0])
+        stretch, top, swift = cubic_over(spread(rng, 1e-4, 0.25), tuple(speeds.tolist()))
+        fastest, highest = most_over(stretch)
+        assert fastest >= swift * (1.0 - 1e-15)
+        assert highest >= top * (1.0 - 1e-15)
+        inside += (
+            swift > max(abs(stretch.velocity), abs(stretch.later_velocity)),
+            top > max(stretch.angle, stretch.later_angle),
+        )
+    assert inside.min() > sample_size(300, 60)
+
+
+def test_bounds_of_a_step_are_reached_and_are_its_ends_where_nothing_turns() -> None:
+    h = 0.125
+    # A top halfway, of a parabola; a speed that is largest halfway.
+    stretch, top, _ = cubic_over(h, (0.5, 0.0, -0.5))
+    assert most_over(stretch)[1] == pytest.approx(top, rel=1e-15)
+    assert top - 1.0 == pytest.approx(0.5 * h / 4.0)
+    stretch, _, swift = cubic_over(h, (0.25, 1.0, 0.25))
+    assert most_over(stretch)[0] == pytest.approx(swift, rel=1e-15)
+    # y' keeps away from 0, y'' too; then y' dips below 0 between ends above it.
+    stretch, _, _ = cubic_over(h, (0.5, 0.75, 1.0))
+    assert most_over(stretch) == (1.0, stretch.later_angle)
+    stretch, top, _ = cubic_over(h, (0.25, -1.0, 0.25))
+    assert top > max(1.0, stretch.later_angle)
+    assert most_over(stretch)[1] >= top
