@@ -21,7 +21,7 @@ MOST_CELLS = 4_000_000
 """Numbers of one array: redrawn suites are computed in parts."""
 LEAST_VARIANCE = 1e-300
 STEPS = 12
-"""Of Newton's method."""
+"""Steps of Newton's method, at most."""
 ARRIVED = 1e-13
 """Largest score of a trial at the maximum, rounding included."""
 
