@@ -20,7 +20,9 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
 )
 from rocksteady.kernels.core.tuples import Cells, Fates, Starts
+from rocksteady.kernels.lanes._both_sides import change_sides
 from rocksteady.kernels.lanes._fields import FIELDS, LANES
+from rocksteady.kernels.lanes._launching import begin_special_apart, launch
 from rocksteady.kernels.lanes._newton import shake
 from rocksteady.kernels.lanes.driver import lane_fates
 from tests.kernels.fates import NO_LIMIT, fates_in_lanes, harmonic_fates, like_sides
@@ -360,11 +362,14 @@ def test_every_fate_occurs() -> None:
 
 @pytest.mark.skipif(PLAIN, reason="about machine code")
 def test_the_loops_become_vector_instructions() -> None:
-    # Compiled anew: code that comes from the disk cache shows no assembly.
-    fresh: Any = numba.njit(error_model="numpy")(cast(Any, shake).py_func)
-    fresh(np.zeros(FIELDS * LANES))
-    machine = next(iter(fresh.inspect_asm().values()))
-    assert any(packed in machine for packed in ("mulpd", ".2d"))
+    for loop in (shake, launch, begin_special_apart, change_sides):
+        # Compiled anew: code that comes from the disk cache shows no assembly.
+        fresh: Any = numba.njit(error_model="numpy")(cast(Any, loop).py_func)
+        fresh(np.zeros(FIELDS * LANES))
+        machine = next(iter(fresh.inspect_asm().values()))
+        assert any(packed in machine for packed in ("mulpd", ".2d")), loop.__name__
+        # Nor is there a loop for lanes that do not fill a vector.
+        assert not any(single in machine for single in ("mulsd", "fmul\td")), loop.__name__
 
 
 @pytest.mark.parametrize("velocity", sample_size([1e-40, -1e-300], [-1e-300]))

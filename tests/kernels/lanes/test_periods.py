@@ -7,11 +7,13 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.kernels.core.tables import OVERTURNED, ROCKING, UNDECIDED
-from rocksteady.kernels.core.tuples import Fates
+from rocksteady.kernels.core.tables import LEAN, OVERTURNED, ROCKING, UNDECIDED
+from rocksteady.kernels.core.tuples import Cells, Fates, Starts
+from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.orbits.closed_form import half_cycle_jacobian, symmetric_orbit
 from tests.every import every
-from tests.kernels.fates import fates_in_lanes, harmonic_fates
+from tests.kernels.fates import NO_LIMIT, fates_in_lanes, harmonic_fates
+from tests.kernels.walls import against_wall
 from tests.strategies import PLAIN
 
 pytestmark = pytest.mark.skipif(PLAIN, reason="many cycles need compiled code")
@@ -125,6 +127,37 @@ def test_a_motion_is_leapt_long_before_it_repeats() -> None:
         found = Fates(np.zeros(1, np.int64), np.zeros(1, np.int64), np.zeros((1, 3)))
         fates_in_lanes(cells, 10**6, True, found, int(most))
         assert found[0][0] == ending
+
+
+def test_periods_with_rests_and_doubled_periods_are_leapt_over() -> None:
+    """Limits on the impacts that are flown tell: without a leap every motion would be given up."""
+    wall, other_wall = against_wall(0.6), against_wall(0.6, free=-1)
+    unlike = np.array([[0.3, 1.0, 1.0], [0.3, 0.9, 1.0]])
+    rows = [
+        (wall, 1.5428571, 7.5),  # rests in every sixth cycle, chatters near the node in others
+        (wall, 1.5, 6.5),  # ... in every third
+        (other_wall, 1.5, 6.5),
+        (unlike, 1.5, 3.0),  # rests on either side in every cycle
+        (wall, 1.2857143, 6.0),  # a period of eight cycles, doubled several times
+        (wall, 1.4571429, 8.0),  # one of four cycles, 36 impacts
+        (np.array([[0.9, 1.2, 1.0], [0.9, 0.8, 1.0]]) / [1, 0.8, 1], 1.329 / 0.8, 5.0),
+    ]
+    amplitude, frequency = np.array([row[1:] for row in rows]).T.copy()
+    sides = np.array([row[0] for row in rows])
+    start = np.zeros(len(rows))
+    starts = Starts(start, 0.3 * sides[:, 0, LEAN] * np.sign(0.5 - (sides[:, 0, 0] > 0)), start)
+    cells = Cells(amplitude, frequency, sides)
+    found = [
+        Fates(np.zeros(len(rows), np.int64), np.zeros(len(rows), np.int64), np.zeros((len(rows), 3)))
+        for _ in range(2)
+    ]
+    for leaping, fates in zip((False, True), found, strict=True):
+        lane_fates(cells, starts, 6_000, leaping, 5_000 if leaping else NO_LIMIT, fates)
+    full, leapt = found
+    print(full.status, full.impacts, leapt.status, leapt.impacts)
+    assert np.array_equal(full.status, leapt.status)
+    assert np.array_equal(full.impacts, leapt.impacts)
+    assert np.abs(full.final - leapt.final).max() < 1e-9
 
 
 def test_a_conservative_block_never_leaps() -> None:

@@ -9,8 +9,10 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 NEAR = 0.05  # phase and velocity that have come back as closely are watched ...
+PATIENT = 256.0  # ... and after so many impacts the more closely, the more there are ...
 SAME = 1e-11  # ... until they repeat to this, each time more closely ...
 NOISE = 1e-12  # ... and not because both are rounding
+ALTERNATING = 0.125  # part of a difference to which it and the one before cancel, of half a period
 
 # What has become of the lag, in impacts, after which a motion is nearly back.
 PERIODIC = -1.0
@@ -68,16 +70,22 @@ def compared(reference: Reference, compares: bool, now: Passage) -> Reference:
     gap = max(abs(phase - reference.phase), abs(velocity - reference.velocity))
     searching = lag == 0.0
     due = since == lag
-    near = gap < NEAR
+    # Else a motion that repeats after several returns, all of them close, would be held up by one.
+    near = (gap < NEAR) & (min(gap, 1.0) * impacts < NEAR * PATIENT)
     lifting = velocity == 0.0
+    # Chatter before a lift comes near to the last one, as does a lift to the other side.
+    lifted = reference.velocity == 0.0
+    free = not (lifted & searching)
     # Chatter too comes back as closely, and a block that just lifts to its node: at once.
     later = reference.left > left
     widest = gap if searching else max(gap, reference.widest)
     periodic = (compares & later) & (
-        (due & (gap < SAME) & (widest > 10.0 * gap) & (widest > NOISE)) | (lifting & (gap == 0.0))
+        (due & (gap < SAME) & (widest > 10.0 * gap) & (widest > NOISE))
+        | (lifting & lifted & (gap < SAME))
     )
     power_of_two = (np.float64(impacts).view(np.int64) & MANTISSA) == 0
-    marks = compares & (due | lifting | (searching & (near | power_of_two))) & (not periodic)
+    searched = searching & ((near & free) | power_of_two)
+    marks = compares & (due | (lifting & free) | searched) & (not periodic)
     after = since if near & (searching | due) else 0.0
     after = after if marks else lag
     return Reference(
@@ -111,14 +119,17 @@ def watched(
     then = compared(reference, compares, now)
     back = compares & (reference.lag > 0.0) & (now.impacts - reference.impacts == reference.lag)
     law_first = first + REFERENCE_FIELDS * count
-    law, attracted = after_return(
-        law_of(lanes, law_first, count, area),
-        back,
-        now.phase - reference.phase if back else 0.0,
-        now.velocity - reference.velocity if back else 0.0,
-    )
+    further = now.phase - reference.phase if back else 0.0
+    faster = now.velocity - reference.velocity if back else 0.0
+    before = law_of(lanes, law_first, count, area)
+    law, attracted = after_return(before, back, further, faster)
     attracted &= (reference.left > now.left) & (then.lag > 0.0)
-    afresh = then.lag != reference.lag
+    # To and fro between two states: only every second return comes nearer.
+    left_over = max(abs(further + before.last_phase), abs(faster + before.last_velocity))
+    halves = back & (left_over < ALTERNATING * max(abs(further), abs(faster)))
+    halves &= (then.lag > 0.0) & (not attracted)
+    then_lag = 2.0 * then.lag if halves else then.lag
+    afresh = then_lag != reference.lag
     marked = (then.impacts != reference.impacts) & (not attracted)
     put_law(
         lanes,
@@ -134,7 +145,7 @@ def watched(
             0.0 if afresh else law.before_velocity,
         ),
     )
-    lag = ATTRACTED if attracted else then.lag
+    lag = ATTRACTED if attracted else then_lag
     lanes[first] = then.phase
     lanes[first + count] = then.velocity
     lanes[first + 2 * count] = reference.left if attracted else then.left

@@ -9,7 +9,7 @@ from rocksteady.kernels.core.law import after_return, law_of, put_law
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._exp_sincos import nearest_whole
-from rocksteady.kernels.lanes._fields import LANES
+from rocksteady.kernels.lanes._fields import LANES, working
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats3
 from rocksteady.kernels.orbits.periodic import SMALLEST_SPEED
@@ -32,7 +32,7 @@ KNOWN_LAW = lane.WIDEST  # whether the law of the returns is that of a stable or
 @compiled
 def remember(lanes: Floats, memory: Floats3) -> None:
     """Keep the states of lanes, each in the row of its last impact."""
-    for j in range(LANES):
+    for j in range(working(lanes)):
         row = (int(lanes[lane.IMPACTS + j]) - 1) & (MEMORY - 1)
         memory[j, row, 0] = lanes[lane.PHASE + j]
         memory[j, row, 1] = lanes[lane.LEFT + j]
@@ -42,7 +42,7 @@ def remember(lanes: Floats, memory: Floats3) -> None:
 @compiled
 def watch(lanes: Floats) -> None:
     """Stop lanes that are to look for an orbit, come back close enough, go astray or rest."""
-    for j in range(LANES):
+    for j in range(working(lanes)):
         stage = lanes[lane.STAGE + j]
         phase = lanes[lane.PHASE + j]
         velocity = lanes[lane.VELOCITY + j]

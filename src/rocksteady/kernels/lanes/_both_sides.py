@@ -13,7 +13,7 @@ from rocksteady.kernels.core.other_side import (
 from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats, free_side
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._exp_sincos import growth_and_decay
-from rocksteady.kernels.lanes._fields import DIFFERENCE, FARTHEST, LANES, OFFSETS, SIDED
+from rocksteady.kernels.lanes._fields import DIFFERENCE, FARTHEST, LANES, SIDED, working
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats2
 from rocksteady.kernels.march.rest import STILL
@@ -50,23 +50,16 @@ def load_side(
     """Fill the constants of one side, with shaking in its units."""
     frequency /= sides[row, RATE]
     forcing = make_forcing(-1.0, 0.0, amplitude / sides[row, LEAN], frequency)
-    delta = abs(sides[row, RESTITUTION])
     lanes[lane.AMPLITUDE + j] = forcing.amplitude
     lanes[lane.FREQUENCY + j] = frequency
     lanes[lane.INVERSE + j] = 1.0 / frequency
-    lanes[lane.SQUARE + j] = frequency * frequency
-    lanes[lane.SWING_RATE + j] = forcing.amplitude * frequency
     lanes[lane.BETA + j] = forcing.beta
-    lanes[lane.SIZE + j] = 1.0 + forcing.beta * (1.0 + frequency)
-    lanes[lane.DELTA + j] = delta
-    # From the bound of the rest with c = c_0, v << c: above it there is no need to ask.
-    lanes[lane.CALMING + j] = 1.5 * (1.0 - delta) / max(delta, STILL)
+    lanes[lane.DELTA + j] = abs(sides[row, RESTITUTION])
     lanes[lane.EXCESS + j] = forcing.swing - 1.0
     lanes[lane.RISING + j] = forcing.rising
     lanes[lane.NODE_SINE + j] = forcing.node_sine
     lanes[lane.NODE_COSINE + j] = forcing.node_cosine
     ahead = PI_HIGH - 2.0 * forcing.rising
-    lanes[lane.AHEAD + j] = ahead
     lanes[lane.GROWTH_AHEAD + j], lanes[lane.DECAY_AHEAD + j] = growth_and_decay(
         min(ahead / frequency, FARTHEST)
     )
@@ -95,7 +88,7 @@ def unit_of(sides: Floats2, row: int) -> float:
 @compiled
 def change_sides(lanes: Floats) -> None:
     """Give the lanes that have just come to another side its constants; turn back from a wall."""
-    for j in range(LANES):
+    for j in range(working(lanes)):
         stage = lanes[lane.STAGE + j]
         apart = lanes[lane.APART + j]
         landed = stage == lane.LANDED
@@ -110,7 +103,10 @@ def change_sides(lanes: Floats) -> None:
         further = 1.0 if phase < HALF_PI else -1.0
         moved = phase + further * PI_HIGH
         kept = bounced if back else velocity
-        lanes[lane.CHANGING + j] = mask_of(turns)
+        changes = mask_of(turns)
+        for field in range(0, SIDED, LANES):
+            here = field + j
+            lanes[here] = exchanged(lanes[here], lanes[DIFFERENCE + here], changes)
         lanes[lane.SIDE + j] = -side if turns else side
         lanes[lane.TIME + j] = other_time if turns else time
         lanes[lane.OTHER_TIME + j] = time if turns else other_time
@@ -119,12 +115,6 @@ def change_sides(lanes: Floats) -> None:
         lanes[lane.LEFT + j] = left + further if back else left
         lanes[lane.SINE + j] = -sine if back else sine
         lanes[lane.COSINE + j] = -cosine if back else cosine
-    for field in range(0, SIDED, LANES):
-        here = field & OFFSETS
-        for j in range(LANES):
-            lanes[here + j] = exchanged(
-                lanes[here + j], lanes[DIFFERENCE + here + j], lanes[lane.CHANGING + j]
-            )
 
 
 @inlined

@@ -1,10 +1,13 @@
 """Fields of a lane's state, and the codes of its stages."""
 
+from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.machine_code.compilation import inlined
 from rocksteady.kernels.machine_code.width import side_by_side
 
 # 16 or fewer lanes would be unrolled and stay scalar; more than 64 leave the first cache.
 LANES = side_by_side(48)
+GROUP = side_by_side(8)
+"""Lanes of one vector, or of several; loops go over so many of these as have work: `working`."""
 
 # Stages of a lane, in the order in which the loops tell them apart.
 EMPTY = 0.0
@@ -38,28 +41,22 @@ SPECIALS_BITS = 32
     AMPLITUDE,
     FREQUENCY,
     INVERSE,
-    SQUARE,
-    SWING_RATE,
     BETA,
-    SIZE,
     DELTA,
-    CALMING,
     EXCESS,
     RISING,
     NODE_SINE,
     NODE_COSINE,
-    AHEAD,
     GROWTH_AHEAD,
     DECAY_AHEAD,
     ACROSS,  # its unit of velocity over that of the other side
-) = range(0, 17 * LANES, LANES)
-SIDED = 17 * LANES
+) = range(0, 12 * LANES, LANES)
+SIDED = 12 * LANES
 DIFFERENCE = SIDED
 """How much farther on stands what makes a field that of the other side: `core.other_side`."""
 # ... and of the lane.
 (
     STAGE,
-    CHANGING,
     SIDE,
     APART,  # what is added to a phase on the one side, taken off it on the other; < 0 by a wall
     OTHER_TIME,
@@ -106,15 +103,22 @@ DIFFERENCE = SIDED
     LAST_VELOCITY,
     BEFORE_PHASE,
     BEFORE_VELOCITY,
+    GROUPS,  # how many groups have work, in the first lane
 ) = range(2 * SIDED, 2 * SIDED + 48 * LANES, LANES)
 FIELDS = 2 * SIDED // LANES + 48
-
-OFFSETS = (1 << 20) - 1
-"""A mask by which the compiler sees that an offset is not negative."""
 
 LOSS = 2.0**-49  # sixteen roundings: what a computed number may be off, in units of its terms
 FARTHEST = 100.0  # further ahead nothing is known: squares of what has grown are to stay finite
 UNKNOWN = 1e140  # a doubt above all that can have grown
+
+
+@inlined
+def working(lanes: Floats) -> int:
+    """Return how many lanes a loop goes over: all others are empty.
+
+    By the mask the compiler sees that it is no negative number, and that vectors leave no rest.
+    """
+    return GROUP * (int(lanes[GROUPS]) & 7)
 
 
 @inlined

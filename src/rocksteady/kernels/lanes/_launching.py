@@ -8,8 +8,9 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._both_sides import other
-from rocksteady.kernels.lanes._fields import LANES, weight
+from rocksteady.kernels.lanes._fields import weight, working
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.march.rest import STILL
 
 WINDOW = 3.0  # times v / (pull (1 - delta)): how long chatter is given to die out
 
@@ -18,7 +19,7 @@ WINDOW = 3.0  # times v / (pull (1 - delta)): how long chatter is given to die o
 def launch(lanes: Floats) -> int:
     """Begin flights from the floor; return the census, `SPECIALS` for `begin_special` in it."""
     count = 0
-    for j in range(LANES):
+    for j in range(working(lanes)):
         stage = lanes[lane.STAGE + j]
         launched = (stage > 0.0) & (stage <= lane.LANDED)
         phase = lanes[lane.PHASE + j]
@@ -30,7 +31,8 @@ def launch(lanes: Floats) -> int:
         growing = 0.5 * (
             velocity + lanes[lane.BETA + j] * (sine + frequency * lanes[lane.COSINE + j]) - 1.0
         )
-        swing = lanes[lane.AMPLITUDE + j] * sine
+        amplitude, delta = lanes[lane.AMPLITUDE + j], lanes[lane.DELTA + j]
+        swing = amplitude * sine
         speed = frequency * velocity
         early = phase < rising
         positive = (velocity == 0.0) | ((not early) & (phase < PI_HIGH - rising))
@@ -38,9 +40,10 @@ def launch(lanes: Floats) -> int:
         end_phase = rising if early & (not positive) else rising + TWO_PI
         # Here and on the other side.
         least = min(1.0 - swing, 1.0 + other(lanes, j, lane.AMPLITUDE) * sine)
+        # From the bound of the rest with c = c_0, v << c: above it there is no need to ask.
         slow = (max(velocity, speed) < 0.1 * (1.0 - swing)) | (
             (velocity < 0.2 * least)
-            & (lanes[lane.AMPLITUDE + j] * speed < lanes[lane.CALMING + j] * least)
+            & (amplitude * speed * max(delta, STILL) < 1.5 * (1.0 - delta) * least)
         )
         last = lanes[lane.LEFT + j] * PI_HIGH + lanes[lane.STOP + j] < end_phase
         special = launched & (last | (slow & (not positive)))
@@ -74,7 +77,7 @@ def begin_special_apart(lanes: Floats) -> None:
 @inlined
 def begin_slow(lanes: Floats, two_sided: bool) -> None:
     """Do what both do; inlined once for each."""
-    for j in range(LANES):
+    for j in range(working(lanes)):
         stage = lanes[lane.STAGE + j]
         special = stage == lane.SPECIAL
         phase = lanes[lane.PHASE + j]
@@ -135,7 +138,12 @@ def begin_slow(lanes: Floats, two_sided: bool) -> None:
             rising = there if crosses else rising
         lifting = calm & (not for_good)
         guess = lanes[lane.TIME + j]
-        time = 2.0 * velocity / (pull if short else 1.0) if short else guess
+        # 2 v/pull, had r no slope; else times the root C of C = 1 + bend C^2, by its series.
+        twice = 2.0 / (pull if short else 1.0)
+        slope = velocity + amplitude * frequency * cosine
+        bend = twice * twice * velocity * slope * (1.0 / 6.0)
+        series = 1.0 + bend * (1.0 + bend * (2.0 + bend * (5.0 + bend * 14.0)))
+        time = velocity * twice * series if short else guess
         guessed = phase + frequency * guess
         direct = (guessed > start_phase) & (guessed < cut)
         following = lane.POLISH if direct else lane.DOWN
@@ -179,20 +187,28 @@ def rests_apart(lanes: Floats, j: int) -> tuple[float, float, bool]:
     calming = 1.0 - delta
     pull, other_pull = 1.0 - amplitude * sine, 1.0 + other_amplitude * sine
     maybe = (velocity > 0.0) & (velocity < pull) & (other_velocity < other_pull) & (calming > 0.0)
-    longest = max(speed / (pull if maybe else 1.0), other_speed / (other_pull if maybe else 1.0))
-    x = WINDOW * longest / (calming if maybe else 1.0)
+    here_longer = speed * other_pull >= other_speed * pull
+    longer, its_pull = (speed, pull) if here_longer else (other_speed, other_pull)
+    x = WINDOW * longer / (its_pull * calming if maybe else 1.0)
     bend = x * x * (abs(sine) * 0.5 + x * (1.0 / 6.0))
     highest = max(sine, min(sine + cosine * x + bend, 1.0))
     lowest = max(-sine, min(bend - sine - cosine * x, 1.0))
     room = 1.0 - amplitude * highest - velocity
     other_room = 1.0 - other_amplitude * lowest - other_velocity
     maybe &= (room > 0.0) & (other_room > 0.0)
-    room, other_room = room if maybe else 1.0, other_room if maybe else 1.0
-    gain = max(
-        amplitude * speed / (room * room), other_amplitude * other_speed / (other_room * other_room)
+    # The longer bounce of either side, with the larger gain of either.
+    gain = (2.0 / 3.0) * delta * amplitude * speed
+    other_gain = (2.0 / 3.0) * delta * other_amplitude * other_speed
+    left_over = x * (calming * (room * room) - gain)
+    other_left_over = x * (calming * (other_room * other_room) - other_gain)
+    square, other_square = 2.0 * room * room, 2.0 * other_room * other_room
+    calm = (
+        maybe
+        & (speed * square <= left_over * room)
+        & (speed * other_square <= other_left_over * room)
+        & (other_speed * square <= left_over * other_room)
+        & (other_speed * other_square <= other_left_over * other_room)
     )
-    lasting = 2.0 * max(speed / room, other_speed / other_room)
-    calm = maybe & (lasting <= x * (calming - (2.0 / 3.0) * delta * gain))
     here, there = lanes[lane.RISING + j], other(lanes, j, lane.RISING) + PI_HIGH
     again = here + TWO_PI
     here = again if phase >= here else here

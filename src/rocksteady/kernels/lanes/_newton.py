@@ -10,7 +10,7 @@ from rocksteady.kernels.lanes._exp_sincos import (
     nearest_whole,
     turned_by,
 )
-from rocksteady.kernels.lanes._fields import LANES, LAST_STEPS
+from rocksteady.kernels.lanes._fields import LAST_STEPS, working
 from rocksteady.kernels.linear.zeros import reversion
 from rocksteady.kernels.machine_code.compilation import compiled
 
@@ -21,7 +21,7 @@ LONGEST = 0.3  # ... which serves up to here: 2e-17 of its largest term is left 
 @compiled
 def shake(lanes: Floats) -> None:
     """Find sine and cosine at `TIME`."""
-    for j in range(LANES):
+    for j in range(working(lanes)):
         sine, cosine = sincos_short(
             lanes[lane.PHASE + j] + lanes[lane.FREQUENCY + j] * lanes[lane.TIME + j]
         )
@@ -32,7 +32,7 @@ def shake(lanes: Floats) -> None:
 @compiled
 def fly(lanes: Floats) -> None:
     """Find angle and velocity at `TIME` by the closed form."""
-    for j in range(LANES):
+    for j in range(working(lanes)):
         grown, decayed = growth_and_decay(lanes[lane.TIME + j])
         beta = lanes[lane.BETA + j]
         sine = lanes[lane.SINE + j]
@@ -53,13 +53,13 @@ def fly(lanes: Floats) -> None:
 @compiled
 def bounce(lanes: Floats) -> None:
     """Find them by Taylor's polynomial, in the lanes at `SHORT`."""
-    for j in range(LANES):
+    for j in range(working(lanes)):
         short = lanes[lane.STAGE + j] >= lane.SHORT
         time = lanes[lane.TIME + j] if short else 0.0
-        w = lanes[lane.FREQUENCY + j]
+        w, amplitude = lanes[lane.FREQUENCY + j], lanes[lane.AMPLITUDE + j]
         velocity = lanes[lane.VELOCITY + j]
-        swing_even = lanes[lane.AMPLITUDE + j] * lanes[lane.SINE + j]
-        swing_odd = lanes[lane.SWING_RATE + j] * lanes[lane.COSINE + j]
+        swing_even = amplitude * lanes[lane.SINE + j]
+        swing_odd = (amplitude * w) * lanes[lane.COSINE + j]
         w2 = -w * w
         even = swing_even - 1.0
         odd = velocity + swing_odd
@@ -88,15 +88,15 @@ def approach(lanes: Floats) -> None:
     `OUTCOME` receives 2 where the step has landed on it, 1 where it has not, 0 where F does not
     fall.
     """
-    for j in range(LANES):
-        frequency = lanes[lane.FREQUENCY + j]
+    for j in range(working(lanes)):
+        frequency, amplitude = lanes[lane.FREQUENCY + j], lanes[lane.AMPLITUDE + j]
         v = lanes[lane.VELOCITY_THERE + j]
         falls = v < 0.0
         v = v if falls else -1.0
         y = lanes[lane.ANGLE_THERE + j]
-        swing = lanes[lane.AMPLITUDE + j] * lanes[lane.SINE_THERE + j]
-        swing_rate = lanes[lane.SWING_RATE + j] * lanes[lane.COSINE_THERE + j]
-        w2 = lanes[lane.SQUARE + j]
+        swing = amplitude * lanes[lane.SINE_THERE + j]
+        swing_rate = (amplitude * frequency) * lanes[lane.COSINE_THERE + j]
+        w2 = frequency * frequency
         d2 = y - 1.0 + swing
         d3 = v + swing_rate
         d4 = d2 - w2 * swing
@@ -136,7 +136,7 @@ def approach(lanes: Floats) -> None:
 @compiled
 def land(lanes: Floats, below: float) -> None:
     """Judge the step of lanes at stages below one: an impact, another step, or another way."""
-    for j in range(LANES):
+    for j in range(working(lanes)):
         stage = lanes[lane.STAGE + j]
         active = (stage >= lane.POLISH) & (stage < below)
         old = lanes[lane.PHASE + j]

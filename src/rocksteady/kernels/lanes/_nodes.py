@@ -5,7 +5,7 @@ from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._exp_sincos import growth_and_decay, nearest_whole
-from rocksteady.kernels.lanes._fields import FARTHEST, LANES, LOSS, UNKNOWN, weight
+from rocksteady.kernels.lanes._fields import FARTHEST, LOSS, UNKNOWN, weight, working
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 
@@ -26,10 +26,22 @@ def passes_over(
     return upward | (end_velocity < -doubt) | (meet < -room)
 
 
+@inlined
+def size_of(beta: float, frequency: float) -> float:
+    """Return the size of the terms of an angle, of which the velocity at the start is another."""
+    return 1.0 + beta * (1.0 + frequency)
+
+
+@inlined
+def positive_length(lanes: Floats, j: int) -> float:
+    """Return the phase from a rising node to the falling one after it."""
+    return PI_HIGH - 2.0 * lanes[lane.RISING + j]
+
+
 @compiled
 def node_state(lanes: Floats) -> None:
     """Find the state at the end of a piece and the doubt about it."""
-    for j in range(LANES):
+    for j in range(working(lanes)):
         frequency = lanes[lane.FREQUENCY + j]
         inverse = lanes[lane.INVERSE + j]
         time = (lanes[lane.END_PHASE + j] - lanes[lane.PHASE + j]) * inverse
@@ -55,7 +67,7 @@ def node_state(lanes: Floats) -> None:
         lanes[lane.VELOCITY_THERE + j] = (
             velocity + up + down + beta * frequency * (lanes[lane.COSINE + j] - end_cosine)
         )
-        rounding = LOSS * (velocity + lanes[lane.SIZE + j]) * (1.0 + time + inverse)
+        rounding = LOSS * (velocity + size_of(beta, frequency)) * (1.0 + time + inverse)
         lanes[lane.OUTCOME + j] = UNKNOWN if far else rounding * (4.0 + grown)
         # At the node after a rising one e^t has grown by a constant.
         more, less = lanes[lane.GROWTH_AHEAD + j], lanes[lane.DECAY_AHEAD + j]
@@ -67,7 +79,7 @@ def node_state(lanes: Floats) -> None:
         lanes[lane.NEXT_VELOCITY + j] = (
             velocity + up + down + beta * frequency * (lanes[lane.COSINE + j] + node_cosine)
         )
-        wait = lanes[lane.AHEAD + j] * inverse
+        wait = positive_length(lanes, j) * inverse
         lanes[lane.NEXT_DOUBT + j] = (
             UNKNOWN if wait > FARTHEST else rounding * (4.0 + grown) * (1.0 + wait)
         )
@@ -77,7 +89,7 @@ def node_state(lanes: Floats) -> None:
 def node_decision(lanes: Floats) -> int:
     """Decide from the states at both ends of a piece whether a zero lies in it; count again."""
     count = 0
-    for j in range(LANES):
+    for j in range(working(lanes)):
         stage = lanes[lane.STAGE + j]
         positive = stage == lane.UP
         active = positive | (stage == lane.DOWN)
@@ -95,7 +107,8 @@ def node_decision(lanes: Floats) -> int:
         none = (y > doubt) & ((not positive) | passes)
         found = (y < -doubt) & ((not positive) | (start_angle + start_velocity <= 2.0 * doubt))
         growing = lanes[lane.GROWING + j]
-        lost = (growing > LOSS * (lanes[lane.VELOCITY + j] + lanes[lane.SIZE + j])) & (
+        size = size_of(lanes[lane.BETA + j], frequency)
+        lost = (growing > LOSS * (lanes[lane.VELOCITY + j] + size)) & (
             2.0 * lanes[lane.GROWN + j] >= lanes[lane.EXCESS + j]
         )
         # Newton from the right on a concave F, from the left on a convex one.
@@ -108,7 +121,7 @@ def node_decision(lanes: Floats) -> int:
         newton = near_t - near_y / (near_v if falls else -1.0)
         guess = lanes[lane.GUESS + j]
         # The next piece, or the one after that where the next has r > 0 and no zero.
-        ahead = lanes[lane.AHEAD + j]
+        ahead = positive_length(lanes, j)
         left = lanes[lane.LEFT + j] * PI_HIGH + lanes[lane.STOP + j]
         next_angle, next_velocity = lanes[lane.NEXT_ANGLE + j], lanes[lane.NEXT_VELOCITY + j]
         next_doubt = lanes[lane.NEXT_DOUBT + j]

@@ -7,6 +7,8 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._fields import (
+    FIELDS,
+    GROUP,
     LANES,
     MANY,
     NODES_BITS,
@@ -14,6 +16,7 @@ from rocksteady.kernels.lanes._fields import (
     SPECIALS_BITS,
     WAITING_BITS,
     weight,
+    working,
 )
 from rocksteady.kernels.lanes._launching import begin_special, begin_special_apart, launch
 from rocksteady.kernels.lanes._loading import load
@@ -34,13 +37,28 @@ def fill_empty(lanes: Floats, sides: Floats2) -> None:
     for j in range(LANES):
         load(lanes, j, ZERO, 0.0, 1.0, sides, 0.0)
         lanes[lane.VELOCITY + j] = 1.0
+    lanes[lane.GROUPS] = LANES // GROUP
+
+
+@compiled
+def draw_together(lanes: Floats) -> None:
+    """Move the lanes that have work to the front, so that loops go over fewer."""
+    busy = 0
+    for j in range(working(lanes)):
+        if lanes[lane.STAGE + j] != lane.EMPTY:
+            if j != busy:
+                for field in range(0, FIELDS * LANES, LANES):
+                    lanes[field + busy] = lanes[field + j]
+                lanes[lane.STAGE + j] = lane.EMPTY
+            busy += 1
+    lanes[lane.GROUPS] = max(1, (busy + GROUP - 1) // GROUP)
 
 
 @compiled
 def census(lanes: Floats) -> int:
     """Count the lanes of each kind of stage."""
     count = 0
-    for j in range(LANES):
+    for j in range(working(lanes)):
         count += weight(lanes[lane.STAGE + j])
     return count
 

@@ -6,7 +6,7 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._both_sides import other
-from rocksteady.kernels.lanes._fields import LANES
+from rocksteady.kernels.lanes._fields import LANES, working
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 
@@ -28,7 +28,7 @@ def compare(lanes: Floats, most: int) -> int:
     A motion with more impacts than `most` is not: it is to be given up.
     """
     count = 0
-    for j in range(LANES):
+    for j in range(working(lanes)):
         stage = lanes[lane.STAGE + j]
         launched = (stage > 0.0) & (stage <= lane.LANDED)
         now = passage_of(lanes, j)
@@ -48,7 +48,7 @@ def compare(lanes: Floats, most: int) -> int:
 @compiled
 def leap(lanes: Floats) -> None:
     """Leap over all but the last whole period of the lanes that have become periodic."""
-    for j in range(LANES):
+    for j in range(working(lanes)):
         before = passage_of(lanes, j)
         after = leapt(lanes, lane.REF_PHASE + j, LANES, before)
         if after.left < before.left:

@@ -14,10 +14,18 @@ from rocksteady.kernels.core.tuples import Cells, Fates, Kept, Starts, Tables, U
 from rocksteady.kernels.core.typed import ONE
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._both_sides import change_sides, row_of, unit_of
-from rocksteady.kernels.lanes._fields import FIELDS, LANES
+from rocksteady.kernels.lanes._fields import FIELDS, GROUP, LANES, working
 from rocksteady.kernels.lanes._loading import at_the_end, load, put_lane, taken
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
-from rocksteady.kernels.lanes._passes import at_nodes, begin, census, fill_empty, in_need, step
+from rocksteady.kernels.lanes._passes import (
+    at_nodes,
+    begin,
+    census,
+    draw_together,
+    fill_empty,
+    in_need,
+    step,
+)
 from rocksteady.kernels.lanes._periods import compare, leap
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Integers1
@@ -119,6 +127,8 @@ def queued_lane_fates(
                     busy += 1
             if together(busy) == 0:
                 return
+            if not fresh and busy <= working(lanes) - GROUP:
+                draw_together(lanes)
         elif at_nodes(numbers):
             node_state(lanes)
             numbers = together(node_decision(lanes))
