@@ -148,7 +148,9 @@ def test_periods_with_rests_and_doubled_periods_are_leapt_over() -> None:
     starts = Starts(start, 0.3 * sides[:, 0, LEAN] * np.sign(0.5 - (sides[:, 0, 0] > 0)), start)
     cells = Cells(amplitude, frequency, sides)
     found = [
-        Fates(np.zeros(len(rows), np.int64), np.zeros(len(rows), np.int64), np.zeros((len(rows), 3)))
+        Fates(
+            np.zeros(len(rows), np.int64), np.zeros(len(rows), np.int64), np.zeros((len(rows), 3))
+        )
         for _ in range(2)
     ]
     for leaping, fates in zip((False, True), found, strict=True):

@@ -9,16 +9,18 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 NEAR = 0.05  # phase and velocity that have come back as closely are watched ...
-PATIENT = 256.0  # ... and after so many impacts the more closely, the more there are ...
 SAME = 1e-11  # ... until they repeat to this, each time more closely ...
 NOISE = 1e-12  # ... and not because both are rounding
-ALTERNATING = 0.125  # part of a difference to which it and the one before cancel, of half a period
+NEARER = 0.9  # part of the last gap down to which a return has come no nearer
+LATE = 32.0  # gap times squared impacts at which it ought to have
 
 # What has become of the lag, in impacts, after which a motion is nearly back.
 PERIODIC = -1.0
 LEAPT = -2.0
 ATTRACTED = -3.0  # the motion surely settles to an orbit
-MANTISSA = 2**52 - 1
+
+RECENT = 8.0  # impacts after which a reference that was not met again is replaced, and an 8th ...
+LASTING = 64.0  # ... of all; those after which an uplift is, and as many as there were before it
 
 
 class Reference(NamedTuple):
@@ -59,19 +61,18 @@ def reference_of(lanes: Floats, first: int, count: int) -> Reference:
 
 
 @inlined
-def compared(reference: Reference, compares: bool, now: Passage) -> Reference:
+def compared(reference: Reference, gap: float, compares: bool, now: Passage) -> Reference:
     """Compare a state with the reference and return the next one; its lag may be PERIODIC.
 
-    `compares` is false of a state that is not after an impact, or of a motion to be given up.
+    `gap` is the distance of the two.  `compares` is false of a state that is not after an impact,
+    or of a motion to be given up.
     """
     lag = reference.lag
     phase, velocity, left, impacts = now
     since = impacts - reference.impacts
-    gap = max(abs(phase - reference.phase), abs(velocity - reference.velocity))
     searching = lag == 0.0
     due = since == lag
-    # Else a motion that repeats after several returns, all of them close, would be held up by one.
-    near = (gap < NEAR) & (min(gap, 1.0) * impacts < NEAR * PATIENT)
+    near = gap < NEAR
     lifting = velocity == 0.0
     # Chatter before a lift comes near to the last one, as does a lift to the other side.
     lifted = reference.velocity == 0.0
@@ -79,12 +80,10 @@ def compared(reference: Reference, compares: bool, now: Passage) -> Reference:
     # Chatter too comes back as closely, and a block that just lifts to its node: at once.
     later = reference.left > left
     widest = gap if searching else max(gap, reference.widest)
-    periodic = (compares & later) & (
-        (due & (gap < SAME) & (widest > 10.0 * gap) & (widest > NOISE))
-        | (lifting & lifted & (gap < SAME))
-    )
-    power_of_two = (np.float64(impacts).view(np.int64) & MANTISSA) == 0
-    searched = searching & ((near & free) | power_of_two)
+    closer = due & (widest > 10.0 * gap) & (widest > NOISE)
+    periodic = (compares & later & (gap < SAME)) & (closer | (lifting & lifted))
+    stale = since >= (RECENT + 0.125 * impacts if free else LASTING + reference.impacts)
+    searched = searching & ((near & free) | stale)
     marks = compares & (due | (lifting & free) | searched) & (not periodic)
     after = since if near & (searching | due) else 0.0
     after = after if marks else lag
@@ -116,20 +115,20 @@ def watched(
         The state.
     """
     reference = reference_of(lanes, first, count)
-    then = compared(reference, compares, now)
+    further, faster = now.phase - reference.phase, now.velocity - reference.velocity
+    gap = max(abs(further), abs(faster))
+    then = compared(reference, gap, compares, now)
     back = compares & (reference.lag > 0.0) & (now.impacts - reference.impacts == reference.lag)
     law_first = first + REFERENCE_FIELDS * count
-    further = now.phase - reference.phase if back else 0.0
-    faster = now.velocity - reference.velocity if back else 0.0
     before = law_of(lanes, law_first, count, area)
-    law, attracted = after_return(before, back, further, faster)
+    law, attracted = after_return(before, back, further if back else 0.0, faster if back else 0.0)
     attracted &= (reference.left > now.left) & (then.lag > 0.0)
-    # To and fro between two states: only every second return comes nearer.
-    left_over = max(abs(further + before.last_phase), abs(faster + before.last_velocity))
-    halves = back & (left_over < ALTERNATING * max(abs(further), abs(faster)))
-    halves &= (then.lag > 0.0) & (not attracted)
-    then_lag = 2.0 * then.lag if halves else then.lag
-    afresh = then_lag != reference.lag
+    # Late in a motion, and no nearer than the last time: every second return may come nearer.
+    last = max(abs(before.last_phase), abs(before.last_velocity))
+    halves = (last > 0.0) & (gap >= NEARER * last) & (gap * now.impacts * now.impacts > LATE)
+    halves &= back & (then.lag > 0.0) & (not attracted)
+    lag = 2.0 * then.lag if halves else then.lag
+    afresh = lag != reference.lag
     marked = (then.impacts != reference.impacts) & (not attracted)
     put_law(
         lanes,
@@ -145,7 +144,7 @@ def watched(
             0.0 if afresh else law.before_velocity,
         ),
     )
-    lag = ATTRACTED if attracted else then_lag
+    lag = ATTRACTED if attracted else lag
     lanes[first] = then.phase
     lanes[first + count] = then.velocity
     lanes[first + 2 * count] = reference.left if attracted else then.left

@@ -3,9 +3,9 @@
 `driver.lane_fates` does what `rocksteady.kernels.batch.harmonic.fates_of_sides` does, several times
 as fast.  Every lane carries one trajectory at its own stage; a pass is a chain
 of short loops over all lanes, written with selects in place of branches, which the compiler turns
-into vector instructions.  A lane whose trajectory has ended is given the next; when there is none left, lanes
-at work move to the front, and loops go over those groups alone that hold any.  What a lane does
-never depends on the lanes beside it, so neither does the result, to the last bit.
+into vector instructions.  A lane whose trajectory has ended is given the next; once there is none,
+lanes at work move to the front, and loops go over the groups that hold any.  What a lane does never
+depends on the lanes beside it, so neither does the result, to the last bit.
 
 The parts: `_fields` the fields and stages of a lane, `_both_sides` the constants of the two sides,
 `_exp_sincos` exponential and sine, `_newton` steps towards an impact, `_launching` what a flight
@@ -81,9 +81,8 @@ rounding and grow.  One that came to within 1e-11 of an unstable orbit along its
 would, as would one that passes a fold as slowly; their share of all starts is of that size.  After
 a rest the block lifts off at the node with velocity 0, a state without a past: the second uplift
 proves the period.  Until then no chatter and no uplift on the other side takes the place of the
-first.  Where returns go to and fro between two states, every second one is compared; and the more
-impacts a motion has had, the nearer it has to come back to be watched (`PATIENT`): shortly after
-its period has doubled a motion comes near to itself twice in a period, each time to another state.
+first.  Where a period has just doubled, a motion comes near to itself in half of it, and never
+nearer: late in a motion every second return is compared then.
 
 Most motions are known to settle before that (`ATTRACTED`).  Near an orbit the differences d of
 successive returns follow the linear law ``d_3 = T d_2 - D d_1`` with the trace T and determinant D

@@ -138,12 +138,14 @@ def begin_slow(lanes: Floats, two_sided: bool) -> None:
             rising = there if crosses else rising
         lifting = calm & (not for_good)
         guess = lanes[lane.TIME + j]
-        # 2 v/pull, had r no slope; else times the root C of C = 1 + bend C^2, by its series.
-        twice = 2.0 / (pull if short else 1.0)
-        slope = velocity + amplitude * frequency * cosine
-        bend = twice * twice * velocity * slope * (1.0 / 6.0)
-        series = 1.0 + bend * (1.0 + bend * (2.0 + bend * (5.0 + bend * 14.0)))
-        time = velocity * twice * series if short else guess
+        time = 2.0 * velocity / (pull if short else 1.0) if short else guess
+        if two_sided:
+            # By a wall most flights are short: r is taken as linear, by the series of the root C
+            # of C = 1 + bend C^2.
+            bend = time * (velocity + amplitude * frequency * cosine) * (1.0 / 3.0)
+            bend /= pull if short else 1.0
+            series = 1.0 + bend * (1.0 + bend * (2.0 + bend * (5.0 + bend * 14.0)))
+            time = time * series if apart & short else time
         guessed = phase + frequency * guess
         direct = (guessed > start_phase) & (guessed < cut)
         following = lane.POLISH if direct else lane.DOWN

@@ -28,7 +28,7 @@ def load(
     lanes[lane.STOP_SINE + j], lanes[lane.STOP_COSINE + j] = sincos_near(stop)
     lanes[lane.REF_PHASE + j] = math.inf
     lanes[lane.REF_VELOCITY + j] = math.inf
-    lanes[lane.REF_IMPACTS + j] = math.inf
+    lanes[lane.REF_IMPACTS + j] = -math.inf
     lanes[lane.LAG + j] = 0.0
 
 

@@ -30,7 +30,7 @@ def load(
     lanes[lane.STOP + k] = stop
     lanes[lane.REF_PHASE + k] = math.inf
     lanes[lane.REF_VELOCITY + k] = math.inf
-    lanes[lane.REF_IMPACTS + k] = math.inf
+    lanes[lane.REF_IMPACTS + k] = -math.inf
     lanes[lane.LAG + k] = 0.0
 
 
