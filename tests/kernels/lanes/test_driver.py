@@ -303,6 +303,22 @@ def test_neighbours_change_nothing() -> None:
     assert np.array_equal(alone.final[0], whole.final[0])
 
 
+def test_unlike_neighbours_change_nothing() -> None:
+    """Nor does the place in the lanes: the last cells of a batch are moved to the front."""
+    count = sample_size(300, 3)
+    cells, starts = unlike_cells(np.random.default_rng(4), count)
+    whole = empty(count)
+    lane_fates(cells, starts, sample_size(200, 3), True, 10_000, whole)
+    for i in range(count):
+        one = empty(1)
+        row = slice(i, i + 1)
+        alone = Cells(*(part[row].copy() for part in cells))
+        start = Starts(*(part[row].copy() for part in starts))
+        lane_fates(alone, start, sample_size(200, 3), True, 10_000, one)
+        for part, parts in zip(one, whole, strict=True):
+            assert np.array_equal(part, parts[row])
+
+
 def test_no_cells_at_all() -> None:
     by_lanes(np.zeros((0, 6)), 10)
 

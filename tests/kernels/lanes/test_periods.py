@@ -7,7 +7,14 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.kernels.core.tables import LEAN, OVERTURNED, ROCKING, UNDECIDED
+from rocksteady.kernels.core.tables import (
+    LEAN,
+    OVERTURNED,
+    RESTITUTION,
+    ROCKING,
+    SIDE_COLUMNS,
+    UNDECIDED,
+)
 from rocksteady.kernels.core.tuples import Cells, Fates, Starts
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.orbits.closed_form import half_cycle_jacobian, symmetric_orbit
@@ -132,31 +139,29 @@ def test_a_motion_is_leapt_long_before_it_repeats() -> None:
 def test_periods_with_rests_and_doubled_periods_are_leapt_over() -> None:
     """Limits on the impacts that are flown tell: without a leap every motion would be given up."""
     wall, other_wall = against_wall(0.6), against_wall(0.6, free=-1)
-    unlike = np.array([[0.3, 1.0, 1.0], [0.3, 0.9, 1.0]])
+    rests, chaotic_for_long = np.ones((2, 2, SIDE_COLUMNS))
+    rests[:, RESTITUTION], rests[1, LEAN] = 0.3, 0.9
+    chaotic_for_long[:, RESTITUTION], chaotic_for_long[:, LEAN] = 0.9, (1.2, 0.8)
     rows = [
         (wall, 1.5428571, 7.5),  # rests in every sixth cycle, chatters near the node in others
         (wall, 1.5, 6.5),  # ... in every third
         (other_wall, 1.5, 6.5),
-        (unlike, 1.5, 3.0),  # rests on either side in every cycle
+        (rests, 1.5, 3.0),  # on either side in every cycle
         (wall, 1.2857143, 6.0),  # a period of eight cycles, doubled several times
-        (wall, 1.4571429, 8.0),  # one of four cycles, 36 impacts
-        (np.array([[0.9, 1.2, 1.0], [0.9, 0.8, 1.0]]) / [1, 0.8, 1], 1.329 / 0.8, 5.0),
+        (wall, 1.4571429, 8.0),  # one of four cycles and 36 impacts
+        (chaotic_for_long, 1.329, 5.0),
     ]
-    amplitude, frequency = np.array([row[1:] for row in rows]).T.copy()
     sides = np.array([row[0] for row in rows])
-    start = np.zeros(len(rows))
-    starts = Starts(start, 0.3 * sides[:, 0, LEAN] * np.sign(0.5 - (sides[:, 0, 0] > 0)), start)
-    cells = Cells(amplitude, frequency, sides)
-    found = [
-        Fates(
-            np.zeros(len(rows), np.int64), np.zeros(len(rows), np.int64), np.zeros((len(rows), 3))
-        )
-        for _ in range(2)
-    ]
-    for leaping, fates in zip((False, True), found, strict=True):
-        lane_fates(cells, starts, 6_000, leaping, 5_000 if leaping else NO_LIMIT, fates)
-    full, leapt = found
-    print(full.status, full.impacts, leapt.status, leapt.impacts)
+    amplitude, frequency = np.array([row[1:] for row in rows]).T.copy()
+    still = np.zeros(len(rows))
+    velocity = 0.3 * np.where(sides[:, 0, RESTITUTION] == 1.0, -1.0, 1.0)
+    cells, starts = Cells(amplitude, frequency, sides), Starts(still, velocity, still)
+    full, leapt = (
+        Fates(*np.zeros((2, len(rows)), np.int64), np.zeros((len(rows), 3))) for _ in range(2)
+    )
+    lane_fates(cells, starts, 6_000, False, NO_LIMIT, full)
+    lane_fates(cells, starts, 6_000, True, 5_000, leapt)
+    assert np.all(full.impacts > 5_000)
     assert np.array_equal(full.status, leapt.status)
     assert np.array_equal(full.impacts, leapt.impacts)
     assert np.abs(full.final - leapt.final).max() < 1e-9
