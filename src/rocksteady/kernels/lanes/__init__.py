@@ -72,14 +72,14 @@ bounce; the side whose base lifts the block first lifts it.
 
 **Periods.**  The states after impacts, phase and velocity as seen from the side of the flight, are
 those of a map of the plane that shrinks areas, and a motion and its mirror image are the same
-there.  A state is kept at each power of two of impacts (Brent) until one comes back near it; from
-then on the state is compared with the one as many impacts earlier.  Once they agree to 1e-11 after
-having been ten times as far apart, the motion has converged: whole periods are leapt over, their
-impacts counted, and the run ends as any other.  A period takes half a cycle at least; chatter comes
-back in none.  A motion that merely starts on an unstable orbit does not qualify: its distances are
-rounding and grow.  One that came to within 1e-11 of an unstable orbit along its stable direction
-would, as would one that passes a fold as slowly; their share of all starts is of that size.  After
-a rest the block lifts off at the node with velocity 0, a state without a past: the second uplift
+there.  A state is kept until one comes back near it, or for 8 impacts and an eighth of all so far;
+from then on the state is compared with the one as many impacts earlier.  Once they agree to 1e-11
+after having been ten times as far apart, the motion has converged: whole periods are leapt over,
+their impacts counted, and the run ends as any other.  A period takes half a cycle at least; chatter
+comes back in none.  A motion that merely starts on an unstable orbit does not qualify: its
+distances are rounding and grow.  One that came to within 1e-11 of an unstable orbit along its
+stable direction would, as would one that passes a fold as slowly; their share of all starts is of
+that size.  After a rest the block lifts off at the node with velocity 0, a state without a past: the second uplift
 proves the period.  Until then no chatter and no uplift on the other side takes the place of the
 first.  Where a period has just doubled, a motion comes near to itself in half of it, and never
 nearer: late in a motion every second return is compared then.
