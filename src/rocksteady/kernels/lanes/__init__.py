@@ -79,10 +79,10 @@ their impacts counted, and the run ends as any other.  A period takes half a cyc
 comes back in none.  A motion that merely starts on an unstable orbit does not qualify: its
 distances are rounding and grow.  One that came to within 1e-11 of an unstable orbit along its
 stable direction would, as would one that passes a fold as slowly; their share of all starts is of
-that size.  After a rest the block lifts off at the node with velocity 0, a state without a past: the second uplift
-proves the period.  Until then no chatter and no uplift on the other side takes the place of the
-first.  Where a period has just doubled, a motion comes near to itself in half of it, and never
-nearer: late in a motion every second return is compared then.
+that size.  After a rest the block lifts off at the node with velocity 0, a state without a past:
+the second uplift proves the period.  Until then no chatter and no uplift on the other side takes
+the place of the first.  Where a period has just doubled, a motion comes near to itself in half of
+it, and never nearer: late in a motion every second return is compared then.
 
 Most motions are known to settle before that (`ATTRACTED`).  Near an orbit the differences d of
 successive returns follow the linear law ``d_3 = T d_2 - D d_1`` with the trace T and determinant D
