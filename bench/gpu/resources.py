@@ -33,11 +33,8 @@ AIM = 200
 SPILLS = """\
 **Spills.** The aim is less than {aim} bytes out, which {reached} of {all} programs reach: they
 spill {least} to {most}. Where lanes leave one of their few flights to the march, they call it,
-and what is in registers is saved around the call: the state of a lane has 60 numbers of two
-registers each. Kernels without lanes consist of the march itself. In the listing of
-queued_lane_fates for sm_90, 645 instructions access local memory; 75 of them stand in the loop
-over steps and nodes, of 18 490 instructions, and none in the loops inside that one. The others
-stand before it, and where cells are taken and flights left to the march.
+and what is in registers is saved around the call. Kernels without lanes consist of the march
+itself.
 """
 
 

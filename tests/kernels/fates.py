@@ -12,6 +12,11 @@ NO_LIMIT = 2**62
 """Flights: no motion is given up."""
 
 
+def empty(count: int) -> Fates:
+    """Return room for the fates of so many motions."""
+    return Fates(np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3)))
+
+
 def like_sides(restitution: Floats) -> Floats:
     """Return the sides, shape (cells, 2, 3), of symmetric blocks with one restitution a cell."""
     sides = np.ones((len(restitution), 2, SIDE_COLUMNS))

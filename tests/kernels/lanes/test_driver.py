@@ -25,16 +25,12 @@ from rocksteady.kernels.lanes._fields import FIELDS, LANES
 from rocksteady.kernels.lanes._launching import begin_special_apart, launch
 from rocksteady.kernels.lanes._newton import shake
 from rocksteady.kernels.lanes.driver import lane_fates
-from tests.kernels.fates import NO_LIMIT, fates_in_lanes, harmonic_fates, like_sides
+from tests.kernels.fates import NO_LIMIT, empty, fates_in_lanes, harmonic_fates, like_sides
 from tests.kernels.walls import against_wall
 from tests.oracles import mp
 from tests.strategies import PLAIN, sample_size
 
 Floats = NDArray[np.float64]
-
-
-def empty(count: int) -> Fates:
-    return Fates(np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3)))
 
 
 def by_lanes(columns: Floats, cycles: int, leaping: bool = True) -> Fates:

@@ -15,11 +15,11 @@ from rocksteady.kernels.core.tables import (
     SIDE_COLUMNS,
     UNDECIDED,
 )
-from rocksteady.kernels.core.tuples import Cells, Fates, Starts
+from rocksteady.kernels.core.tuples import Cells, Starts
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.orbits.closed_form import half_cycle_jacobian, symmetric_orbit
 from tests.every import every
-from tests.kernels.fates import NO_LIMIT, fates_in_lanes, harmonic_fates
+from tests.kernels.fates import NO_LIMIT, empty, fates_in_lanes, harmonic_fates
 from tests.kernels.walls import against_wall
 from tests.strategies import PLAIN
 
@@ -62,8 +62,7 @@ def filled(
 
 
 def run(columns: Floats, cycles: int, leaping: bool) -> tuple[Integers, Integers, Floats]:
-    count = columns.shape[1]
-    found = Fates(np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3)))
+    found = empty(columns.shape[1])
     fates_in_lanes(columns, cycles, leaping, found)
     return found
 
@@ -131,7 +130,7 @@ def test_a_motion_is_leapt_long_before_it_repeats() -> None:
     impacts_per_digit = -math.log(10.0) / math.log(largest)
     cells = filled(2.0, 4.0, 0.8, 0.3, 0.0)
     for most, ending in ((9 * impacts_per_digit, ROCKING), (4 * impacts_per_digit, UNDECIDED)):
-        found = Fates(np.zeros(1, np.int64), np.zeros(1, np.int64), np.zeros((1, 3)))
+        found = empty(1)
         fates_in_lanes(cells, 10**6, True, found, int(most))
         assert found[0][0] == ending
 
@@ -156,9 +155,7 @@ def test_periods_with_rests_and_doubled_periods_are_leapt_over() -> None:
     still = np.zeros(len(rows))
     velocity = 0.3 * np.where(sides[:, 0, RESTITUTION] == 1.0, -1.0, 1.0)
     cells, starts = Cells(amplitude, frequency, sides), Starts(still, velocity, still)
-    full, leapt = (
-        Fates(*np.zeros((2, len(rows)), np.int64), np.zeros((len(rows), 3))) for _ in range(2)
-    )
+    full, leapt = empty(len(rows)), empty(len(rows))
     lane_fates(cells, starts, 6_000, False, NO_LIMIT, full)
     lane_fates(cells, starts, 6_000, True, 5_000, leapt)
     assert np.all(full.impacts > 5_000)

@@ -124,6 +124,8 @@ def begin_slow(lanes: Floats, two_sided: bool) -> None:
         for_good = last | (amplitude <= 1.0)
         crosses = phase > HALF_PI
         turned, lifted = (1.0 if crosses else 0.0), lane.LAUNCH
+        guess = lanes[lane.TIME + j]
+        time = 2.0 * velocity / (pull if short else 1.0) if short else guess
         if two_sided:
             apart = lanes[lane.APART + j] != 0.0
             dies, until, to_other = rests_apart(lanes, j)
@@ -136,16 +138,13 @@ def begin_slow(lanes: Floats, two_sided: bool) -> None:
             crosses &= apart
             there = other(lanes, j, lane.RISING)
             rising = there if crosses else rising
-        lifting = calm & (not for_good)
-        guess = lanes[lane.TIME + j]
-        time = 2.0 * velocity / (pull if short else 1.0) if short else guess
-        if two_sided:
             # By a wall most flights are short: r is taken as linear, by the series of the root C
             # of C = 1 + bend C^2.
             bend = time * (velocity + amplitude * frequency * cosine) * (1.0 / 3.0)
             bend /= pull if short else 1.0
             series = 1.0 + bend * (1.0 + bend * (2.0 + bend * (5.0 + bend * 14.0)))
             time = time * series if apart & short else time
+        lifting = calm & (not for_good)
         guessed = phase + frequency * guess
         direct = (guessed > start_phase) & (guessed < cut)
         following = lane.POLISH if direct else lane.DOWN

@@ -35,7 +35,8 @@ def size_of(beta: float, frequency: float) -> float:
 @inlined
 def positive_length(lanes: Floats, j: int) -> float:
     """Return the phase from a rising node to the falling one after it."""
-    return PI_HIGH - 2.0 * lanes[lane.RISING + j]
+    length: float = PI_HIGH - 2.0 * lanes[lane.RISING + j]
+    return length
 
 
 @compiled
