@@ -125,7 +125,8 @@ def watched(
     attracted &= (reference.left > now.left) & (then.lag > 0.0)
     # Late in a motion, and no nearer than the last time: every second return may come nearer.
     last = max(abs(before.last_phase), abs(before.last_velocity))
-    halves = (last > 0.0) & (gap >= NEARER * last) & (gap * now.impacts * now.impacts > LATE)
+    late = min(gap, NEAR) * now.impacts * now.impacts > LATE
+    halves = (last > 0.0) & (gap >= NEARER * last) & late
     halves &= back & (then.lag > 0.0) & (not attracted)
     lag = 2.0 * then.lag if halves else then.lag
     afresh = lag != reference.lag
