@@ -1,8 +1,8 @@
 """Measure the kernels on a GPU, in ten minutes at most: ``python -m bench.gpu``.
 
 Writes out/gpu.json and, from it, its part of docs/benchmarks.md; `make bench-gpu` calls it. Each
-measurement is announced when it begins and ends when its share of the time is up; after Ctrl-C what
-has been measured is written. Without a GPU it says what is missing and exits with 2.
+measurement is announced when it begins and ends when its share of the time is up; after Ctrl-C or a
+failure what has been measured is written. Without a GPU it says what is missing and exits with 2.
 
 With --emulated all of it runs at small sizes on this processor, by the emulation of a device: a
 test of the script, whose figures mean nothing and are written to out/gpu-emulated.json only.
@@ -77,19 +77,21 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"python -m bench.gpu: {error}", file=sys.stderr)
         return 2
     given.out.mkdir(parents=True, exist_ok=True)
-    data, interrupted = measured(device, given)
     file = given.out / ("gpu-emulated.json" if given.emulated else "gpu.json")
-    file.write_text(json.dumps(data, indent=1, default=str) + "\n", encoding="utf-8")
-    print(f"written to {file}")
+    data: dict[str, Any] = {"device": device.facts(), "emulated": device.emulated}
+    try:
+        interrupted = measure(device, given, data)
+    finally:
+        file.write_text(json.dumps(data, indent=1, default=str) + "\n", encoding="utf-8")
+        print(f"written to {file}")
     if not given.emulated and not interrupted:
         report.main(file, ROOT / "docs" / "benchmarks.md")
     return 130 if interrupted else 0
 
 
-def measured(device: Bench, given: Any) -> tuple[dict[str, Any], bool]:
-    """Return what has been measured, and whether it was interrupted."""
+def measure(device: Bench, given: Any, data: dict[str, Any]) -> bool:
+    """Put what is measured into `data`; return whether it was interrupted."""
     budget, said = Budget(given.seconds), _say(time.monotonic())
-    data: dict[str, Any] = {"device": device.facts(), "emulated": device.emulated}
     said(f"{data['device']}")
     try:
         for name in given.only:
@@ -102,8 +104,8 @@ def measured(device: Bench, given: Any) -> tuple[dict[str, Any], bool]:
         data["device after"] = device.facts()
     except KeyboardInterrupt:
         said("interrupted: what has been measured is written")
-        return data, True
-    return data, False
+        return True
+    return False
 
 
 def _say(began: float) -> Say:
@@ -144,9 +146,12 @@ def _atlas(device: Bench, budget: Budget, say: Say, given: Any) -> Any:
     # A small one first: it tells how many cells there is time for.
     first = atlas(MANY // 4, store, "gpu", picture)
     say(f"  {first['cells']} cells in {first['seconds']:.1f} s")
-    shutil.rmtree(store)
     rate = first["cells"] / (first["seconds"] + first["counting_s"])
-    return atlas(int(min(0.5 * rate * budget.left, ATLAS_CELLS)), store, "gpu", picture)
+    cells = min(0.5 * rate * budget.left, ATLAS_CELLS)
+    if cells < first["cells"]:
+        return first
+    shutil.rmtree(store)
+    return atlas(int(cells), store, "gpu", picture)
 
 
 def _loading(device: Bench, budget: Budget, say: Say, given: Any) -> Any:
