@@ -270,8 +270,6 @@ def _trace_tests(copy: Path, package: str, kept: Path) -> int:
 
 def _trace_freeze(copy: Path, kept: Path) -> int:
     """Compute and trace each call and each picture of the freeze."""
-    os.environ.update(ENVIRONMENT)
-    time.tzset()
     found = Reach(copy)
     found.see_memories()
     from tests.public.calls import calls
@@ -289,8 +287,6 @@ def _trace_freeze(copy: Path, kept: Path) -> int:
 
 def _compare(_: Path, frozen: list[str]) -> int:
     """Return whether what one of every class shows has moved, or a call or a picture."""
-    os.environ.update(ENVIRONMENT)
-    time.tzset()
     from tools.freeze import results
 
     results.begin()
@@ -335,15 +331,16 @@ def main(arguments: list[str] | None = None) -> int:
     if unknown := set(given.packages) - set(PACKAGES):
         parser.error(f"{min(unknown)} is none of {', '.join(PACKAGES)}")
     drawn = draw(given.packages, given.count, given.seed)
-    os.environ["MPLBACKEND"] = ENVIRONMENT["MPLBACKEND"]
+    os.environ.update(ENVIRONMENT)  # NumPy reads it at its import, which the server does once
     SERVER.set_forkserver_preload(list(WARM))
     with (
         tempfile.TemporaryDirectory() as scratch,
         ThreadPoolExecutor(given.workers) as workers,
     ):
+        copies = [_copy(Path(scratch, str(worker))) for worker in range(given.workers)]
         free: SimpleQueue[Path] = SimpleQueue()
-        for worker in range(given.workers):
-            free.put(_copy(Path(scratch, str(worker))))
+        for copy in copies:
+            free.put(copy)
 
         def judge(mutant: Mutant) -> tuple[str, float]:
             copy, began = free.get(), time.perf_counter()
@@ -361,6 +358,8 @@ def main(arguments: list[str] | None = None) -> int:
 
         names = [*given.packages, *([FREEZE] if given.packages != ["kernels"] else [])]
         reached = dict(zip(names, workers.map(traced, names), strict=True))
+        if FREEZE in names and _run(_compare, copies[0], []):
+            raise SystemExit("the freeze has moved without a mutant: record it first")
         killers = {}
         for mutant, (by, took) in zip(drawn, workers.map(judge, drawn), strict=True):
             killers[mutant] = by
