@@ -3,11 +3,11 @@
 A mutant swaps one comparison, one operator of arithmetic or of logic, drops a sign, a `not` or a
 guard, or moves one constant.  Mutants are drawn with a seed, equally many from each package.
 
-The tests of a package are traced once.  Each mutant is given to the quickest forty that call its
-function and to all of these in the file of its module's name, up to a minute, and is killed where
-one of them fails.  What survives is given to each public call and picture of the freeze that calls
-the function, kernels excepted.  A score is a lower bound: a test that was left out might have
-failed, and nothing but the freeze confirms a survivor.
+The tests of a package are traced once.  Each mutant is given to those that call its function, the
+quickest first and up to a minute, and is killed where one of them fails.  What survives is given to
+each public call and picture of the freeze that calls the function, kernels excepted.  A score is a
+lower bound: a test that was left out might have failed, and nothing but the freeze confirms a
+survivor.
 """
 
 import argparse
@@ -57,8 +57,6 @@ SWAPPED: dict[type[ast.AST], str] = {
     ast.Mult: "/",
     ast.Div: "*",
 }
-QUICKEST = 40
-"""Tests of a mutant, beside those in the file of its module's name."""
 MOST = 60.0
 """Seconds of the processor that the tests of a mutant take, as they were traced."""
 LONGEST = 1200.0
@@ -165,9 +163,8 @@ def tests_of(mutant: Mutant, checks: Checks) -> list[str]:
         found = {*checks.reaching(mutant.file, 0), *named}
     found = found or {name for name in checks.seconds if name.startswith(f"{folder}/")}
     quick = sorted(found, key=lambda name: checks.seconds[name])
-    kept = [name for number, name in enumerate(quick) if number < QUICKEST or name in named]
-    took = itertools.accumulate(checks.seconds[name] for name in kept)
-    return [name for name, sofar in zip(kept, took, strict=True) if sofar < MOST] or kept[:1]
+    took = itertools.accumulate(checks.seconds[name] for name in quick)
+    return [name for name, sofar in zip(quick, took, strict=True) if sofar < MOST] or quick[:1]
 
 
 def killer(mutant: Mutant, copy: Path, reached: dict[str, Checks]) -> str:

@@ -60,18 +60,18 @@ def mutant(function: int) -> tool.Mutant:
     return tool.Mutant(FILE, 13, function, "1", "2", "")
 
 
-def test_a_mutant_is_given_to_the_quickest_tests_and_to_those_of_its_name() -> None:
+def test_a_mutant_is_given_to_the_tests_of_its_function_for_a_minute() -> None:
     own = [f"tests/made/test_counting.py::test_{k}" for k in range(3)]
     other = [f"tests/made/test_other.py::test_{k}" for k in range(60)]
     seconds = {name: 0.01 * k for k, name in enumerate(other)}
     seconds |= dict(zip(own, (30.0, 2.0, 40.0), strict=True))
     checks = Checks(seconds, {f"{FILE}:8": [*own, *other], f"{FILE}:20": other[50:]})
-    quickest = other[: tool.QUICKEST]
-    assert tool.tests_of(mutant(8), checks) == [*quickest, own[1], own[0]]  # a minute at most
+    quickest = [*other, own[1], own[0]]  # a minute at most
+    assert tool.tests_of(mutant(8), checks) == quickest
     assert tool.tests_of(mutant(20), checks) == other[50:]
     # Outside any function, and in one that no test calls: those of the file.
     for line in (0, 99):
-        assert tool.tests_of(mutant(line), checks) == [*quickest, own[1], own[0]]
+        assert tool.tests_of(mutant(line), checks) == quickest
     nowhere = tool.tests_of(mutant(8), Checks(seconds, {}))
     assert nowhere == [own[1], own[0]]
 
