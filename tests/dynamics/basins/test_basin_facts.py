@@ -182,6 +182,17 @@ def test_the_drops_are_those_of_the_method() -> None:
     assert any(drop is not None for drop in found.drops.values())
 
 
+@every(
+    ("frequency", "names"),
+    [(4.2, ["symmetric"]), (1.9, ["falls", "unsymmetric a", "unsymmetric b"])],
+)
+def test_a_letter_distinguishes_mirror_images_alone(frequency: float, names: list[str]) -> None:
+    motion, near = Harmonic(amplitude=2.0, frequency_ratio=frequency), [-0.05, 0.0, 0.05]
+    answer = compute_basins(BARE, motion, angles=near, velocities=near).describe().answer
+    assert answer is not None
+    assert [name for name, text in answer.facts if " %" in str(text)] == names
+
+
 def test_the_answer_states_what_is_left_at_the_last_amplitude() -> None:
     window = np.linspace(-1.2, 1.2, 13)
     motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)

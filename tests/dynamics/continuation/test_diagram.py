@@ -1,6 +1,7 @@
 """Bifurcation diagrams: points, branches, sweeps and cascades, and how they describe themselves."""
 
 import json
+from dataclasses import replace
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -60,6 +61,13 @@ def test_a_bifurcation_on_two_branches_is_listed_once() -> None:
     (values,) = diagram.to_dict()["points"]
     assert (values["branch"], values["branches"]) == (1, [1, 2])
     assert values["peaks"] == [each.highest, each.lowest]
+    # It counts as one where two branches come to it within rounding, and as two farther apart.
+    begin, *more = diagram.branches[1].points
+    for away, places in ((1e-9, 1), (1e-4, 2)):
+        shifted = np.add(begin.chain.parameters, (0.0, away, 0.0))
+        moved = replace(begin, chain=begin.chain.moved(begin.chain.phases, shifted))
+        branch = replace(diagram.branches[1], points=(moved, *more))
+        assert len(replace(diagram, branches=(diagram.branches[0], branch)).points) == places
 
 
 def test_a_block_with_a_size_has_points_in_si() -> None:
@@ -81,6 +89,7 @@ def test_an_answer_has_amplitudes_in_standard_gravity() -> None:
     (point,) = diagram.to_dict()["points"]
     words = f"{point['accel_g']:.5g} (symmetry breaks)"
     assert any(words in str(fact[1]) for fact in answer.facts)
+    assert str(answer.facts).count("(symmetry breaks)") == 1, "not at the ends of the range"
 
 
 def test_answer_and_description_count_the_same_branches() -> None:
@@ -118,6 +127,15 @@ def test_a_branch_is_stable_where_its_points_are() -> None:
     ((low, high),) = leaning["stable_ranges"]
     assert (low, high) == (WITHIN[0], pytest.approx(breaking))
     assert leaning["end"] == {"type": "end-of-range", "frequency_ratio": WITHIN[0]}
+
+
+def test_a_branch_that_ends_without_loss_is_as_stable_as_just_before() -> None:
+    diagram = find_bifurcations(
+        BARE, MOTION, "restitution", within=(0.9, 1.0), values=0, search=SMALL
+    )
+    (branch,) = diagram.branches
+    assert branch.stable[:-1].all()
+    assert diagram.to_dict()["branches"][0]["stable_ranges"] == [[0.9, 1.0]]
 
 
 @pytest.mark.parametrize("block", [BARE, SIZED])

@@ -129,6 +129,10 @@ def test_the_period_doubles_where_the_reference_has_it() -> None:
         assert one.orbit is not None
         assert one.orbit.impacts == 2 * (one.period or 0)
         assert one.kind is AttractorKind.UNSYMMETRIC
+        answer = one.describe().answer
+        assert answer is not None
+        words = f" of period {one.period}" if one.period != 1 else ""
+        assert answer.sentence.startswith(f"It settles to an unsymmetric steady motion{words}, ")
     for side in (1, -1):
         gone = settled(2.0, 1.77, 0.8, start=Steady(), side=side)
         assert gone.kind is AttractorKind.OVERTURNED

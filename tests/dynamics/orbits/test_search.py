@@ -1,6 +1,7 @@
 """All orbits at a point: closed forms, the map itself, kicks, and what cannot be one."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -12,13 +13,14 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
+    Linear,
     Rest,
     State,
     Still,
     find_attractor,
     find_orbits,
 )
-from rocksteady.dynamics.orbits.search import _same
+from rocksteady.dynamics.orbits.search import _same, describe_orbits
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import steady_states
 from rocksteady.histories import ImpactState
@@ -287,6 +289,19 @@ def test_they_come_in_their_order(many: tuple[Orbit, ...]) -> None:
     for one, other in pairwise(many):
         if (one.period, one.impacts) == (other.period, other.impacts) and not one.symmetric:
             assert one.stable >= other.stable
+
+
+@every(("kept", "said"), [(lambda orbit: orbit.admissible, True), (lambda _: False, False)])
+def test_the_answer_counts_the_motions_that_there_are(
+    kept: Callable[[Orbit], bool], said: bool, many: tuple[Orbit, ...]
+) -> None:
+    orbits = [orbit for orbit in many if kept(orbit)]
+    block, motion = DimensionlessBlock(restitution=0.8), shaken(1.0, 2.0)
+    limits = {"max_period": 1, "max_impacts": 2, "seeds": 2}
+    answer = describe_orbits(orbits, block, motion, Linear(), **limits).answer
+    assert answer is not None
+    assert answer.sentence.startswith("No steady motion was found") is not said
+    assert (f"of {len(orbits)} steady motions" in answer.sentence) is said
 
 
 def test_limits_limit() -> None:

@@ -162,6 +162,8 @@ def test_the_range_cuts_windows_and_changes_nothing_else() -> None:
     ((low, high, impacts),) = only(part)
     assert (low, impacts, part.at(0)[0].endless) == (4.0, 1, False)
     assert high == pytest.approx(whole.at(0)[0].high, rel=1e-14)
+    cut = find_overturning_windows(BLOCK, "one-sine", [5.0], within=(4.0, high - 1e-3))
+    assert [(each.high, each.endless) for each in cut.at(0)] == [(high - 1e-3, True)]
     below = find_overturning_windows(BLOCK, "one-sine", [5.0], within=(0.0, 0.9))
     assert below.at(0) == ()
     assert np.isnan(below.first[0])

@@ -34,3 +34,10 @@ def test_exact_angles() -> None:
 def test_monotone_where_the_forms_meet(name: str, sense: float) -> None:
     for point in (2.0**-27, math.tan(math.pi / 8.0), 0.5, 1.0 - 1e-12):
         assert (sense * np.diff(getattr(arrays, name)(around(point))) >= 0.0).all()
+
+
+@every("power", [1000, 600, 501, -399, -401, -600, -1000])
+def test_an_angle_is_that_of_the_point_as_many_times_as_far(power: int) -> None:
+    y, x = np.random.default_rng(4).uniform(0.5, 2.0, (2, 2000))
+    far = arrays.atan2(np.ldexp(y, power), np.ldexp(x, power))
+    assert bits(far) == bits(arrays.atan2(y, x))

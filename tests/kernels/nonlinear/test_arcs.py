@@ -8,8 +8,16 @@ from scipy.integrate import solve_ivp
 
 from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.linear.arcs import Arc, make_arc
-from rocksteady.kernels.nonlinear.arcs import nonlinear_arc, nonlinear_extrema
+from rocksteady.kernels.nonlinear import _pieces as piece
+from rocksteady.kernels.nonlinear.arcs import (
+    nonlinear_arc,
+    nonlinear_extrema,
+    pieces_of,
+    seed,
+    seed_series,
+)
 from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.series import make_work
 from tests.every import every
 from tests.strategies import inner_sample_size
 
@@ -193,3 +201,20 @@ def test_an_arc_under_a_series(alpha: float, duration: float, side: float) -> No
         step = 1e-5 * np.eye(4)[which]
         slope = (arc(place + step, shares) - arc(place - step, shares)) / 2e-5
         assert here[list(columns)] == pytest.approx(slope[:2], abs=2e-9)
+
+
+@every(("shares", "turned"), [((1.0, 0.0), 0.0), ((0.0, 1.0), 0.5 * math.pi)])
+@every("case", [case for case in CASES if case[-1] > 0.0])
+def test_a_series_of_one_wave_begins_at_the_arc_of_the_sinusoid(
+    shares: tuple[float, float], turned: float, case: tuple[float, ...]
+) -> None:
+    alpha, amplitude, frequency, first, duration = case
+    last = first + frequency * duration
+    plain, summed = (np.zeros((pieces_of(duration) + 1, piece.PIECE_COLUMNS)) for _ in range(2))
+    drive = drive_of(alpha, amplitude, frequency)
+    seed(drive, duration, first + turned, last + turned, plain)
+    work = make_work(np.array(shares))
+    seed_series(drive._replace(series=1.0), duration, first, last, summed, work)
+    for column in (piece.TIME, piece.ANGLE_THERE, piece.SPEED_THERE):
+        size = np.abs(plain[:, column]).max()
+        np.testing.assert_allclose(summed[:, column], plain[:, column], atol=1e-12 * size)

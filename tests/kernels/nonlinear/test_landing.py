@@ -9,7 +9,12 @@ from rocksteady.kernels.nonlinear import _expansion, series
 from rocksteady.kernels.nonlinear._variation import COLUMNS, ROWS, STATE, advance, begin
 from rocksteady.kernels.nonlinear.drive import Drive, Instant
 from rocksteady.kernels.orbits.return_map import IMPACT, Section, next_passage
-from rocksteady.kernels.orbits.systems import System, make_system
+from rocksteady.kernels.orbits.systems import (
+    System,
+    for_series,
+    make_series_system,
+    make_system,
+)
 from tests.every import every
 
 
@@ -77,6 +82,24 @@ def test_small_slenderness_is_the_linear_map(seed: int) -> None:
         assert full.time == pytest.approx(plain.time, rel=1e-12)
         size = np.abs(plain.jacobian).max()
         np.testing.assert_allclose(full.jacobian, plain.jacobian, atol=1e-11 * size)
+
+
+@every("alpha", [0.0, 0.3])
+@every("seed", range(6))
+def test_a_series_of_one_sine_has_the_map_of_the_sinusoid(alpha: float, seed: int) -> None:
+    _, amplitude, frequency, restitution, state = drawn(seed)
+    row = (restitution, 1.0, 1.0, alpha, 1e-15)
+    # A block without slenderness is one of the linear model, which is solved in closed form.
+    plain = make_system(amplitude, frequency, np.array([row if alpha else row[:3]] * 2))
+    shares, lifts = np.array([1.0, 0.0]), np.empty((2, 1))
+    summed = make_series_system(amplitude, frequency, np.array([row] * 2), shares, lifts)
+    expected = next_passage(plain, state, -1.0)
+    found = for_series(next_passage)(summed, state, -1.0)
+    assert found.kind == expected.kind
+    if found.kind == IMPACT:
+        assert found.time == pytest.approx(expected.time, rel=1e-12)
+        size = np.abs(expected.jacobian).max()
+        np.testing.assert_allclose(found.jacobian, expected.jacobian, atol=1e-11 * size)
 
 
 def test_what_stood_in_the_working_space_changes_no_derivative() -> None:

@@ -142,6 +142,16 @@ def test_what_one_sinusoid_alone_has_is_refused_by_name() -> None:
         rs.motions.FourierSeries(amplitude=1.0, frequency_ratio=200.0, harmonics=((64, 1.0, 0.0),))
 
 
+@pytest.mark.parametrize(("count", "highest"), [(33, 16), (34, 16), (200, 16), (32, 15), (9, 4)])
+def test_a_jolt_has_all_orders_up_to_sixteen_or_to_what_its_samples_allow(
+    count: int, highest: int
+) -> None:
+    jolt = np.zeros(count)
+    jolt[3] = 1.0
+    series = rs.motions.FourierSeries.from_samples(jolt, frequency_ratio=2.0)
+    assert series.orders == tuple(range(1, highest + 1))
+
+
 def test_few_samples_have_the_orders_that_they_allow() -> None:
     few = rs.motions.FourierSeries.from_samples([0.0, 1.0, 0.0, -1.0], frequency_ratio=2.0)
     ((order, size, phase),) = few.harmonics

@@ -94,6 +94,12 @@ def test_a_negative_amplitude_is_the_positive_one_half_a_cycle_on(
     )
 
 
+@every("more", [{}, {"harmonics": ((1, 1.0, 0.5), (2, 0.5, 0.0))}])
+def test_without_an_amplitude_nothing_is_turned_round(more: dict[str, Any]) -> None:
+    segment = Segment(duration=1.0, amplitude=0.0, frequency=3.0, phase=0.4, **more)
+    assert (segment.phase, segment.harmonics) == (0.4, more.get("harmonics", ()))
+
+
 @every(
     ("arguments", "kind", "name"),
     [

@@ -43,6 +43,7 @@ def test_words_that_contradict_the_names_are_refused(tmp_path: Path, words: str)
     [
         *[("time in ms", 1e-3), ("time [ms]", 1e-3), ("time: ms", 1e-3), ("t in minutes", 60.0)],
         *[("time (s)", 1.0), ("origin time: 12:03:00", 1.0), ("record time in ms", 1.0)],
+        *[("time: noon", 1.0), ("time = UTC", 1.0), ("time in 5 parts", 1.0)],
     ],
 )
 def test_the_unit_of_times_in_words(tmp_path: Path, words: str, size: float) -> None:
@@ -74,6 +75,7 @@ def test_words_that_are_not_understood_beside_a_name_are_warned_about(tmp_path: 
     [
         *("was in g, now m/s2", "acc in g or m/s2", "not in g", "acc m/s2 cm/s2", "acc in 10 g"),
         *("trigger level 0.01 g", "acc in g (converted from gal)", "acc in g / cm/s2"),
+        *("units: s, g, m/s2", "units: s, g, foo"),
     ],
 )
 def test_two_units_in_one_statement_are_refused(tmp_path: Path, words: str) -> None:
@@ -100,6 +102,17 @@ def test_intervals_in_few_words(tmp_path: Path, words: str, dt: float) -> None:
     assert read(tmp_path, f"# {words}\n{ALONE}", units="g").record.dt_s == dt
     found = read(tmp_path, f"# {words}\ntime (s),acc (g)\n{ROWS}")
     assert ("its times are 0.01 s apart" in " ".join(found.warnings)) == (dt != 0.01)
+
+
+@every(("written", "rate"), [("0.005", 199), ("0.0050", 199), ("0.0051", 196), ("0.50", 2.01)])
+def test_a_decimal_comma_states_an_interval_as_a_point_does(
+    tmp_path: Path, written: str, rate: float
+) -> None:
+    texts = (
+        f"# dt {each} s\n# {rate} Hz\n{ALONE}" for each in (written, written.replace(".", ","))
+    )
+    point, comma = (read(tmp_path, text, units="g") for text in texts)
+    assert point.record == comma.record
 
 
 @every("words", ["samples 400", "N = 400", "400 points", "points: 400", "400 samples"])

@@ -174,6 +174,9 @@ def test_a_single_column_is_the_first_and_no_other(tmp_path: Path) -> None:
         read(tmp_path, text, units="g", dt_s=0.01, column=2)
 
 
+STEADY = "".join(f"{0.01 * n:.2f} {n % 3}\n" for n in range(20))
+
+
 @every(
     ("text", "message"),
     [
@@ -183,6 +186,7 @@ def test_a_single_column_is_the_first_and_no_other(tmp_path: Path) -> None:
         ("t,acc (g)\n0,1\n.01,,2\n.02,3\n", "line 3, '.01,,2'"),
         ("t,acc (g)\n0,1\n.01,2\n.01,3\n", "line 4, .*does not come after"),
         ("t,acc (g)\n0,1\n.01,2\n.03,3\n.04,2\n.05,2\n", "line 4, .*is 0.02 s after"),
+        (f"{STEADY}0.02 3\n{STEADY}", "line 21, .*does not come after"),
         ("time,velocity (cm/s)\n0,1\n.01,2\n.02,3\n", "none of its columns is called"),
         ("velocity in cm/s\n1\n2\n3\n", "speaks of another quantity|none of its columns"),
         ("just words\nand more\n", "in no format"),
@@ -213,6 +217,8 @@ def test_times_that_are_written_coarsely(tmp_path: Path) -> None:
     text = "".join(f"{0.005 * n + 1e-9:.2f} {value:.6f}\n" for n, value in enumerate(values))
     (found,) = read(tmp_path, "time acc_g\n" + text)
     assert found.record.dt_s == pytest.approx(0.005, rel=1e-3)
+    # Without names the times are known by their growth.
+    assert read(tmp_path, text, units="g")[0].record == found.record
     # The same with a row lost in the middle at an interval that two digits show.
     lines = [f"{0.01 * n:.2f} {value:.6f}\n" for n, value in enumerate(values)]
     del lines[1000]

@@ -83,6 +83,12 @@ def test_cosmos_of_several_channels_and_quantities(tmp_path: Path) -> None:
         read(tmp_path, cosmos_channel(CM, quantity="velocity", units="cm/sec(05)"))
 
 
+@every(("code", "azimuth"), [(1, 1.0), (359, 359.0), (360, 0.0), (361, None), (399, None)])
+def test_cosmos_codes_of_directions(tmp_path: Path, code: int, azimuth: float | None) -> None:
+    (found,) = read(tmp_path, cosmos_channel(CM, azimuth=code, label="sensor"))
+    assert (found.azimuth_deg, found.orientation == "horizontal") == (azimuth, azimuth is not None)
+
+
 def test_cosmos_levels_and_counts(tmp_path: Path) -> None:
     (found,) = read(tmp_path, cosmos_channel(CM, first="Uncorrected acceleration", dt_ms=10.0))
     assert found.format == "cosmos-v1"

@@ -16,6 +16,8 @@ def test_csmip_units_are_understood_as_a_whole(tmp_path: Path) -> None:
     for unit in ("cm/sec2 x 10.", "counts.", "cm/sec2 (multiplied by 10)"):
         with pytest.raises(RecordFileError, match="is none of acceleration"):
             read(tmp_path, text.replace("in cm/sec2.", f"in {unit}"))
+    with pytest.raises(RecordFileError, match=r"line 46, .*its unit of time is not understood"):
+        read(tmp_path, text.replace("0.005 sec, in cm/sec2", "0.005 furlongs, in cm/sec2"))
 
 
 def test_csmip_volume_2_takes_the_acceleration_of_each_channel(tmp_path: Path) -> None:

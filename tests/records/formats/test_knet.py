@@ -46,6 +46,9 @@ def test_knet_that_is_cut_or_has_no_scale_is_refused(tmp_path: Path) -> None:
         read(tmp_path, "\n".join(text.split("\n")[:-2]))
     with pytest.raises(RecordFileError, match=r"line 14, .*scale of the counts"):
         read(tmp_path, text.replace("3920(gal)/6182761", "3920/0"))
+    for scale in ("0.3920(gal)/618.2761", "0.0003920(gal)/0.6182761"):
+        (found,) = read(tmp_path, text.replace("3920(gal)/6182761", scale))
+        close(found, samples(800) - samples(800).mean(), 2e-3)
     for scale in (
         "-3920(gal)/6182761",
         "3920(gal)/-6182761",

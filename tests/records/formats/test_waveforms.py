@@ -11,6 +11,7 @@ import pytest
 
 from rocksteady.errors import RecordFileError
 from rocksteady.records import read_recordings
+from rocksteady.records.formats.waveforms import recognised
 from tests.records.writers import samples
 
 
@@ -58,6 +59,8 @@ def test_sac(obspy: Any, tmp_path: Path, byteorder: str) -> None:
     assert (found.format, found.orientation, found.azimuth_deg) == ("sac", "horizontal", 35.0)
     np.testing.assert_allclose(found.record.acceleration_m_s2, trace.data, rtol=1e-7)
     assert found.record.dt_s == pytest.approx(0.01, rel=1e-6)
+    data = path.read_bytes()
+    assert (recognised(data[:632]), recognised(data[:636])) == (None, "sac")  # a header alone
     trace.stats.sac["idep"] = 7
     trace.write(str(path), format="SAC", byteorder=byteorder)
     with pytest.raises(RecordFileError, match="its header states velocity"):

@@ -286,9 +286,13 @@ def test_a_changed_object_whose_runs_give_no_curve_is_counted(
 
     monkeypatch.setattr(_probability, "fit_fragility", lost)
     statue = described()
-    case = Search(statue, SUITE, level_of(statue, SUITE), 0.1, None).case(statue.block)
+    search = Search(statue, SUITE, level_of(statue, SUITE), 0.1, None)
+    case = search.case(statue.block)
     assert (case.basis, case.probability) == ("count", case.fell / case.trials)
     assert 0 < case.fell < case.trials
+    # The curve through the runs about the demand, from which a change is guessed, is near it.
+    curve = search.curve_of(search.runs(statue.block), statue.block)
+    assert search.fitted(statue.block, curve) == pytest.approx(case.counted, abs=0.1)
 
 
 def test_a_target_out_of_reach_has_no_width_and_one_reached_needs_none(

@@ -43,13 +43,14 @@ def test_weighted_draws_of_all_rounds_have_the_moments_of_the_prior() -> None:
     assert weights @ scores**2 == pytest.approx(np.ones(3), abs=0.1)
 
 
-def test_a_refined_round_makes_draws_effective() -> None:
-    """A likelihood of one narrow direction: standard deviation .05 about 1.2."""
+@pytest.mark.parametrize("deviation", [0.05, 0.001])
+def test_a_refined_round_makes_draws_effective(deviation: float) -> None:
+    """A likelihood of one narrow direction about 1.2."""
     first = Proposal(draws=512)
     scores = first.sample(3, (4, 0))
 
     def likelihood(at: np.ndarray) -> np.ndarray:
-        return -0.5 * ((at[:, 0] - 1.2) / 0.05) ** 2
+        return -0.5 * ((at[:, 0] - 1.2) / deviation) ** 2
 
     second = refine(scores, base_weights(scores, [first]), likelihood(scores), 512)
     both = np.concatenate([scores, second.sample(3, (4, 1))])
@@ -57,8 +58,9 @@ def test_a_refined_round_makes_draws_effective() -> None:
     before = effective(normalised(likelihood(scores)[:, None])[:, 0])
     after = normalised((base + likelihood(both))[:, None])[:, 0]
     assert effective(after) > 5.0 * before
-    precision = 1.0 + 1.0 / 0.05**2
-    assert after @ both[:, 0] == pytest.approx(1.2 / 0.05**2 / precision, abs=0.01)
+    precision = 1.0 + 1.0 / deviation**2
+    assert after @ both[:, 0] == pytest.approx(1.2 / deviation**2 / precision, abs=0.01)
+    assert (second.sample(3, (4, 1))[:, 1:].std(axis=0) > 1.0).all()  # as wide as the prior
 
 
 def test_an_object_without_free_numbers_has_draws_of_equal_weight() -> None:

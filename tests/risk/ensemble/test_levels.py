@@ -28,6 +28,13 @@ def test_default_levels_are_of_one_dimensionless_range_for_all_blocks() -> None:
     assert ratio == pytest.approx(math.tan(0.1) / math.tan(0.2) / 2.0, rel=1e-12)
     ratio = Levels("pga_g").levels_for([other])[0] / Levels("pga_g").levels_for([BLOCK])[0]
     assert ratio == pytest.approx(math.tan(0.1) / math.tan(0.2), rel=1e-12)
+    # A ratio to the uplift has the levels of what it is a ratio of.
+    for plain, relative, unit in (
+        ("pga_g", "pga_per_uplift", math.tan(0.2)),
+        ("pgv_m_s", "p_pgv_per_uplift", G * math.tan(0.2) / 2.0),
+    ):
+        scaled = [unit * level for level in Levels(relative).levels_for([BLOCK])]
+        assert Levels(plain).levels_for([BLOCK]) == pytest.approx(scaled, rel=1e-12)
     # Levels of both reach from the first of one to the last of the other.
     both = Levels("pga_g").levels_for([BLOCK, other])
     assert both[0] == Levels("pga_g").levels_for([other])[0]

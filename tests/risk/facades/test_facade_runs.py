@@ -157,9 +157,11 @@ def test_fewer_than_seven_records_have_runs_and_no_mean() -> None:
 
 def test_levels_are_factors_or_peaks() -> None:
     suite = motions(7, 0.2 * G)
-    by_peak, by_factor = run_facade(BARE, suite, pga_g=0.3), run_facade(BARE, suite, scale=1.5)
-    assert by_peak.share == pytest.approx(by_factor.share, rel=1e-9)
-    assert by_factor.pga_g.tolist() == pytest.approx([0.3] * 7)
+    for pga, scale in ((0.3, 1.5), (0.15, 0.75)):
+        by_peak = run_facade(BARE, suite, pga_g=pga)
+        by_factor = run_facade(BARE, suite, scale=scale)
+        assert by_peak.share == pytest.approx(by_factor.share, rel=1e-9)
+        assert by_factor.pga_g.tolist() == pytest.approx([pga] * 7)
     # Stronger is not always farther: that is what both signs and several records are for.
     with pytest.raises(InputError, match="both given"):
         run_facade(BARE, suite, pga_g=0.3, scale=1.5)

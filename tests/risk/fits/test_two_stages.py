@@ -1,6 +1,7 @@
 """Fragility in two stages: the product, its likelihood, its median and its band."""
 
 import math
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from scipy import stats
 
 from rocksteady.errors import InputError
 from rocksteady.risk import BandOptions, TwoStageCurve, fit_curve, fit_two_stages
+from rocksteady.risk.fits.two_stages import FARTHEST, _crossings
 from tests.every import every
 
 AT = np.geomspace(0.1, 4.0, 20)
@@ -343,3 +345,16 @@ def test_behind_a_gate_no_failure_and_no_survival_have_their_status(failures: li
     assert found.given_uplift.status == ("always" if sure else "never")
     assert found.probability([0.3, 0.4, 0.8]).tolist() == [0.0, sure, sure]
     assert (found.median == 0.3) if sure else math.isnan(found.median)
+
+
+@every("away", [1e-3, 0.024, 0.026, 0.3, 2.9])
+def test_the_band_of_the_median_is_where_its_ends_cross_one_half(away: float) -> None:
+    # Ends that are lognormals of medians a known distance to either side.
+    def ends(at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        early, late = (stats.norm.cdf(np.log(at / MEDIAN) + shift) for shift in (away, -2.0 * away))
+        return late, early
+
+    spread: Any = SimpleNamespace(probability=ends)
+    expected = (MEDIAN * math.exp(-away), MEDIAN * math.exp(2.0 * away))
+    crossed = _crossings(spread, MEDIAN)
+    assert crossed == (pytest.approx(expected, rel=1e-11) if 2.0 * away < FARTHEST else None)

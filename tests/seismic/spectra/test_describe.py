@@ -11,7 +11,7 @@ import xarray
 from rocksteady import Block, Status, compute_rocking_spectrum, simulate_many
 from rocksteady.measures import compute_suite_spectrum
 from rocksteady.results.rendering import as_text
-from rocksteady.seismic.spectra.describe import _severity, describe
+from rocksteady.seismic.spectra.describe import _severity, describe, shortened
 from tests.seismic.grounds import ground
 
 ALPHA, PERIODS = [0.1, 0.2, 0.3], [1.0, 4.0]
@@ -54,6 +54,27 @@ def test_a_suite_has_a_row_a_block_and_a_single_record_none() -> None:
         assert row["overturned"] == sum(fell) / 2
         assert len(row["peaks"]) == len(row["peak_velocities"]) == len(values["quantiles"]) == 3
         assert (None in row["peaks"]) == any(fell), "a fall is larger than any number"
+
+
+@pytest.mark.parametrize("scales", [None, [1.0, 2.0]])
+def test_a_row_has_a_scale_where_there_are_several(scales: list[float] | None) -> None:
+    suite = [ground(1), ground(2, name="other")]
+    values = describe(
+        compute_rocking_spectrum(suite, alpha=0.1, periods_s=1.0, scales=scales)
+    ).to_dict()
+    for rows, each in ((values["values"], 2), (values["suite"], 1)):
+        assert [row["scale"] for row in rows if "scale" in row] == (scales or []) * each
+
+
+@pytest.mark.parametrize("most", [40, 41, 7])
+def test_a_name_is_shortened_in_its_middle_to_the_length_allowed(most: int) -> None:
+    letters = "".join(chr(0x4E00 + n) for n in range(most))
+    assert shortened(letters, most) == letters
+    start, end = shortened(letters + "ab", most).split("…")
+    assert (letters + "ab").startswith(start)
+    assert (letters + "ab").endswith(end)
+    assert len(start) + 1 + len(end) == most
+    assert abs(len(start) - len(end)) <= 1
 
 
 def test_the_table_has_a_row_a_size_and_a_column_a_slenderness() -> None:
@@ -99,11 +120,14 @@ def test_rows_are_ranked_by_falls_and_then_by_medians() -> None:
 
 
 def test_the_table_of_a_suite_has_medians_and_shares() -> None:
-    text = as_text(describe(spectrum_of(2)))
+    text = as_text(describe(spectrum_of(3)))
     assert max(map(len, text.splitlines())) <= 80
     assert "median of the largest" in text
-    for share in compute_suite_spectrum(spectrum_of(2))["overturned"].values.ravel().tolist():
-        assert f", {100.0 * share:.3g} %" in text
+    summary = compute_suite_spectrum(spectrum_of(3))
+    medians, shares = summary["peak_angle"].sel({"quantile": 0.5}), summary["overturned"]
+    for median, share in zip(medians.values.ravel(), shares.values.ravel(), strict=True):
+        peak = "falls" if math.isinf(median) else f"{median:.3g}"
+        assert f" {peak}, {100.0 * share:.3g} %" in text
 
 
 def test_of_many_blocks_those_that_fall_are_shown_first() -> None:

@@ -252,3 +252,10 @@ def test_a_rack_under_pacoima_dam() -> None:
     found = find_overturning_scales(rack, record, within=(0.85, 1.15), resolution=5e-4)
     fates = [found.falls(0, scale) for scale in (0.90, 0.95, 1.00, 1.02, 1.05, 1.10)]
     assert fates == [True, False, False, True, False, True]
+
+
+def test_the_sentence_of_one_record_names_it_once() -> None:
+    answer = find_overturning_scales(BLOCK, SHOCK).describe().answer
+    assert answer is not None
+    assert answer.sentence.count(" x ") == 3
+    assert answer.sentence.count(" x shock (") == answer.sentence.count("shock") == 1

@@ -368,9 +368,7 @@ def find_fatal_kicks(
     struck = np.array([table[0, JUMP] != 0.0 for table in tables])
     before = np.where(struck, np.nextafter(times, 0.0), times)
     samples = course(before)
-    resting = math.inf if course.rest_time_pt is None else course.rest_time_pt
-    angle = np.where(before >= resting, 0.0, samples.angle)
-    velocity = np.where(before >= resting, 0.0, samples.velocity)
+    angle, velocity = samples.angle.copy(), samples.velocity.copy()
     if isinstance(begun, State):
         angle[times == 0.0], velocity[times == 0.0] = begun.angle, begun.velocity
     else:

@@ -175,7 +175,7 @@ def _time(label: str, rest: str, brackets: list[str]) -> ColumnName:
             sizes.add(of_rest)
         elif _OF_TIME.fullmatch(rest.replace("_", " ")) is None:
             uncertain = rest
-    if None in sizes or len(sizes) > 1 or min((size or 0.0 for size in sizes), default=1.0) <= 0.0:
+    if len(sizes) > 1 or any(size is None or size <= 0.0 for size in sizes):
         uncertain = ", ".join(brackets) or rest
         sizes = set()
     seconds = next((size for size in sizes if size is not None), None)

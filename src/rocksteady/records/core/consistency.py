@@ -185,7 +185,7 @@ def layout(
     ends_here = not any(line.strip() for line in text.lines[kept[-1] + 1 :])
     written = rows[-1][-1][0] if rows[-1] else ""
     # A number that is cut ends early; one that ends late may have a sign more than the others.
-    late = aligned and last > 0 and rows[-1][-1:] and rows[-1][-1][1] > rows[0][-1][1]
+    late = aligned and rows[-1][-1:] and rows[-1][-1][1] > rows[0][-1][1]
     aligned = aligned and not late
     if last in odd and ends_here and (aligned or (strict and not text.ended)):
         valid = f"the file ends inside its last number, {written!r}"

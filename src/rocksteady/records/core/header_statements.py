@@ -269,13 +269,10 @@ def time_value(text: RecordText, at: int, written: str, unit: str | None = None)
     written = written.strip()
     hint = "give dt_s, in seconds"
     nothing = "it must state a time or a rate above 0"
-    decimal = _DECIMAL_COMMA.match(written)
-    match = re.match(NUMBER, written)
-    if match is None:
+    digits, rest = _first_number(written)
+    if not digits:
         raise text.error(nothing, hint, at=at)
-    value, rest = number(match[0]), written[match.end() :]
-    if decimal is not None and (len(decimal[2]) != 3 or decimal[1].strip("+-") == "0"):
-        value, rest = number(f"{decimal[1]}.{decimal[2]}"), written[decimal.end() :]
+    value = number(digits)
     after, beyond = leading(rest.lstrip(" ("), time=True)
     if value is None or _goes_on(rest) or (after is not None and not _PLAIN_UNIT.fullmatch(after)):
         raise text.error("its number of seconds is not understood as a whole", hint, at=at)
@@ -434,13 +431,19 @@ def count_value(text: RecordText, at: int, written: str) -> int:
     return int(value)
 
 
+def _first_number(written: str) -> tuple[str, str]:
+    """Return the number that a text begins with, with a decimal point, and what follows."""
+    decimal = _DECIMAL_COMMA.match(written)
+    if decimal is not None and (len(decimal[2]) != 3 or decimal[1].strip("+-") == "0"):
+        return f"{decimal[1]}.{decimal[2]}", written[decimal.end() :]
+    match = re.match(NUMBER, written)
+    return ("", written) if match is None else (match[0], written[match.end() :])
+
+
 def _relative_place(written: str) -> float:
-    """Return half a unit of the last digit of the number that a text begins with, over it."""
-    match = re.match(rf"\s*({NUMBER})", written)
-    value = None if match is None else number(match[1])
-    if match is None or not value:
-        return 0.0
-    return min(0.5 * last_place(match[1]) / abs(value), _COARSEST)
+    """Return half a unit of the last digit of a number above 0 that a text begins with, over it."""
+    digits, _ = _first_number(written.strip())
+    return min(0.5 * last_place(digits) / (number(digits) or math.inf), _COARSEST)
 
 
 def last_place(written: str) -> float:

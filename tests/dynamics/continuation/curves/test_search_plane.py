@@ -17,6 +17,7 @@ from rocksteady import (
 from rocksteady.branches import BifurcationCurves, CurveOptions
 from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.errors import ModelError
+from rocksteady.formulas import symmetry_breaking_frequencies
 from rocksteady.kernels.orbits.chains import LANDING
 from tests.dynamics.continuation.curves.jets import solved_twice
 from tests.dynamics.shooting import Rocking
@@ -256,3 +257,19 @@ def test_what_has_no_curves_is_refused_by_name() -> None:
         with pytest.raises(ModelError, match=words) as raised:
             find_bifurcation_curves(block, motion, within=within, model=model)
         assert "\n" not in str(raised.value)
+
+
+@every(("highest", "motions"), [(1.97, ["unsymmetric", "symmetric"]), (1.9485, ["unsymmetric"])])
+def test_a_region_ends_where_symmetry_breaks_and_a_narrow_one_is_left_out(
+    highest: float, motions: list[str]
+) -> None:
+    found = find_bifurcation_curves(
+        DimensionlessBlock(restitution=0.8),
+        Harmonic(amplitude=2.0, frequency_ratio=1.9),
+        within=((1.93, highest), (1.9, 2.1)),
+        search=CurveOptions(lines=(0, 1), max_impacts=2, max_period=1),
+    )
+    assert [each.motions for each in found.regions] == [(word,) for word in motions]
+    breaking = symmetry_breaking_frequencies(2.0, 0.8)
+    assert np.abs(found.regions[0].extent[2] - breaking).min() < 1e-11
+    assert found.regions[-1].extent[2] in (highest, found.regions[0].extent[2])
