@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.every import every
+from tests.trees import nodes_of, tree_of
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "rocksteady"
@@ -43,21 +44,15 @@ def name_of(file: Path) -> str:
     return ".".join(("rocksteady", *file.relative_to(SOURCE).with_suffix("").parts))
 
 
-NAMES = frozenset(name_of(file) for file in FILES)
-
-
-@cache
-def modules() -> dict[str, ast.Module]:
-    """Return the trees of the modules by name; only tests need them, and collecting does not."""
-    return {name_of(file): ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
+NAMES = {name_of(file): file for file in FILES}
 
 
 @cache
 def imports() -> dict[str, list[ast.Import | ast.ImportFrom]]:
     """Return what each module imports, wherever it does so."""
     return {
-        name: [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
-        for name, tree in modules().items()
+        name: [node for node in nodes_of(file) if isinstance(node, ast.Import | ast.ImportFrom)]
+        for name, file in NAMES.items()
     }
 
 
@@ -69,7 +64,7 @@ def imported(name: str) -> set[str]:
             found |= {alias.name for alias in node.names}
         else:
             found |= {str(node.module), *(f"{node.module}.{alias.name}" for alias in node.names)}
-    return found & NAMES
+    return found & NAMES.keys()
 
 
 PUBLIC = {
@@ -130,7 +125,7 @@ def test_a_name_stands_once_in_a_layer() -> None:
 
 def test_every_folder_says_what_it_answers() -> None:
     for folder in {file.parent for file in FILES}:
-        said = ast.get_docstring(ast.parse((folder / "__init__.py").read_text(encoding="utf-8")))
+        said = ast.get_docstring(tree_of(folder / "__init__.py"))
         assert said, folder
         assert said.splitlines()[0].endswith("."), folder
 
@@ -140,7 +135,7 @@ def test_no_name_is_imported_from_a_module_that_has_it_from_another() -> None:
     passed_on = []
     for name, nodes in imports().items():
         for node in nodes:
-            if not isinstance(node, ast.ImportFrom) or node.module not in NAMES - OPEN:
+            if not isinstance(node, ast.ImportFrom) or node.module not in NAMES.keys() - OPEN:
                 continue
             passed_on += [
                 f"{name}: {alias.name} of {node.module}"
@@ -154,7 +149,7 @@ def test_no_name_is_imported_from_a_module_that_has_it_from_another() -> None:
 def defined_in(name: str) -> set[str]:
     """Return the names that a module itself defines."""
     found: set[str] = set()
-    for node in modules()[name].body:
+    for node in tree_of(NAMES[name]).body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef):
             found.add(node.name)
         elif isinstance(node, ast.Assign | ast.AnnAssign | ast.For | ast.With | ast.If | ast.Try):

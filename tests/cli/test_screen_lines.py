@@ -13,6 +13,8 @@ from rocksteady.results import rendering
 from rocksteady.results.answer import MOST_LINES, MOST_ROWS, Answer
 from rocksteady.results.rendering import WIDTH
 from tests.cli.program import rocksteady
+from tests.outputs import unrendered
+from tests.show.assessment.pages import drawn_once
 from tests.test_pages import shortened
 from tools.freeze.commands import examples, template
 
@@ -48,7 +50,8 @@ def test_a_screen_is_eight_lines_and_what_follows_it_runs(
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     monkeypatch.setattr(groups, "print_answer", seen := Seen())
     words = shlex.split(line) + ["--no-browser"] * line.startswith("explore")
-    ran = rocksteady("", *words)
+    with unrendered(), drawn_once():  # their own tests look at pictures
+        ran = rocksteady("", *words)
     assert ran.code in (0, 3), ran.err  # 3 is no answer yet
     (answer,) = seen.answers
     lines, rows = ran.out.splitlines(), len(answer.rows)
@@ -58,7 +61,8 @@ def test_a_screen_is_eight_lines_and_what_follows_it_runs(
     assert max(widths) <= WIDTH, ran.out
     program, *follows = shlex.split(answer.follow_up) or [""]
     if program == "rocksteady":
-        after = rocksteady("", *follows)
+        with unrendered(), drawn_once():
+            after = rocksteady("", *follows)
         assert after.code in (0, 3), after.err
     elif program:
         assert (program, *follows[:-1]) == ("python3", "-m", "webbrowser")

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from tests.every import every
+from tests.trees import nodes_of, tree_of
 
 ROOT = Path(__file__).parents[2]
 SOURCE = ROOT / "src" / "rocksteady"
@@ -109,20 +110,14 @@ def sources() -> list[Path]:
     ]
 
 
-@cache
-def tree_of(file: Path) -> ast.Module:
-    """Return the syntax of a module."""
-    return ast.parse(file.read_text(encoding="utf-8"))
-
-
 def in_python(file: Path) -> Iterator[tuple[int, str]]:
     """Yield line and words of every docstring, text and comment of a module."""
-    for node in ast.walk(tree_of(file)):
+    for node in nodes_of(file):
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and " " in node.value:
             yield node.lineno, prose(node.value)
     first, last, words = 0, -1, ""
     for line, text in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
-        comment = re.search(r"(?:^|\s)#(.*)", text)
+        comment = "#" in text and re.search(r"(?:^|\s)#(.*)", text)
         if not comment:
             continue
         if line == last + 1:
@@ -215,7 +210,7 @@ def test_descriptions_of_parameters_begin_with_a_noun() -> None:
     hits = {
         f"{file.relative_to(SOURCE).as_posix()}:{node.body[0].lineno}: {match[2]}"
         for file in sources()
-        for node in ast.walk(tree_of(file))
+        for node in nodes_of(file)
         if isinstance(node, ast.FunctionDef | ast.ClassDef)
         for match in NOUNS_FIRST.finditer(ast.get_docstring(node) or "")
     }
@@ -232,9 +227,9 @@ def bindings(node: ast.AST) -> Iterator[tuple[int, str]]:
             yield from bindings(child)
 
 
-def parameters(tree: ast.Module) -> Iterator[tuple[int, str]]:
+def parameters(file: Path) -> Iterator[tuple[int, str]]:
     """Yield line and name of every parameter of the functions of a module."""
-    for node in ast.walk(tree):
+    for node in nodes_of(file):
         if isinstance(node, ast.arg):
             yield node.lineno, node.arg
 
@@ -255,7 +250,7 @@ def test_parameters_are_nouns_or_pairs() -> None:
         f"{place}:{line}: {name}"
         for file in sources()
         for place in [file.relative_to(SOURCE).as_posix()]
-        for line, name in parameters(tree_of(file))
+        for line, name in parameters(file)
         if name in NOT_NOUNS - pairs and (place, name) not in PUBLIC
     ]
     assert hits == []
@@ -268,9 +263,9 @@ def test_a_pronoun_as_a_variable_is_seen() -> None:
     assert {name for _, name in bindings(ast.parse(code))} == {"found", "own"}
 
 
-def helps(tree: ast.Module) -> Iterator[ast.expr]:
+def helps(file: Path) -> Iterator[ast.expr]:
     """Yield the help texts of a module: of typer's parameters, and of flags, shared ones too."""
-    for node in ast.walk(tree):
+    for node in nodes_of(file):
         if isinstance(node, ast.keyword) and node.arg == "help":
             yield node.value
         elif isinstance(node, ast.Call):
@@ -282,11 +277,11 @@ def helps(tree: ast.Module) -> Iterator[ast.expr]:
 
 def test_no_unit_in_a_help_text_is_taken_for_markup() -> None:
     commands = [file for file in sources() if file.is_relative_to(SOURCE / "cli")]
-    assert sum(1 for file in commands for _ in helps(tree_of(file))) > 200
+    assert sum(1 for file in commands for _ in helps(file)) > 200
     hits = [
         f"{file.relative_to(SOURCE).as_posix()}:{node.lineno}: {match[0]}"
         for file in commands
-        for node in helps(tree_of(file))
+        for node in helps(file)
         for part in ast.walk(node)
         if isinstance(part, ast.Constant) and isinstance(part.value, str)
         for match in re.finditer(r"(?<!\\)\[[a-z#/@][^\[\]]*\]", part.value)

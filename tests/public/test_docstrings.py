@@ -11,6 +11,7 @@ import pytest
 import rocksteady
 from tests.every import every
 from tests.outputs import unrendered
+from tests.show.assessment.pages import drawn_once
 from tools.namespace import THINGS
 
 MODULES = sorted(
@@ -31,7 +32,7 @@ def test_the_walk_finds_every_layer() -> None:
 def test_the_examples_print_what_they_say(folder: str) -> None:
     modules = [name for name in MODULES if name.rpartition(".")[0] == folder]
     linecache.clearcache()  # for each docstring doctest looks at every file that it holds
-    with unrendered():  # no example reads a picture
+    with unrendered(), drawn_once():  # no example reads a picture
         results = {
             name: doctest.testmod(importlib.import_module(name), optionflags=OPTIONS).failed
             for name in modules

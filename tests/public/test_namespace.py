@@ -17,6 +17,7 @@ from typer.main import get_command
 import rocksteady
 from rocksteady.cli.app import app
 from tests.every import every
+from tests.trees import nodes_of
 from tools.namespace import MODULES, PLACES, THINGS
 
 HEAVY = ("h5py", "matplotlib", "numba", "numpy", "scipy", "typer", "xarray", "zarr")
@@ -110,10 +111,10 @@ def test_the_errors_load_nothing_heavy() -> None:
     assert modules_loaded_by(code) & set(HEAVY) == set()
 
 
-def texts_of(tree: ast.AST) -> Iterator[str]:
+def texts_of(file: Path) -> Iterator[str]:
     """The texts of a module that a user may read, docstrings and patterns excepted."""
     seen: set[ast.AST] = set()  # docstrings, and parts of texts with values in them
-    for node in ast.walk(tree):
+    for node in nodes_of(file):
         text = None if node in seen else getattr(node, "value", None)
         if isinstance(node, ast.Expr):
             seen.add(node.value)
@@ -171,7 +172,7 @@ def test_names_in_messages_exist() -> None:
     for file in SOURCE.rglob("*.py"):
         if "machine_code" in file.parts or file.name in NO_MESSAGES:  # C in texts
             continue
-        for text in texts_of(ast.parse(file.read_text(encoding="utf-8"))):
+        for text in texts_of(file):
             words = re.findall(r"(?<![\w-])--[a-z][a-z0-9-]+", text)
             unknown |= {(file.name, word) for word in words if word not in flags}
             ticked = re.findall(r"(?<!`)`([a-z_]\w*)[`(]", text)

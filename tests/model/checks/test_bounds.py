@@ -17,6 +17,7 @@ from rocksteady.model.checks.bounds import (
     length,
     restitution_of_wall,
 )
+from tests.trees import tree_of
 from tools.namespace import THINGS
 
 SOURCES = Path(rs.__file__).parent
@@ -62,8 +63,7 @@ def test_rules_stand_only_where_they_are_enforced() -> None:
     for path in sorted(SOURCES.rglob("*.py")):
         if path.relative_to(SOURCES).parts[0] in ("cli", "kernels"):
             continue  # flags of typer, arrays of kernels
-        tree = ast.parse(path.read_text("utf-8"))
-        holders: list[tuple[ast.AST, bool]] = [(tree, False)]
+        holders: list[tuple[ast.AST, bool]] = [(tree_of(path), False)]
         for holder, inside in holders:
             for node in ast.iter_child_nodes(holder):
                 if not isinstance(node, ast.ClassDef | ast.FunctionDef):

@@ -419,6 +419,7 @@ def test_a_target_that_is_met_needs_no_remedy() -> None:
     assert found.colour in ("amber", "green")
 
 
+@pytest.mark.usefixtures("no_remedies")
 def test_without_a_demand_the_motions_as_they_are_give_it() -> None:
     found = assess_object(described(demand={}), SUITE)
     median = np.median([compute_measure(each, Measure("pgv_m_s")) for each in SUITE])
@@ -548,6 +549,7 @@ def test_no_run_that_falls_is_a_count(found: Assessment) -> None:
     assert not re.search(r"\b0 %", changed.summary().splitlines()[0])
 
 
+@pytest.mark.usefixtures("no_remedies")
 def test_a_probability_outside_the_levels_of_the_runs_is_called_extrapolated() -> None:
     strong = assess_object(described(demand={"pga_g": 0.4, "pgv_m_s": 9.0}), SUITE[:6])
     usual = assess_object(described(), SUITE[:6])

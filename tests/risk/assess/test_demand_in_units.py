@@ -24,6 +24,8 @@ UNITS = {
 }
 SUITE = make_synthetic_suite(3)
 
+pytestmark = pytest.mark.usefixtures("no_remedies")
+
 
 def assessed(**keys: Any) -> Assessment:
     values = {

@@ -8,7 +8,6 @@ import pytest
 
 from rocksteady.errors import InputError
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
-from rocksteady.risk.assess import assessment
 from rocksteady.risk.assess._probability import onset_of
 from rocksteady.risk.assess.assessment import assess_object
 from rocksteady.risk.assess.described.objects import DescribedObject
@@ -24,12 +23,6 @@ FEW = {"draws": 2, "levels": 4, "replicates": 0, "target_probability": 0.95}
 CABINET = {"width_m": 0.32, "height_m": 1.8}
 PEAKS = {"pga_g": 0.24, "pgv_m_s": 0.6}
 GREENER = ("green", "amber", "red", "grey")
-
-
-@pytest.fixture
-def no_remedies(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Leave out the search for remedies, which takes half of an assessment, and no part here."""
-    monkeypatch.setattr(assessment, "find_remedies", lambda _: ())
 
 
 def described(name: str = "cabinet", **keys: Any) -> DescribedObject:

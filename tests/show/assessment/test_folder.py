@@ -246,7 +246,9 @@ def test_any_damage_states_make_a_folder_with_both_components(
     states: list[str] | None, tmp_path: Path
 ) -> None:
     """Those of an object that names none are four, and the cut at a ratio of peaks has the last."""
-    options: dict[str, Any] = {"draws": 2, "levels": 6, "replicates": 0}
+    options: dict[str, Any] = {
+        "draws": 2, "levels": 6, "replicates": 0, "target_probability": 0.9,
+    }  # fmt: skip
     if states is not None:
         options["damage_states"] = states
     values: dict[str, Any] = {**described(0.5).values, "assessment": options}

@@ -33,7 +33,7 @@ from tests.every import every
 
 @cache
 def found(shape: str = "one-sine", top: float = 12.0) -> OverturningWindows:
-    block, ratios = DimensionlessBlock(restitution=0.9), np.linspace(1.0, 8.0, 36)
+    block, ratios = DimensionlessBlock(restitution=0.9), np.linspace(1.0, 8.0, 15)
     return find_overturning_windows(block, shape, ratios, within=(1.0, top))
 
 

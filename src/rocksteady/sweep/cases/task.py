@@ -1,5 +1,6 @@
 """A task: everything that a worker needs to compute any cells of a sweep."""
 
+import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -148,7 +149,8 @@ def _checked(output: Output, value: object, cells: int) -> Array:
             f"it must fit {output.dtype}, as which it is declared",
             "change the dtype of the output, or convert the array",
         )
-    if np.ma.isMaskedArray(value[output.name]):
+    # Masked arrays come from numpy.ma alone, whose import takes longer than a small map.
+    if "numpy.ma" in sys.modules and np.ma.isMaskedArray(value[output.name]):
         raise InputError(
             output.name,
             Words("hold a masked array"),

@@ -70,6 +70,7 @@ def test_an_object_on_a_floor_is_one_on_the_motions_of_that_floor() -> None:
     assert fell[-1] > fell[0]
 
 
+@pytest.mark.usefixtures("no_remedies")
 def test_what_the_ground_does_not_lift_a_floor_may() -> None:
     low: dict[str, Any] = {"pga_g": 0.15, "pgv_m_s": 0.2}
     ground, roof = assess_objects(

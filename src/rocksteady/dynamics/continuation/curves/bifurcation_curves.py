@@ -129,7 +129,7 @@ class BifurcationCurve(Result):
     >>> block = DimensionlessBlock(restitution=0.87)
     >>> motion = Harmonic(amplitude=3.0, frequency_ratio=4.2)
     >>> few = CurveOptions(orders=(3,), lines=(1, 1), max_impacts=2, max_period=3)
-    >>> found = find_bifurcation_curves(block, motion, within=((4.4, 5.4), (2.5, 4.0)), search=few)
+    >>> found = find_bifurcation_curves(block, motion, within=((4.4, 5.4), (2.5, 3.0)), search=few)
     >>> print(found.curves[0].type, found.curves[0].parameters)
     symmetry-breaking ('frequency_ratio', 'amplitude')
     """

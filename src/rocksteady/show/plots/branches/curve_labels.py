@@ -80,8 +80,6 @@ class Words:
     """
 
     def __init__(self, axes: "Axes", lines: Sequence[Floats], dots: Sequence[Floats] = ()) -> None:
-        from scipy.spatial import KDTree
-
         figure = figure_of(axes)
         if figure.get_layout_engine() is not None:
             figure.draw_without_rendering()  # where the legend leaves room for the axes
@@ -94,7 +92,6 @@ class Words:
         every = [*self.lines, *(self.there(each) for each in dots)]
         self.owners = np.repeat(np.arange(len(every)), [len(each) for each in every])
         self.points = np.concatenate([np.zeros((0, 2)), *every])
-        self.tree = KDTree(self.points)
 
     def there(self, places: Floats) -> Floats:
         """Return places in points from the lower left corner."""
@@ -380,17 +377,17 @@ class Words:
         return corners
 
     @staticmethod
-    def _far(line: Floats, place: Floats) -> float:
-        return float(np.hypot(*(line - place).T).min()) if len(line) else math.inf
+    def _far(line: Floats, places: Floats) -> float:
+        """Return the least distance between points of a line and one or more places."""
+        apart = line[:, np.newaxis] - places
+        return float(np.hypot(apart[..., 0], apart[..., 1]).min(initial=math.inf))
 
     def _room(self, shape: Floats, without: Sequence[int] = ()) -> float:
         """Return the distance of a word from lines and dots, those of some lines left out."""
-        room = MOST_ROOM
-        for place in shape:
-            near = self.tree.query_ball_point(place, MOST_ROOM)
-            others = [k for k in near if self.owners[k] not in without]
-            room = min(room, self._far(self.points[others], place))
-        return room
+        low, high = shape.min(axis=0) - MOST_ROOM, shape.max(axis=0) + MOST_ROOM
+        (near,) = ((self.points > low) & (self.points < high)).all(axis=1).nonzero()
+        near = near[~np.isin(self.owners[near], without)]
+        return min(MOST_ROOM, self._far(self.points[near], shape))
 
     def _free(self, shape: Floats, radius: float) -> bool:
         inside = ((shape > 2.0) & (shape < self.size - 2.0)).all()
@@ -401,9 +398,5 @@ class Words:
         return (
             bool(inside)
             and not boxed
-            and all(
-                self._far(places, each) > radius + margin
-                for places, margin in self.taken
-                for each in shape
-            )
+            and all(self._far(places, shape) > radius + margin for places, margin in self.taken)
         )
