@@ -32,6 +32,18 @@ def test_an_axis_is_refused_in_one_line(name: Any, values: Any, valid: str) -> N
         Axis(name=name, values=values)
 
 
+@every("description", [{"long_name": 3}, {"units": b"m"}])
+def test_a_description_is_a_text(description: Any) -> None:
+    with pytest.raises(InputError, match="must be a text"):
+        Axis(name="a", values=[1.0], **description)
+
+
+@every("indices", [2, -3, [0, 5], 0.5])
+def test_an_axis_refuses_places_that_it_has_not(indices: Any) -> None:
+    with pytest.raises(InputError, match="whole numbers from -2 to 1"):
+        Axis(name="a", values=[1.0, 2.0]).at(indices)
+
+
 def test_the_values_of_an_axis_are_its_own() -> None:
     given = np.array([1.0, 2.0])
     axis = Axis(name="a", values=given)

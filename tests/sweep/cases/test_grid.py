@@ -23,6 +23,9 @@ def test_cells_come_in_c_order_whatever_the_range() -> None:
             cells = grid.cells(first, stop)
             pairs = list(zip(cells["one"].tolist(), cells["other"].tolist(), strict=True))
             assert pairs == expected[first:stop]
+    # Memory is that of the cells of a range, however far it lies.
+    far = Grid(axes=[Axis(name=name, values=np.arange(1e5)) for name in ("a", "b")])
+    assert far.cells(10**10 - 2, 10**10)["b"].tolist() == [99_998.0, 99_999.0]
 
 
 @every("axes", [(), [ONE, "other"], None, ONE])
