@@ -32,8 +32,8 @@ from tests.every import every
 
 
 @cache
-def found(shape: str = "one-sine", top: float = 12.0) -> OverturningWindows:
-    block, ratios = DimensionlessBlock(restitution=0.9), np.linspace(1.0, 8.0, 15)
+def found(shape: str = "one-sine", top: float = 12.0, count: int = 15) -> OverturningWindows:
+    block, ratios = DimensionlessBlock(restitution=0.9), np.linspace(1.0, 8.0, count)
     return find_overturning_windows(block, shape, ratios, within=(1.0, top))
 
 
@@ -90,7 +90,7 @@ def hatch_at(axes: Axes, x: float, y: float) -> str | None:
 @pytest.mark.slow
 @pytest.mark.parametrize("shape", ["one-sine", "one-cosine"])
 def test_every_point_has_the_fill_of_its_way_of_overturning(shape: str) -> None:
-    windows = found(shape)
+    windows = found(shape, count=36)
     axes = plots.overturning(windows, Figure().add_subplot())
     pattern = {least: hatch for _, hatch, least in MODES}
     fills = [each for each in axes.collections if isinstance(each, PolyCollection)]
