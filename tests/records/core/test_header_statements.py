@@ -108,10 +108,10 @@ def test_intervals_in_few_words(tmp_path: Path, words: str, dt: float) -> None:
 def test_a_decimal_comma_states_an_interval_as_a_point_does(
     tmp_path: Path, written: str, rate: float
 ) -> None:
-    texts = (
-        f"# dt {each} s\n# {rate} Hz\n{ALONE}" for each in (written, written.replace(".", ","))
+    head = f"# dt {written} s\n# {rate} Hz\n"
+    point, comma = (
+        read(tmp_path, each + ALONE, units="g") for each in (head, head.replace(".", ","))
     )
-    point, comma = (read(tmp_path, text, units="g") for text in texts)
     assert point.record == comma.record
 
 

@@ -62,7 +62,9 @@ _ANOTHER_THING: Final = re.compile(
 _PER: Final = re.compile(r"\s*(?:per\b|percent\b)|\s*[A-Za-z]+/", re.IGNORECASE)
 _PLAIN_UNIT: Final = re.compile(r"(?:1?\s*/)?\s*[A-Za-zµμ][^\d%]*(?:1\)?)?")
 """A unit without a number of its own: behind a number, that would be a second one."""
-_RATE_ALONE: Final = re.compile(rf"[#%!/*\s]*(?P<value>{NUMBER}\s*(?P<unit>[A-Za-z/ ]+?))\W*$")
+_RATE_ALONE: Final = re.compile(
+    rf"[#%!/*\s]*(?P<value>(?:\d+,(?=\d))?{NUMBER}\s*(?P<unit>[A-Za-z/ ]+?))\W*$"
+)
 _COUNT_ALONE: Final = re.compile(
     r"[#%!/*\s]*(?:(?:samples|points|values|pts|n)\s*[=:]?\s*(?P<value>\d+)"
     r"|(?P<before>\d+)\s+(?:data\s+)?(?:points|samples|values|pts))\s*$",
