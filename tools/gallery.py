@@ -28,8 +28,8 @@ from rocksteady.show.style import palette
 from rocksteady.show.style.page import Page
 from rocksteady.show.style.tokens import DARK, LIGHT, Inks, meanings
 from tests.public.calls import calls, close_pictures
+from tests.show.all_pictures import FIGURES, room
 from tests.show.drawn_figures import makers
-from tools.freeze.results import FIGURES, room
 
 OUT = Path("out/gallery").absolute()
 EXAMPLES = Path(__file__).parents[1] / "examples"

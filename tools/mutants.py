@@ -5,7 +5,7 @@ guard, or moves one constant.  Mutants are drawn with a seed, equally many from 
 
 The tests of a package are traced once.  Each mutant is given to those that call its function, the
 quickest first and up to a minute, and is killed where one of them fails.  What survives is given to
-each public call and picture of the freeze that calls the function, kernels excepted.  A score is a
+each public call of the freeze that calls the function, kernels excepted.  A score is a
 lower bound: a test that was left out might have failed, and nothing but the freeze confirms a
 survivor.
 """
@@ -266,28 +266,28 @@ def _trace_tests(copy: Path, package: str, kept: Path) -> int:
 
 
 def _trace_freeze(copy: Path, kept: Path) -> int:
-    """Compute and trace each call and each picture of the freeze."""
+    """Compute and trace each call of the freeze."""
     found = Reach(copy)
     found.see_memories()
     from tests.public.calls import calls
+    from tests.show.all_pictures import room
     from tools.freeze import results
 
     results.begin()
-    results.room()  # untraced: what one of every class shows is always compared
-    for part, names in (("calls", calls()), ("figures", results.figures())):
-        for name in names:
-            with found.check(f"{part}: {name}"):
-                assert not _moved(part, name)
+    room()  # untraced: what one of every class shows is always compared
+    for name in calls():
+        with found.check(name):
+            assert not _moved("calls", name)
     found.checks().write(kept)
     return 0
 
 
 def _compare(_: Path, frozen: list[str]) -> int:
-    """Return whether what one of every class shows has moved, or a call or a picture."""
+    """Return whether what one of every class shows has moved, or a call."""
     from tools.freeze import results
 
     results.begin()
-    return int(_moved("things") or any(_moved(*each.split(": ", maxsplit=1)) for each in frozen))
+    return int(_moved("things") or any(_moved("calls", name) for name in frozen))
 
 
 @functools.cache
@@ -299,13 +299,12 @@ def _recorded(part: str) -> dict[str, str]:
 
 
 def _moved(part: str, name: str = "") -> bool:
-    """Return whether a part of the freeze has moved, or a call or a picture of it."""
+    """Return whether a part of the freeze has moved, or a call of it."""
     from tools.freeze import records, results
 
     freeze = {
         "things": results.freeze_things,
         "calls": results.freeze_calls,
-        "figures": results.freeze_figures,
     }[part]
     before = _recorded(part)
     if name:

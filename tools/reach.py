@@ -1,6 +1,6 @@
 """Which functions of the package each check calls, found by tracing it once.
 
-A check is a test, or a public call or a picture of the freeze. What an earlier check has left in a
+A check is a test, or a public call of the freeze. What an earlier check has left in a
 cache or in a fixture counts as called by each check that reads it. Calls in other processes and
 while modules are imported are not seen.
 """

@@ -15,8 +15,8 @@ from rocksteady.show.style.legends import figure_of
 from rocksteady.show.style.page import Page
 from rocksteady.show.style.tokens import LIGHT, meanings, mixed
 from tests.public.calls import calls, close_pictures
+from tests.show.all_pictures import figures, room
 from tests.show.seen import Seen, read_figure
-from tools.freeze.results import figures, room
 
 pytestmark = pytest.mark.slow
 

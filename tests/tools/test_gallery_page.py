@@ -8,9 +8,9 @@ import pytest
 
 import rocksteady as rs
 from tests.public.calls import calls
+from tests.show.all_pictures import FIGURES, room
 from tests.show.drawn_figures import NAMES
 from tools import gallery
-from tools.freeze.results import FIGURES, room
 
 mpl.use("agg")
 

@@ -7,6 +7,7 @@ from rocksteady.kernels.elementary import loops
 from rocksteady.kernels.entries import ENTRIES
 from tests.cli.test_app import COMMANDS
 from tests.explorer.browser.test_opening import TABS
+from tests.show.all_pictures import pictures
 from tools.freeze import commands, explorer, kernels, results, targets
 
 Found = Iterator[tuple[str, str]]
@@ -34,7 +35,7 @@ def _entries() -> list[str]:
 PARTS = {
     "calls": Part(_once, results.freeze_calls),
     "things": Part(_once, results.freeze_things),
-    "figures": Part(_once, results.freeze_figures),
+    "pictures": Part(lambda: list(pictures()), results.freeze_pictures),
     "kernels": Part(_entries, kernels.freeze_entry),
     "cells": Part(_once, kernels.freeze_cells),
     "commands": Part(lambda: commands.lines(long=False), commands.freeze_line),
@@ -48,5 +49,5 @@ PARTS = {
     "views": Part(lambda: list(TABS), explorer.freeze_view),
 }
 """All parts, those that take longest first."""
-LARGE = {"figures", "long-commands", "targets", "physics", "views"}
+LARGE = {"pictures", "long-commands", "targets", "physics", "views"}
 """Parts of the large set alone."""

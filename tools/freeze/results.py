@@ -8,8 +8,7 @@ import os
 import shutil
 import tempfile
 import warnings
-from collections.abc import Callable, Iterator
-from functools import cache, partial
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -18,43 +17,17 @@ import matplotlib as mpl
 import rocksteady as rs
 from rocksteady.cli.console import progress
 from rocksteady.show.export.files import figure_bytes
-from rocksteady.show.figures.facades import facade_figure
-from rocksteady.show.figures.observations import (
-    back_analysis_figure,
-    calibration_figure,
-    predictions_figure,
-    restitution_figure,
-)
-from rocksteady.show.figures.single import (
-    curves_figure,
-    edge_figure,
-    fatal_figure,
-    fate_basins_figure,
-)
-from rocksteady.show.style.page import Page
 from tests.public.calls import calls, close_pictures
 from tests.public.things import things
-from tests.show.drawn_figures import makers
+from tests.show.all_pictures import pictures, room
 from tools.freeze.files import files_of, left
+from tools.freeze.pictures import drawn
 from tools.freeze.records import FILE
 from tools.freeze.values import plain, shown, tidy
 from tools.namespace import PLACES, THINGS
 
 ELSEWHERE = {"installation", "check_installation", "Installation", "KernelCheck"}
 """Things and calls whose answer is the machine's."""
-FIGURES: dict[str, Callable[..., Any]] = {
-    "calibration": calibration_figure,
-    "back analysis": back_analysis_figure,
-    "predictions": predictions_figure,
-    "restitution_fit": restitution_figure,
-    "facade check": facade_figure,
-    "edge": edge_figure,
-    "fates": fate_basins_figure,
-    "curves": curves_figure,
-    "scales": fatal_figure,
-    "kicks": fatal_figure,
-}
-"""Whole figures of things."""
 
 
 def begin() -> None:
@@ -63,16 +36,6 @@ def begin() -> None:
     mpl.rcParams["svg.hashsalt"] = "frozen"
     progress.QUIET = progress.LINE_AFTER = math.inf
     os.chdir(tempfile.mkdtemp())
-
-
-@cache
-def room() -> Path:
-    """Return the folder with the files of things, which are made there."""
-    folder = Path(tempfile.mkdtemp(prefix="frozen-things-"))
-    with contextlib.chdir(folder):
-        things()
-        calls()
-    return folder
 
 
 def freeze_things(_: str) -> Iterator[tuple[str, str]]:
@@ -102,10 +65,8 @@ def freeze_call(call: Any) -> Iterator[tuple[str, str]]:
         with contextlib.chdir(folder):
             try:
                 found = call()
+                # What axes hold is one of the pictures.
                 text = "axes" if hasattr(found, "get_xlim") else plain(found)
-                if text == "axes":  # the picture is one of the files
-                    with mpl.rc_context({"svg.hashsalt": "frozen"}):
-                        found.figure.savefig("axes.svg", metadata={"Date": None})
             except Exception as error:  # noqa: BLE001 -- what is refused is an answer too
                 text = f"raises {type(error).__name__}: {error}"
             yield "", tidy(text, folder)
@@ -114,19 +75,11 @@ def freeze_call(call: Any) -> Iterator[tuple[str, str]]:
         close_pictures()
 
 
-def figures() -> dict[str, Callable[..., Any]]:
-    """Return what draws every kind of whole figure."""
-    with contextlib.chdir(room()):
-        of_things = {name: partial(draw, things()[name]) for name, draw in FIGURES.items()}
-    return {**makers(), **of_things}
-
-
-def freeze_figures(only: str) -> Iterator[tuple[str, str]]:
-    """Yield whole figures, or only one, at their own width and in a column of a journal."""
-    for name, draw in figures().items():
-        for page in (Page(), Page(width_mm=84.0)) if only in {"", name} else ():
-            picture = figure_bytes(draw(page=page), "svg").decode()
-            yield f"{name}{FILE}{page.width_mm or 'natural'}.svg", picture
+def freeze_pictures(only: str) -> Iterator[tuple[str, str]]:
+    """Yield every picture, or only one."""
+    for name, draw in pictures().items():
+        if only in {"", name}:
+            yield name, drawn(figure_bytes(draw(), "svg").decode())
 
 
 def freeze_stores(_: str) -> Iterator[tuple[str, str]]:

@@ -27,6 +27,7 @@ from rocksteady.dynamics.continuation.chains.predictor_corrector import (
     LostError,
     Spot,
     StalledError,
+    null_vector,
 )
 from rocksteady.dynamics.continuation.chains.switching import switched
 from rocksteady.dynamics.continuation.from_orbit import chain_at
@@ -200,7 +201,7 @@ def _begun(
     solution = family.evaluate(place)
     assert solution is not None
     if towards is not None and first is PointType.FOLD:
-        along = np.linalg.svd(solution.slopes)[2][-1]
+        along = null_vector(solution.slopes)
         later = math.copysign(1.0, float(along[:-1].sum()) * float(towards[-1]))
         return Spot(place=place, tangent=later * along, solution=solution, arclength=0.0)
     if towards is not None and towards[-1] != 0.0:
@@ -216,7 +217,7 @@ def _begun(
     if towards is not None:
         return Spot(place=place, tangent=towards, solution=solution, arclength=0.0)
     # From a graze the branch goes to where it is a motion.
-    tangent = np.linalg.svd(solution.slopes)[2][-1]
+    tangent = null_vector(solution.slopes)
     sides = [
         Spot(place=place, tangent=sign * tangent, solution=solution, arclength=0.0)
         for sign in (1.0, -1.0)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
+from rocksteady.dynamics.continuation.chains.predictor_corrector import null_vector
 from rocksteady.dynamics.grazing import grazes
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.orbit import ordered, squared
@@ -179,8 +180,7 @@ class Chain:
 
     def null_direction(self, closing: float) -> Floats:
         """Return the displacement of the phases that the derivative all but forgets, length 1."""
-        direction: Floats = np.linalg.svd(self.matrix(closing))[2][-1]
-        return direction
+        return null_vector(self.matrix(closing))
 
     @property
     def durations(self) -> Floats:

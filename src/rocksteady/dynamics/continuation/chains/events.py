@@ -10,7 +10,12 @@ import numpy as np
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.continuation.chains.family import ChainSolution, Family
 from rocksteady.dynamics.continuation.chains.point_types import PointType
-from rocksteady.dynamics.continuation.chains.predictor_corrector import Curve, LostError, Spot
+from rocksteady.dynamics.continuation.chains.predictor_corrector import (
+    Curve,
+    LostError,
+    Spot,
+    null_vector,
+)
 
 ChainSpot = Spot[ChainSolution]
 ChainCurve = Curve[ChainSolution]
@@ -300,7 +305,7 @@ def _halving(family: Family, curve: ChainCurve, low: ChainSpot, high: ChainSpot)
     met = None
     if solution is not None:
         # Along its own branch, which may turn back in the parameter just there.
-        begin = equations.start(guess, np.linalg.svd(solution.slopes)[2][-1])
+        begin = equations.start(guess, null_vector(solution.slopes))
         met = None if begin is None else equations.locate_near(begin, flip, curve.largest_step)
     arclength = (1.0 - share) * low.arclength + share * high.arclength
     if met is None:  # the branch ends all the same: beyond, it is itself again

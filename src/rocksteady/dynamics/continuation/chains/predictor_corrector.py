@@ -251,6 +251,21 @@ def _solve(matrix: Floats, right: Floats) -> Floats | None:
     return solution if np.isfinite(solution).all() else None
 
 
+def null_vector(matrix: Floats) -> Floats:
+    """Return the right singular vector of a matrix's smallest singular value, of length 1.
+
+    Its first component of at least half the greatest size is positive.  Without a rule, the last
+    digits of a processor decide the sign, and with it to which side a branch starts.
+
+    >>> null_vector(np.array([[1.0, 1.0]])).round(3).tolist()
+    [0.707, -0.707]
+    """
+    direction: Floats = np.linalg.svd(matrix)[2][-1]
+    sizes = np.abs(direction)
+    first = int(np.argmax(sizes >= 0.5 * sizes.max()))
+    return direction * math.copysign(1.0, direction[first])
+
+
 def _tangent(slopes: Floats, towards: Floats) -> Floats | None:
     """Return the unit vector that the slopes forget, on the side of a direction."""
     last = np.zeros(len(towards))

@@ -14,7 +14,11 @@ from rocksteady.dynamics.continuation.chains.chain import MERGED, Chain
 from rocksteady.dynamics.continuation.chains.events import ChainCurve, ChainSpot, Event
 from rocksteady.dynamics.continuation.chains.family import ChainSolution, Family, Test
 from rocksteady.dynamics.continuation.chains.point_types import PointType
-from rocksteady.dynamics.continuation.chains.predictor_corrector import Curve, LostError
+from rocksteady.dynamics.continuation.chains.predictor_corrector import (
+    Curve,
+    LostError,
+    null_vector,
+)
 from rocksteady.dynamics.continuation.chains.switching import switched
 from rocksteady.dynamics.continuation.curves._normal_forms import flip_coefficient, fold_coefficient
 from rocksteady.errors import ModelError
@@ -271,7 +275,7 @@ def _met(
     solution = parents.evaluate(guess)
     if solution is None or not np.isfinite(solution.slopes).all():
         return None
-    begin = equations.start(guess, np.linalg.svd(solution.slopes)[2][-1])
+    begin = equations.start(guess, null_vector(solution.slopes))
     if begin is None:
         return None
     try:

@@ -10,7 +10,7 @@ from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.continuation.chains.events import ChainCurve, ChainSpot
 from rocksteady.dynamics.continuation.chains.family import Family
 from rocksteady.dynamics.continuation.chains.point_types import BIFURCATIONS, PointType
-from rocksteady.dynamics.continuation.chains.predictor_corrector import Curve, Spot
+from rocksteady.dynamics.continuation.chains.predictor_corrector import Curve, Spot, null_vector
 from rocksteady.dynamics.continuation.curves._codimension_two import (
     curve_through,
     flip_type,
@@ -118,7 +118,7 @@ def _start(family: Family, curve: ChainCurve, chain: Chain) -> ChainSpot | None:
     solution = family.evaluate(place)
     if solution is None or not np.isfinite(solution.slopes).all():
         return None
-    return curve.start(place, np.linalg.svd(solution.slopes)[2][-1])
+    return curve.start(place, null_vector(solution.slopes))
 
 
 def _other_graze(
