@@ -57,15 +57,15 @@ help: ## list the commands [nothing]
 	@awk 'BEGIN { FS = ":.*## " } \
 		/^##@ / { printf "\n%s\n", substr($$0, 5) } \
 		/^[.a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
-	@printf '\nWhat each installs first, unless it is there: [package] rocksteady and numba; [nothing]; all others\n'
-	@printf 'also what checks, manual, benchmarks and wheels need, and what stands behind +.\n'
+	@printf '\nWhat each installs first, unless it is there: [numba]; [package], which is rocksteady and numba; [nothing];\n'
+	@printf 'all others also what checks, manual, benchmarks and wheels need, and what stands behind +.\n'
 
 .PHONY: demo
 demo: $(LOWERS) ## do a whole paper again, and film a block that falls; pictures and a report in out/ [package]
 	@mkdir -p out
 	@# The kernels need numba alone, and no package: beside them the rest is installed and imported once,
 	@# so that it is compiled and fonts are listed, and the film made, which plain Python computes as fast.
-	@$(call side-by-side,PYTHONPATH=src $(BIN)/python -m tools.aot host,$(MAKE) --no-print-directory $(BARE) && \
+	@$(call side-by-side,$(MAKE) --no-print-directory kernels,$(MAKE) --no-print-directory $(BARE) && \
 		$(BIN)/python -c "import fontTools.subset; import matplotlib.pyplot; import scipy.ndimage; import xarray; import rocksteady.studies.tso_wong_1989.study" && \
 		ROCKSTEADY_KERNELS=python $(BIN)/rocksteady simulate --block tso-wong-1989 -A 2 -W 1.7 --start steady --cycles 40 \
 			--plot out/simulate.png --animate out/simulate.gif --force)
@@ -77,12 +77,12 @@ explore: .venv library ## write the explorer, a page to touch, and open it in th
 	$(BIN)/rocksteady explore --out out/explorer.html --force
 
 .PHONY: test
-test: .venv ## run every check, the tests marked slow excepted
-	@$(call ahead,library) $(call run-in-turn,$(CHECKS),$(MAKE),exit 1;)
+test: $(LOWERS) ## run every check, the tests marked slow excepted
+	@$(call installed-beside-kernels) $(call ahead,library) $(call run-in-turn,$(CHECKS),$(MAKE),exit 1;)
 
 .PHONY: test-all
-test-all: .venv ## run every check to its end, the tests marked slow and the lower bounds included
-	@$(call ahead,library) $(call ahead,warm) \
+test-all: $(LOWERS) ## run every check to its end, the tests marked slow and the lower bounds included
+	@$(call installed-beside-kernels) $(call ahead,library) $(call ahead,warm) \
 		$(call run-in-turn,$(patsubst pages,docs,$(patsubst programs,ptx,$(CHECKS))) tests-jit tests-floor frozen,$(MAKE) MARKS=)
 
 ##@ One check at a time
@@ -149,6 +149,10 @@ library: .venv ## compile the kernels into a library for this machine, unless th
 	@$(BIN)/python -m tools.aot host --page
 	@$(BIN)/python -m tools.aot.web.program
 
+.PHONY: kernels
+kernels: $(LOWERS) ## the same without the explorer's page, and before the package is installed [numba]
+	@PYTHONPATH=src $(BIN)/python -m tools.aot host
+
 .PHONY: warm
 warm: .venv ## compile the kernels with numba once, so that each worker of tests-jit loads them
 	ROCKSTEADY_KERNELS=jit $(BIN)/python -m rocksteady.kernels.entries
@@ -177,7 +181,7 @@ freeze-all: .venv library ## the same, and the large set
 	$(BIN)/python -m tools.freeze record --all
 
 .PHONY: frozen
-frozen: .venv library ## compare the answers with their records: two minutes
+frozen: .venv library ## compare the answers with their records: three minutes
 	$(BIN)/python -m tools.freeze compare
 
 .PHONY: frozen-all
@@ -374,6 +378,9 @@ side-by-side = $(1) & $(2); second=$$?; wait $$! && exit $$second
 # $(call ahead,TARGET): starts a target in the background; the check of that name waits for it. Neither
 # the lowering of kernels nor the check of types keeps two cores busy.
 ahead = { $(MAKE) --no-print-directory $(1) >/dev/null 2>&1 & };
+
+# Installs the rest while the kernels are compiled: numba and a compiler of C are all that these need.
+installed-beside-kernels = $(call ahead,kernels) $(MAKE) --no-print-directory .venv || exit 1;
 
 # $(call run-in-turn,TARGETS,MAKE,AT_FAILURE): one after the other, with their names, how long each took
 # and its budget; fails where one does, at once where AT_FAILURE is "exit 1;".

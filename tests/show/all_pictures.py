@@ -85,9 +85,9 @@ def pictures() -> dict[str, Callable[[], Figure]]:
         for name, draw in figures().items()
         for width, page in PAGES.items()
     }
-    with contextlib.chdir(room()):
-        plots = {label: call for label, call in calls().items() if label.startswith("plot_")}
-    found |= {label: partial(_of_axes, call) for label, call in plots.items()}
+    for label, call in calls().items():
+        if label.startswith("plot_"):
+            found[label] = partial(_of_axes, call.__call__)
     for name, block in BLOCKS.items():
         found[f"block {name}"] = partial(_of_axes, partial(rs.plots.block, block))
     for name, run in _runs().items():

@@ -17,6 +17,7 @@ from rocksteady.dynamics.continuation.chains.predictor_corrector import (
     Spot,
     StalledError,
     gradient,
+    null_vector,
 )
 from tests.every import every
 
@@ -209,3 +210,26 @@ def test_a_gradient_is_that_of_the_function() -> None:
     exact = [2.6 * math.sin(0.4), 1.69 * math.cos(0.4)]
     assert found == pytest.approx(exact, rel=1e-8)
     assert np.isnan(gradient(lambda _: math.nan, np.zeros(2))).all()
+
+
+@every("size", range(1, 7))
+def test_the_vector_that_a_matrix_maps_to_nearly_nothing_has_one_sign(size: int) -> None:
+    """Whatever turns or scales the rows, or their last digits, it is the same vector."""
+    rng = np.random.default_rng(size)
+    for _ in range(20):
+        wanted = rng.normal(size=size + 1)
+        wanted *= np.sign(wanted[np.abs(wanted) >= 0.5 * np.abs(wanted).max()][0])
+        wanted /= np.linalg.norm(wanted)
+        rows = rng.normal(size=(size, size + 1))
+        matrix = rows - np.outer(rows @ wanted, wanted)
+        turned = np.linalg.qr(rng.normal(size=(size, size)))[0] @ matrix
+        for each in (matrix, -3.0 * matrix, turned, matrix + 1e-13 * rng.normal(size=rows.shape)):
+            np.testing.assert_allclose(null_vector(each), wanted, atol=1e-8)
+
+
+@every("sizes", [(0.5, 0.5), (0.499, -0.8), (-0.51, 1.0), (-1.0, 0.3), (0.0, 1.0)])
+def test_the_first_large_component_is_positive(sizes: tuple[float, float]) -> None:
+    x, y = sizes
+    first, second = null_vector(np.array([[-y, x]]))
+    assert first * y == pytest.approx(second * x)
+    assert (first if abs(x) >= 0.5 * abs(y) else second) > 0.0
