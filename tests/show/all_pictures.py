@@ -1,17 +1,22 @@
-"""Every picture that is recorded: whole figures, each public plot, films and blocks alone."""
+"""Every picture that is recorded: whole figures, each public plot, blocks, films; and pages."""
 
 import contextlib
+import inspect
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache, partial
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, get_args, get_origin
 
 import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
 import rocksteady as rs
 from rocksteady.histories import Trajectory
+from rocksteady.show.assessment.object_report import report_html
+from rocksteady.show.calibration._calibration_report import calibration_html
+from rocksteady.show.export.manifest import make_manifest
+from rocksteady.show.facade._facade_page import facade_html
 from rocksteady.show.figures.facades import facade_figure
 from rocksteady.show.figures.observations import (
     back_analysis_figure,
@@ -26,10 +31,16 @@ from rocksteady.show.figures.single import (
     fate_basins_figure,
 )
 from rocksteady.show.film.animation import Film, film_of
+from rocksteady.show.plots.facades.languages import language_of
+from rocksteady.show.style.legends import PLACES
 from rocksteady.show.style.page import Page
-from tests.public.calls import calls
+from tests.public.calls import Call, calls
 from tests.public.things import things
+from tests.show.assessment.pages import drawn_once
+from tests.show.calibrated import calibrated, unscored
 from tests.show.drawn_figures import BARE, BLOCK, makers, rocking, vertical_too
+from tests.show.facade.checked_facades import SUITE, alone, thin, tied
+from tests.show.varied_pictures import varied
 
 FIGURES: dict[str, Callable[..., Figure]] = {
     "calibration": calibration_figure,
@@ -85,16 +96,41 @@ def pictures() -> dict[str, Callable[[], Figure]]:
         for name, draw in figures().items()
         for width, page in PAGES.items()
     }
-    for label, call in calls().items():
-        if label.startswith("plot_"):
-            found[label] = partial(_of_axes, call.__call__)
+    plots = [(label, call) for label, call in calls().items() if label.startswith("plot_")]
+    for k, (label, call) in enumerate(plots):
+        found[label] = partial(_of_axes, partial(_called, call))
+        for option, value in _others(call, PLACES[k % len(PLACES)]):
+            changed = partial(_called, call, **{option: value})
+            found[f"{label}, {option} {value}"] = partial(_of_axes, changed)
     for name, block in BLOCKS.items():
         found[f"block {name}"] = partial(_of_axes, partial(rs.plots.block, block))
+    with contextlib.chdir(room()):
+        found |= {name: partial(_of_axes, draw) for name, draw in varied().items()}
     for name, run in _runs().items():
         film = film_of(run)
         for share in FRAMES:
             found[f"film {name}, {share}"] = partial(_frame, film, share)
     return found
+
+
+def _called(call: Call, **changed: Any) -> Any:
+    """Return the axes of a call, whose type `partial` does not take for a function's."""
+    return call(**changed)
+
+
+def _others(call: Call, place: str) -> Iterator[tuple[str, Any]]:
+    """Yield other choices of the options of a call, and one place of its legend."""
+    plot = inspect.unwrap(call.function)
+    for name, parameter in inspect.signature(plot).parameters.items():
+        if name == "legend":
+            yield name, place
+        elif isinstance(parameter.default, bool):
+            yield name, not parameter.default
+        elif name == "language":
+            yield name, "it"
+        elif get_origin(parameter.annotation) is Literal:
+            taken = call.arguments.get(name, parameter.default)
+            yield from ((name, value) for value in get_args(parameter.annotation) if value != taken)
 
 
 def _runs() -> dict[str, Trajectory]:
@@ -123,3 +159,24 @@ def _frame(film: Film, share: float) -> Figure:
     """Return the figure of a film at one of its frames."""
     film.show(round(share * (film.frames - 1)))
     return film.figure
+
+
+@cache
+def pages() -> dict[str, Callable[[], str]]:
+    """Return what writes each page of a report, with its pictures for light paper alone."""
+    t = things()
+    found: dict[str, Callable[..., str]] = {}
+    for name in ("assessment", "assessed runs", "objects", "on floors"):
+        found[name] = partial(report_html, t[name])
+    for name, make in {"usual": calibrated, "unscored": unscored}.items():
+        found[f"calibration {name}"] = partial(calibration_html, make())
+    for name, check in {"tied": tied, "thin": thin, "alone": alone}.items():
+        found[f"facade {name}"] = partial(facade_html, check(), words=language_of("en"))
+    found["facade tied, it"] = partial(facade_html, tied(), words=language_of("it"))
+    return {f"page {name}": partial(_page, write) for name, write in found.items()}
+
+
+def _page(write: Callable[..., str]) -> str:
+    """Return a page without the versions of what has made it."""
+    with drawn_once():
+        return write(manifest=make_manifest(SUITE, command="rocksteady"))

@@ -1,8 +1,8 @@
-"""Every picture shows what its record holds: words, forms and places to a fiftieth of a point."""
+"""Every picture and page shows what its record holds; places to a fiftieth of a point."""
 
 import pytest
 
-from tests.show.all_pictures import pictures
+from tests.show.all_pictures import pages, pictures
 from tools.freeze.records import FOLDER, loaded, short
 from tools.freeze.results import freeze_pictures
 
@@ -11,7 +11,7 @@ ANEW = "look at it (`make gallery`), then `python -m tools.freeze record picture
 
 
 def test_each_picture_has_a_record() -> None:
-    assert sorted(pictures()) == sorted(RECORDED), ANEW
+    assert sorted([*pictures(), *pages()]) == sorted(RECORDED), ANEW
 
 
 @pytest.mark.parametrize("name", RECORDED)

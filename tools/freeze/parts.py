@@ -7,7 +7,7 @@ from rocksteady.kernels.elementary import loops
 from rocksteady.kernels.entries import ENTRIES
 from tests.cli.test_app import COMMANDS
 from tests.explorer.browser.test_opening import TABS
-from tests.show.all_pictures import pictures
+from tests.show.all_pictures import pages, pictures
 from tools.freeze import commands, explorer, kernels, results, targets
 
 Found = Iterator[tuple[str, str]]
@@ -35,7 +35,7 @@ def _entries() -> list[str]:
 PARTS = {
     "calls": Part(_once, results.freeze_calls),
     "things": Part(_once, results.freeze_things),
-    "pictures": Part(lambda: list(pictures()), results.freeze_pictures),
+    "pictures": Part(lambda: [*pictures(), *pages()], results.freeze_pictures),
     "kernels": Part(_entries, kernels.freeze_entry),
     "cells": Part(_once, kernels.freeze_cells),
     "commands": Part(lambda: commands.lines(long=False), commands.freeze_line),

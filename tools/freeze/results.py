@@ -19,9 +19,9 @@ from rocksteady.cli.console import progress
 from rocksteady.show.export.files import figure_bytes
 from tests.public.calls import calls, close_pictures
 from tests.public.things import things
-from tests.show.all_pictures import pictures, room
+from tests.show.all_pictures import pages, pictures, room
 from tools.freeze.files import files_of, left
-from tools.freeze.pictures import drawn
+from tools.freeze.pictures import drawn, written
 from tools.freeze.records import FILE
 from tools.freeze.values import plain, shown, tidy
 from tools.namespace import PLACES, THINGS
@@ -76,10 +76,13 @@ def freeze_call(call: Any) -> Iterator[tuple[str, str]]:
 
 
 def freeze_pictures(only: str) -> Iterator[tuple[str, str]]:
-    """Yield every picture, or only one."""
+    """Yield every picture and page of a report, or only one."""
     for name, draw in pictures().items():
         if only in {"", name}:
             yield name, drawn(figure_bytes(draw(), "svg").decode())
+    for name, write in pages().items():
+        if only in {"", name}:
+            yield name, written(write())
 
 
 def freeze_stores(_: str) -> Iterator[tuple[str, str]]:

@@ -26,12 +26,12 @@ G = 9.80665
 @pytest.fixture(scope="module", name="t")
 def _made(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     with contextlib.chdir(tmp_path_factory.mktemp("things")):
-        return everything()
+        return everything(things.__wrapped__())
 
 
-def everything() -> dict[str, Any]:
+def everything(things: dict[str, Any]) -> dict[str, Any]:
     """Return one result of every class, and weak shaking, under which blocks stand."""
-    made: dict[str, Any] = things.__wrapped__()
+    made = dict(things)
     made["weak"] = rs.compute_rocking_spectrum(
         made["record"].scaled(0.5), alpha=[0.1, 0.3], periods_s=[1.0, 2.0, 4.0]
     )
