@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rocksteady.model.checks.confidence import CONFIDENCE
-from rocksteady.results.numbers import chance, interval, number
+from rocksteady.results.numbers import chance, interval, number, plural
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.risk.ensemble.qualification import FORCES, OF_ROCKING
@@ -75,6 +75,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         ],
         "demand": facts["demand"].words,
         "forces": any(row["base_force_down_kn"] is not None for row in rows),
+        "objects": plural(len(rows), "object"),
         "notes": [greek(note) for note in description.notes if note not in CAVEATS],
         "orders": [{"key": key, "words": words} for key, words, _ in ORDERS],
         "provenance": provenance(manifest),
