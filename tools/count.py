@@ -1,14 +1,12 @@
 """``python -m tools.count``: code lines by package, and what has grown beyond easy reading.
 
-A code line holds a token that is neither a comment nor a docstring.  Folders of many files and long
+A code line holds something that is neither a comment nor part of a docstring.  Folders of many files and long
 modules are named as advice: modules are cut by concept, not by number.
 """
 
 import argparse
 import ast
-import io
 import sys
-import tokenize
 from collections import Counter
 from pathlib import Path
 
@@ -18,14 +16,6 @@ MOST = 14
 """Files of a folder, its `__init__` included."""
 LONGEST = 500
 """Lines of a module."""
-LAYOUT = {
-    tokenize.COMMENT,
-    tokenize.NL,
-    tokenize.NEWLINE,
-    tokenize.INDENT,
-    tokenize.DEDENT,
-    tokenize.ENDMARKER,
-}
 DOCUMENTED = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
 
 
@@ -38,16 +28,18 @@ def code_lines(source: str) -> int:
     >>> code_lines("x = 1  # a number")
     1
     """
-    lines = {
-        line
-        for token in tokenize.generate_tokens(io.StringIO(source).readline)
-        if token.type not in LAYOUT
-        for line in range(token.start[0], token.end[0] + 1)
-    }
+    texts: set[int] = set()
+    documented: set[int] = set()
     for node in ast.walk(ast.parse(source)):
-        if isinstance(node, DOCUMENTED) and ast.get_docstring(node, clean=False) is not None:
-            lines -= set(range(node.body[0].lineno, (node.body[0].end_lineno or 0) + 1))
-    return len(lines - {n for n, text in enumerate(source.splitlines(), 1) if not text.strip()})
+        if isinstance(node, ast.Constant | ast.JoinedStr):
+            if (end := node.end_lineno or 0) > node.lineno:
+                texts.update(range(node.lineno, end + 1))
+        elif isinstance(node, DOCUMENTED) and ast.get_docstring(node, clean=False) is not None:
+            documented.update(range(node.body[0].lineno, (node.body[0].end_lineno or 0) + 1))
+    return sum(
+        bool(line) and number not in documented and (number in texts or line[0] != "#")
+        for number, line in enumerate(map(str.strip, source.splitlines()), 1)
+    )
 
 
 def main(arguments: list[str]) -> int:
