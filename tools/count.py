@@ -1,6 +1,6 @@
 """``python -m tools.count``: code lines by package, and what has grown beyond easy reading.
 
-A code line holds something that is neither a comment nor part of a docstring.  Folders of many files and long
+A code line holds more than a comment and is no part of a docstring.  Folders of many files and long
 modules are named as advice: modules are cut by concept, not by number.
 """
 
