@@ -114,7 +114,9 @@ def pictures() -> dict[str, Callable[[], Figure]]:
 
 
 def _called(call: Call, **changed: Any) -> Any:
-    """Return the axes of a call, whose type `partial` does not take for a function's."""
+    """Return the axes of a call; those of another place of the legend are small."""
+    if "legend" in changed:
+        changed["ax"] = Figure(figsize=(3.3, 2.4), layout="constrained").add_subplot()
     return call(**changed)
 
 

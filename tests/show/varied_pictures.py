@@ -10,7 +10,7 @@ import numpy as np
 import rocksteady as rs
 from rocksteady import plots
 from tests.public.things import things
-from tests.show.drawn_figures import BARE, BLOCK, SHAKING, rocking, shock, vertical_too
+from tests.show.drawn_figures import BARE, BLOCK, SHAKING, resting, rocking, shock, vertical_too
 from tests.show.drawn_maps import found, random_map
 from tests.show.plots.branches.test_bifurcations import (
     curves,
@@ -49,7 +49,15 @@ def _motions() -> dict[str, Callable[[], Any]]:
     sides = rs.simulate(rs.Block.asymmetric(left=0.15, right=0.25, height=1.2), RICKER)
     bare_wall = rs.DimensionlessBlock(restitution=0.8, one_sided=True)
     bare = rs.simulate(bare_wall, SHAKING, cycles=3)
-    runs = {"walled": walled, "kicked": kicked, "sides": sides, "by a bare wall": bare}
+    tilted = rs.simulate(BLOCK, rs.Still(), start=rs.State(angle=0.3, velocity=0.0))
+    runs = {
+        "walled": walled,
+        "kicked": kicked,
+        "sides": sides,
+        "by a bare wall": bare,
+        "tilted a little": tilted,
+        "that rests": resting(),
+    }
     drawn: dict[str, Callable[[], Any]] = {
         "base of a record": partial(plots.base, shock()),
         "base of both components": partial(plots.base, both),
