@@ -121,7 +121,19 @@ def _orbits() -> dict[str, Callable[[], Any]]:
     starts = rs.find_overturning_windows(
         BARE, "ricker", np.linspace(0.8, 4.0, 25), within=(1.0, 12.0)
     )
+    few = np.linspace(-1.0, 1.0, 15)
+    basins = rs.compute_basins(BLOCK, SHAKING, angles=few, velocities=few, max_cycles=60)
+    eroded = rs.compute_erosion(
+        BLOCK,
+        rs.Harmonic(amplitude=1.0, frequency_ratio=2.0),
+        np.linspace(0.0, 3.0, 5),
+        angles=few,
+        velocities=few,
+        cycles=10,
+    )
     return {
+        "basins of a block": partial(plots.basins, basins),
+        "erosion of a block": partial(plots.erosion, eroded),
         "multipliers of many": partial(plots.multipliers, many),
         "section of many": partial(plots.poincare_section, many),
         "resting branches": partial(plots.bifurcations, resting),
@@ -149,7 +161,18 @@ def _risks(t: dict[str, Any]) -> dict[str, Callable[[], Any]]:
     drawn: dict[str, Callable[[], Any]] = {
         f"rows of {name}": partial(plots.rows, t[name]) for name in names
     }
+    at, fell = np.geomspace(0.1, 1.0, 6), [0, 2, 9, 14, 19, 20]
+    bands = rs.risk.BandOptions(replicates=100)
+    one = rs.risk.fit_curve(at, fell, [20] * 6, bands=bands, within=(0.1, 1.0))
+    logistic = rs.risk.fit_curve(at, fell, [20] * 6, family="logistic", bands=bands)
+    suite = [shock("weak", 0.3), shock("once"), shock("a record with a long name indeed", 3.0)]
     return drawn | {
+        "curve with a band": partial(plots.fragility, one),
+        "logistic curve with a band": partial(plots.fragility, logistic),
+        "scales of three": partial(
+            plots.overturning_scales,
+            rs.find_overturning_scales(BLOCK, suite, within=(0.2, 6.0)),
+        ),
         "tornado of chances": partial(plots.tornado, rows, 0.00126),
         "objects": partial(plots.objects, several),
         "two stages": partial(plots.fragility, t["two_stages"]),
