@@ -104,7 +104,6 @@ ALLOWED = {
     ("model/checks/confidence.py", "scipy.special"): "the interval about a share",
     ("model/motions/band_noise.py", "numpy.random"): "seeded, in NumPy's own code",
     ("dynamics/continuation/chains/events.py", "@"): LAPACK,
-    ("dynamics/continuation/chains/events.py", "numpy.linalg"): LAPACK,
     ("dynamics/continuation/chains/events.py", "scipy.optimize"): PYTHON,
     ("dynamics/continuation/chains/predictor_corrector.py", "@"): LAPACK,
     ("dynamics/continuation/chains/predictor_corrector.py", "numpy.linalg"): LAPACK,

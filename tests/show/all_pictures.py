@@ -67,7 +67,7 @@ BLOCKS: dict[str, Any] = {
     "bare sides": rs.DimensionlessBlock(restitution=0.8, alpha_ratio=1.8, p_ratio=0.9),
     "by a wall": BY_WALL,
 }
-FRAMES = (0.0, 0.3, 0.8, 1.0)
+FRAMES = (0.0, 0.3, 1.0)
 """Frames of films, as shares of their number."""
 
 

@@ -532,7 +532,7 @@ def test_the_numbers_of_the_regions_stand_in_their_regions() -> None:
         assert steady_states(a, w, 0.5, order=3).region == region
 
 
-@every(("name", "ending"), zip(FIGURES, itertools.cycle(MAGIC), strict=False))
+@every(("name", "ending"), zip([*FIGURES][::2], MAGIC, strict=True))
 def test_figures_can_be_saved(name: str, ending: str, tmp_path: Path) -> None:
     figure = FIGURES[name]()
     file = tmp_path / f"figure.{ending}"
