@@ -1,7 +1,9 @@
 """Every picture that is recorded: whole figures, each public plot, blocks, films; and pages."""
 
+import atexit
 import contextlib
 import inspect
+import shutil
 import tempfile
 from collections.abc import Callable, Iterator
 from functools import cache, partial
@@ -73,8 +75,9 @@ FRAMES = (0.0, 0.3, 1.0)
 
 @cache
 def room() -> Path:
-    """Return the folder with the files of things, which are made there."""
+    """Return the folder with the files of things, which are made there; no process leaves it."""
     folder = Path(tempfile.mkdtemp(prefix="things-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
     with contextlib.chdir(folder):
         things()
         calls()
@@ -165,7 +168,7 @@ def _frame(film: Film, share: float) -> Figure:
 
 @cache
 def pages() -> dict[str, Callable[[], str]]:
-    """Return what writes each page of a report, with its pictures for light paper alone."""
+    """Return what writes each page of a report, by its name."""
     t = things()
     found: dict[str, Callable[..., str]] = {}
     for name in ("assessment", "assessed runs", "objects", "on floors"):
@@ -179,6 +182,6 @@ def pages() -> dict[str, Callable[[], str]]:
 
 
 def _page(write: Callable[..., str]) -> str:
-    """Return a page without the versions of what has made it."""
+    """Return a page, each of its pictures drawn once."""
     with drawn_once():
         return write(manifest=make_manifest(SUITE, command="rocksteady"))
