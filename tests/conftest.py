@@ -3,6 +3,7 @@
 import gc
 import os
 import signal
+import sys
 from collections.abc import Iterator
 
 import pytest
@@ -43,6 +44,17 @@ def pytest_collection() -> Iterator[None]:
     gc.freeze()
     gc.enable()
     gc.set_threshold(20_000, 20, 20)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol() -> Iterator[None]:
+    """Give each test the settings of Matplotlib that the one before has found."""
+    drawing = sys.modules.get("matplotlib")
+    before = {} if drawing is None else dict(drawing.rcParams)
+    result = yield
+    if drawing is not None:
+        dict.update(drawing.rcParams, before)
+    return result
 
 
 # A script that has started the tests in its background has SIGINT ignored, in all that they start.

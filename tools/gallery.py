@@ -27,8 +27,8 @@ from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.style import palette
 from rocksteady.show.style.page import Page
 from rocksteady.show.style.tokens import DARK, LIGHT, Inks, meanings
-from tests.public.calls import calls, close_pictures
-from tests.show.all_pictures import FIGURES, room
+from tests.public.calls import calls, close_pictures, room
+from tests.show.all_pictures import FIGURES
 from tests.show.drawn_figures import makers
 
 OUT = Path("out/gallery").absolute()

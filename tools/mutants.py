@@ -269,8 +269,7 @@ def _trace_freeze(copy: Path, kept: Path) -> int:
     """Compute and trace each call of the freeze."""
     found = Reach(copy)
     found.see_memories()
-    from tests.public.calls import calls
-    from tests.show.all_pictures import room
+    from tests.public.calls import calls, room
     from tools.freeze import results
 
     results.begin()

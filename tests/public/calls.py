@@ -1,7 +1,11 @@
 """One valid call of every public function, constructor and method, cheap enough to repeat."""
 
+import atexit
+import contextlib
 import functools
 import inspect
+import shutil
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -38,6 +42,17 @@ class Call(NamedTuple):
             if kinds[name].kind is inspect.Parameter.VAR_POSITIONAL:
                 row += arguments.pop(name)
         return self.function(*row, **arguments)
+
+
+@functools.cache
+def room() -> Path:
+    """Return a folder with the files of things, which no process leaves behind."""
+    folder = Path(tempfile.mkdtemp(prefix="things-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    make = things.__wrapped__ if things.cache_info().currsize else calls
+    with contextlib.chdir(folder):
+        make()
+    return folder
 
 
 @functools.cache

@@ -6,6 +6,7 @@ import math
 import os
 import random
 import resource
+import shutil
 import signal
 import warnings
 from collections import Counter
@@ -24,7 +25,7 @@ import xarray
 import rocksteady as rs
 from tests.outputs import unrendered
 from tests.public import junk
-from tests.public.calls import Call, calls, close_pictures, public_callables
+from tests.public.calls import Call, calls, close_pictures, public_callables, room
 from tests.public.things import things
 from tests.show.assessment.pages import drawn_once
 
@@ -54,9 +55,11 @@ REFUSED_LATER = {"follow_bifurcation"}
 
 @pytest.fixture(scope="module", autouse=True)
 def _room(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Work in a folder of its own, without a screen."""
+    """Work in a folder of its own with the files of things, without a screen."""
     before = Path.cwd()
-    os.chdir(tmp_path_factory.mktemp("fuzz"))
+    folder = tmp_path_factory.mktemp("fuzz")
+    shutil.copytree(room(), folder, dirs_exist_ok=True)  # made before, perhaps, and elsewhere
+    os.chdir(folder)
     mpl.use("Agg")
     yield
     os.chdir(before)

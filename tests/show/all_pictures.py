@@ -1,13 +1,9 @@
 """Every picture that is recorded: whole figures, each public plot, blocks, films; and pages."""
 
-import atexit
 import contextlib
 import inspect
-import shutil
-import tempfile
 from collections.abc import Callable, Iterator
 from functools import cache, partial
-from pathlib import Path
 from typing import Any, Literal, get_args, get_origin
 
 import matplotlib.pyplot as plt
@@ -36,7 +32,7 @@ from rocksteady.show.film.animation import Film, film_of
 from rocksteady.show.plots.facades.languages import language_of
 from rocksteady.show.style.legends import PLACES
 from rocksteady.show.style.page import Page
-from tests.public.calls import Call, calls
+from tests.public.calls import Call, calls, room
 from tests.public.things import things
 from tests.show.assessment.pages import drawn_once
 from tests.show.calibrated import calibrated, unscored
@@ -71,17 +67,6 @@ BLOCKS: dict[str, Any] = {
 }
 FRAMES = (0.0, 0.3, 1.0)
 """Frames of films, as shares of their number."""
-
-
-@cache
-def room() -> Path:
-    """Return the folder with the files of things, which are made there; no process leaves it."""
-    folder = Path(tempfile.mkdtemp(prefix="things-"))
-    atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    with contextlib.chdir(folder):
-        things()
-        calls()
-    return folder
 
 
 def figures() -> dict[str, Callable[..., Figure]]:

@@ -14,8 +14,8 @@ import rocksteady as rs
 from rocksteady.show.style.legends import figure_of
 from rocksteady.show.style.page import Page
 from rocksteady.show.style.tokens import LIGHT, meanings, mixed
-from tests.public.calls import calls, close_pictures
-from tests.show.all_pictures import figures, room
+from tests.public.calls import calls, close_pictures, room
+from tests.show.all_pictures import figures
 from tests.show.seen import Seen, read_figure
 
 pytestmark = pytest.mark.slow

@@ -7,8 +7,8 @@ import matplotlib as mpl
 import pytest
 
 import rocksteady as rs
-from tests.public.calls import calls
-from tests.show.all_pictures import FIGURES, room
+from tests.public.calls import calls, room
+from tests.show.all_pictures import FIGURES
 from tests.show.drawn_figures import NAMES
 from tools import gallery
 

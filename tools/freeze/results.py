@@ -17,9 +17,9 @@ import matplotlib as mpl
 import rocksteady as rs
 from rocksteady.cli.console import progress
 from rocksteady.show.export.files import figure_bytes
-from tests.public.calls import calls, close_pictures
+from tests.public.calls import calls, close_pictures, room
 from tests.public.things import things
-from tests.show.all_pictures import pages, pictures, room
+from tests.show.all_pictures import pages, pictures
 from tools.freeze.files import files_of, left
 from tools.freeze.pictures import drawn, written
 from tools.freeze.records import FILE
