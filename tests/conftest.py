@@ -48,7 +48,7 @@ def pytest_collection() -> Iterator[None]:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol() -> Iterator[None]:
-    """Give each test the settings of Matplotlib that the one before has found."""
+    """Restore the settings of Matplotlib after each test."""
     drawing = sys.modules.get("matplotlib")
     before = {} if drawing is None else dict(drawing.rcParams)
     result = yield

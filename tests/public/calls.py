@@ -46,7 +46,7 @@ class Call(NamedTuple):
 
 @functools.cache
 def room() -> Path:
-    """Return a folder with the files of things, which no process leaves behind."""
+    """Return a folder with the files of things; it is removed when the process ends."""
     folder = Path(tempfile.mkdtemp(prefix="things-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     make = things.__wrapped__ if things.cache_info().currsize else calls

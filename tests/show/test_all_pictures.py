@@ -1,4 +1,4 @@
-"""Every picture and page shows what its record holds; places to a fiftieth of a point."""
+"""Every picture and page is as recorded: words, forms, and places to a fiftieth of a point."""
 
 import pytest
 

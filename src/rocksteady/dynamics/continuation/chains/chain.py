@@ -179,7 +179,7 @@ class Chain:
         return float(np.linalg.det(self.matrix(closing) / sizes[:, np.newaxis]))
 
     def null_direction(self, closing: float) -> Floats:
-        """Return the displacement of the phases that the derivative all but forgets, length 1."""
+        """Return the null vector of the derivative: a displacement of the phases, of length 1."""
         return null_vector(self.matrix(closing))
 
     @property

@@ -267,7 +267,7 @@ def null_vector(matrix: Floats) -> Floats:
 
 
 def _tangent(slopes: Floats, towards: Floats) -> Floats | None:
-    """Return the unit vector that the slopes forget, on the side of a direction."""
+    """Return the unit null vector of the slopes, on the side of a direction."""
     last = np.zeros(len(towards))
     last[-1] = 1.0
     tangent = _solve(np.vstack([slopes, towards]), last)
