@@ -267,7 +267,7 @@ resources: .venv gpu .venv/.ptxas ## what the kernels take of a GPU, by ptxas; w
 	$(BIN)/python -m bench.gpu.resources
 
 .PHONY: mutants
-mutants: .venv library ## change single places of the sources, and count what tests and freeze notice: an hour
+mutants: .venv library ## change single places of the sources, and count what tests notice: an hour
 	$(BIN)/python -m tools.mutants
 
 .PHONY: gallery

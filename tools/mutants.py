@@ -5,15 +5,13 @@ guard, or moves one constant.  Mutants are drawn with a seed, equally many from 
 
 The tests of a package are traced once.  Each mutant is given to those that call its function, the
 quickest first and up to a minute, and is killed where one of them fails.  What survives is given to
-each public call of the freeze that calls the function, kernels excepted.  A score is a
-lower bound: a test that was left out might have failed, and nothing but the freeze confirms a
-survivor.
+the tests of recorded answers that call the function, kernels excepted.  A score is a lower bound: a
+test that was left out might have failed.
 """
 
 import argparse
 import ast
 import contextlib
-import functools
 import hashlib
 import itertools
 import multiprocessing
@@ -34,13 +32,14 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from tools.freeze.__main__ import ENVIRONMENT
 from tools.reach import Checks, Chosen, Reach
 
 ROOT = Path(__file__).parents[1]
 SOURCES = Path("src", "rocksteady")
 PACKAGES = ("dynamics", "kernels", "model", "records", "risk", "seismic", "show", "sweep")
-FREEZE = "freeze"
+RECORDED = "recorded"
+ANSWERS = "tests/public/test_recorded.py"
+"""Tests that what is public shows and returns what is recorded."""
 SWAPPED: dict[type[ast.AST], str] = {
     ast.Lt: "<=",
     ast.LtE: "<",
@@ -168,7 +167,7 @@ def tests_of(mutant: Mutant, checks: Checks) -> list[str]:
 
 
 def killer(mutant: Mutant, copy: Path, reached: dict[str, Checks]) -> str:
-    """Return what notices a mutant in a copy of the tree: tests, freeze, or nothing."""
+    """Return what notices a mutant in a copy of the tree: tests, recorded answers, or nothing."""
     package = mutant.file.parts[2]
     place = copy / mutant.file
     place.write_text(mutant.source, encoding="utf-8")
@@ -180,11 +179,11 @@ def killer(mutant: Mutant, copy: Path, reached: dict[str, Checks]) -> str:
         seconds = sum(map(reached[package].seconds.__getitem__, tests))
         if tests and _run(_test, copy, package, tests, seconds=seconds):
             return "tests"
-        if package != "kernels" and FREEZE in reached:
-            frozen = reached[FREEZE].reaching(mutant.file, mutant.function)
-            frozen.sort(key=reached[FREEZE].seconds.__getitem__)
-            seconds = sum(map(reached[FREEZE].seconds.__getitem__, frozen))
-            return FREEZE if _run(_compare, copy, frozen, seconds=seconds) else ""
+        if package != "kernels" and RECORDED in reached:
+            answers = tests_of(mutant, reached[RECORDED]) or [*reached[RECORDED].seconds]
+            seconds = sum(map(reached[RECORDED].seconds.__getitem__, answers))
+            killed = answers and _run(_test, copy, RECORDED, answers, seconds=seconds)
+            return RECORDED if killed else ""
     finally:
         shutil.copy2(ROOT / mutant.file, place)
     return ""
@@ -194,17 +193,16 @@ STAMPS = itertools.count(10**9)
 
 
 def reach(name: str, copy: Path) -> Checks:
-    """Return what the tests of a package call, or the freeze; kept until a file changes."""
+    """Return what the tests of a package call, or of answers; kept until a file changes."""
     shared = sorted((ROOT / SOURCES).rglob("*.py")) + sorted((ROOT / "tests").glob("*.py"))
-    folders = ("frozen", "public", "show") if name == FREEZE else (name,)
+    folders = ("frozen", "public") if name == RECORDED else (name,)
     own = [each for folder in folders for each in sorted((ROOT / "tests" / folder).rglob("*.*"))]
     files = [file for file in (*shared, *own) if file.suffix in {".py", ".txt"}]
     digest = hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()[:16]
     kept = ROOT / "build" / "mutants" / f"{name}-{digest}.json"
     if not kept.exists():
         kept.parent.mkdir(parents=True, exist_ok=True)
-        job, given = (_trace_freeze, ()) if name == FREEZE else (_trace_tests, (name,))
-        if _run(job, copy, *given, kept) or not kept.exists():
+        if _run(_trace, copy, name, kept) or not kept.exists():
             raise SystemExit(f"the checks of {name} cannot be traced")
     return Checks.read(kept)
 
@@ -256,63 +254,14 @@ def _test(copy: Path, package: str, tests: list[str]) -> int:
     return 0 if ended == pytest.ExitCode.NO_TESTS_COLLECTED else int(ended)
 
 
-def _trace_tests(copy: Path, package: str, kept: Path) -> int:
-    """Run and trace the tests of a package."""
+def _trace(copy: Path, name: str, kept: Path) -> int:
+    """Run and trace the tests of a package, or of answers."""
     found = Reach(copy)
     found.see_memories()
-    _pytest(copy, package, ["--maxfail=1000000", f"tests/{package}"], found)
+    folder = ANSWERS if name == RECORDED else f"tests/{name}"
+    _pytest(copy, name, ["--maxfail=1000000", folder], found)
     found.checks().write(kept)
     return 0
-
-
-def _trace_freeze(copy: Path, kept: Path) -> int:
-    """Compute and trace each call of the freeze."""
-    found = Reach(copy)
-    found.see_memories()
-    from tests.public.calls import calls, room
-    from tools.freeze import results
-
-    results.begin()
-    room()  # untraced: what one of every class shows is always compared
-    for name in calls():
-        with found.check(name):
-            assert not _moved("calls", name)
-    found.checks().write(kept)
-    return 0
-
-
-def _compare(_: Path, frozen: list[str]) -> int:
-    """Return whether what one of every class shows has moved, or a call."""
-    from tools.freeze import results
-
-    results.begin()
-    return int(_moved("things") or any(_moved("calls", name) for name in frozen))
-
-
-@functools.cache
-def _recorded(part: str) -> dict[str, str]:
-    """Return the records of a part."""
-    from tools.freeze import records
-
-    return records.loaded((records.FOLDER / f"{part}.txt").read_text(encoding="utf-8"))
-
-
-def _moved(part: str, name: str = "") -> bool:
-    """Return whether a part of the freeze has moved, or a call of it."""
-    from tools.freeze import records, results
-
-    freeze = {
-        "things": results.freeze_things,
-        "calls": results.freeze_calls,
-    }[part]
-    before = _recorded(part)
-    if name:
-        own = f"{name}{records.FILE}"
-        before = {
-            item: text for item, text in before.items() if item == name or item.startswith(own)
-        }
-    now = records.loaded(records.dumped(records.short(dict(freeze(name)))))
-    return bool(records.moved(before, now))
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -326,7 +275,6 @@ def main(arguments: list[str] | None = None) -> int:
     if unknown := set(given.packages) - set(PACKAGES):
         parser.error(f"{min(unknown)} is none of {', '.join(PACKAGES)}")
     drawn = draw(given.packages, given.count, given.seed)
-    os.environ.update(ENVIRONMENT)  # NumPy reads it at its import, which the server does once
     SERVER.set_forkserver_preload(list(WARM))
     with (
         tempfile.TemporaryDirectory() as scratch,
@@ -351,18 +299,18 @@ def main(arguments: list[str] | None = None) -> int:
             finally:
                 free.put(copy)
 
-        names = [*given.packages, *([FREEZE] if given.packages != ["kernels"] else [])]
+        names = [*given.packages, *([RECORDED] if given.packages != ["kernels"] else [])]
         reached = dict(zip(names, workers.map(traced, names), strict=True))
-        if FREEZE in names and _run(_compare, copies[0], []):
-            raise SystemExit("the freeze has moved without a mutant: record it first")
+        if RECORDED in names and _run(_test, copies[0], RECORDED, [*reached[RECORDED].seconds]):
+            raise SystemExit("answers have moved without a mutant: record them first")
         killers = {}
         for mutant, (by, took) in zip(drawn, workers.map(judge, drawn), strict=True):
             killers[mutant] = by
             print(f"{by or 'survives':8} {took:4.0f} s {mutant}", flush=True)
     for package in given.packages:
         own = [by for mutant, by in killers.items() if mutant.file.parts[2] == package]
-        tests, freeze = own.count("tests"), own.count(FREEZE)
-        print(f"{package:10} {tests:4d} of {len(own)} killed by tests, {freeze} by the freeze")
+        tests, answers = own.count("tests"), own.count(RECORDED)
+        print(f"{package:10} {tests:4d} of {len(own)} killed by tests, {answers} by answers")
     return 0
 
 

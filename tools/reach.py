@@ -1,8 +1,7 @@
 """Which functions of the package each check calls, found by tracing it once.
 
-A check is a test, or a public call of the freeze. What an earlier check has left in a
-cache or in a fixture counts as called by each check that reads it. Calls in other processes and
-while modules are imported are not seen.
+What an earlier check has left in a cache or in a fixture counts as called by each check that reads
+it. Calls in other processes and while modules are imported are not seen.
 """
 
 import functools

@@ -39,6 +39,56 @@ def test_what_is_new_gone_or_another_value_is_named_with_both_values() -> None:
     ]
 
 
+def test_what_differs_by_rounding_alone_is_not_apart() -> None:
+    hexed, near, far = ((2.0 / 3.0 + each).hex() for each in (0.0, 1e-10, 1e-5))
+    hashes = records.digest("a"), records.digest("b")
+    same = (
+        (hexed, near),
+        (f"peak={hexed}, side=1", f"peak={near}, side=1"),
+        ("0.123 g of 1.23e-05", "0.124 g of 1.24e-05"),
+        ("0.666666666666 to nan", "0.666666766666 to nan"),
+        ("0x0.0p+0", (1e-10).hex()),
+        (f"<f8[9] -1.5 to 2.25 {hashes[0]}", f"<f8[9] -1.5 to 2.25 {hashes[1]}"),
+        ("", ""),
+    )
+    another = (
+        (hexed, far),
+        (hexed, "nan"),
+        ("nan", "inf"),
+        ("0.123 g", "0.125 g"),
+        ("0.123 g", "0.123 m"),
+        ("-0.5", "0.5"),
+        ("1.2", "1.3"),
+        ("3 runs", "4 runs"),
+        ("0.666666666666", "0.666668"),
+        (hashes[0], "1.5"),
+        (f"<f8[9] -1.5 to 2.25 {hashes[0]}", f"<f8[9] -1.5 to 2.27 {hashes[0]}"),
+        (f"<f8[9] -1.5 to 2.25 {hashes[0]}", f"<f4[9] -1.5 to 2.25 {hashes[0]}"),
+        ("a", "a\nb"),
+        ("a\nb", "a"),
+    )
+    assert [pair for pair in same if records.apart(*pair)] == []
+    assert [pair for pair in another if not records.apart(*pair)] == []
+
+
+def test_what_is_kept_of_a_long_item_is_compared() -> None:
+    values = [1.0 / k for k in range(1, 60)]
+    line = ", ".join(value.hex() for value in values)
+    kept = records.abridged(line)
+    for at in (0, 3, 50):
+        values[at] += 1e-10
+    near = ", ".join(value.hex() for value in values)
+    assert records.apart(kept, near) == ""
+    values[3] += 1e-3
+    assert records.apart(kept, ", ".join(value.hex() for value in values)).endswith(kept)
+    long = "\n".join(f"row {k}" for k in range(1000))
+    kept = records.abridged(long)
+    assert records.apart(kept, long) == ""
+    assert records.apart(kept, long.replace("row 999", "row 7")) == ""
+    assert records.apart(kept, long.replace("row 7\n", "row 8\n"))
+    assert records.apart(kept, f"{long}\nrow").startswith("1001 lines, not")
+
+
 @pytest.mark.parametrize("text", ["\n".join(map(str, range(1000))), "7" * 1000])
 def test_what_is_too_long_to_keep_counts_to_its_last_letter(text: str) -> None:
     short = records.abridged(text)

@@ -100,4 +100,14 @@ def test_a_mutant_is_killed_where_a_test_fails_that_did_not(tree: Path) -> None:
     constant, _, guard, *_ = tool.mutants(FILE)
     assert tool.killer(constant, copy, reached) == "tests"
     assert tool.killer(guard, copy, reached) == ""
+    answers = copy / tool.ANSWERS
+    answers.parent.mkdir()
+    answers.write_text(
+        "import pytest\n\nfrom rocksteady.made._counting import kept\n\n"
+        "def test_empty():\n    with pytest.raises(ValueError, match='1'):\n        kept(())\n",
+        encoding="utf-8",
+    )
+    empty = f"{tool.ANSWERS}::test_empty"
+    reached[tool.RECORDED] = Checks({empty: 0.1}, {f"{FILE}:8": [empty]})
+    assert tool.killer(guard, copy, reached) == "recorded"
     assert (copy / FILE).read_text(encoding="utf-8") == SOURCE
