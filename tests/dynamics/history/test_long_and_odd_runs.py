@@ -197,3 +197,17 @@ def test_cycles_count_from_the_start_of_an_endless_last_segment() -> None:
     )
     run = simulate(BLOCK, shaken, cycles=7)
     assert run.end_time_pt == pytest.approx(2.0 + 7.0 * 2.0 * math.pi / 4.0, rel=1e-14)
+
+
+def test_impacts_after_the_last_flight_are_counted_where_a_run_ends_at_its_limit() -> None:
+    # On a still base each impact leaves r times as fast as it comes: fewer than 1e-6 do not count.
+    for block in (BLOCK, Block.from_p(alpha=0.2, p=2.0, restitution=0.9)):
+        start = State(angle=0.5, velocity=0.0)
+        whole = simulate(block, Still(), start=start)
+        for flights in (3, 10, 30):
+            short = simulate(block, Still(), start=start, max_flights=flights)
+            assert short.status is Status.AT_REST
+            assert len(short.rows) == flights
+            assert short.impacts_left_out == len(whole.impacts) - len(short.impacts) > 0
+            assert short.impact_count == whole.impact_count == len(whole.impacts)
+        assert whole.impacts_left_out == 0

@@ -1,5 +1,6 @@
 """Descriptions of overturning windows: values, table and rows."""
 
+import math
 import re
 from dataclasses import replace
 from functools import cache
@@ -137,3 +138,31 @@ def test_an_answer_says_nothing_of_what_was_not_searched(highest: float) -> None
             assert "above" not in text
             if "always" in text or "it stands" in text:
                 assert float(re.findall(r" to (?:A = )?([\d.]+)", text)[-1]) == float(f"{end:.3g}")
+
+
+def test_an_answer_tells_where_falling_begins_and_where_it_ends() -> None:
+    made = windows_of(BARE)
+    nan = math.nan
+    for low, high, left_out, words in (
+        ((2.5, nan), (2.6, nan), 0, "first at 2.5; it stands from 2.6 to 3"),
+        ((2.5, nan), (2.6, nan), 1, "first at 2.5"),
+        ((2.5, nan), (3.0, nan), 0, "at 2.5, and always up to 3"),
+        ((2.5, nan), (3.0, nan), 1, "at 2.5, and always up to 3"),
+        ((1.5, 2.5), (2.0, 3.0), 0, "first at 1.5; always from 2.5 to 3"),
+        ((1.5, 2.5), (2.0, 3.0), 1, "first at 1.5; always from 2.5 to 3"),
+        ((1.5, 2.2), (2.0, 2.5), 0, "first at 1.5; it stands from 2.5 to 3"),
+        ((1.0, nan), (2.5, nan), 0, "first at 1, the least searched; it stands from 2.5 to 3"),
+        ((1.0, nan), (3.0, nan), 0, "at 1, the least searched, and always up to 3"),
+        ((1.5, nan), (2.9999, nan), 0, "first at 1.5"),
+    ):
+        empty = np.full(2, nan)
+        windows = replace(
+            made,
+            first=np.array([low[0], nan, nan]),
+            low=np.array([low, empty, empty]),
+            high=np.array([high, empty, empty]),
+            impacts=np.where(np.isnan([low, empty, empty]), -1, 1),
+            side=np.where(np.isnan([low, empty, empty]), 0, 1),
+            left_out=np.array([left_out, 0, 0]),
+        )
+        assert windows._verdict(0, "{:g}".format) == words, (low, high, left_out)

@@ -222,3 +222,23 @@ def test_marks_are_what_makes_a_store(begun: Path) -> None:
     assert not is_store(begun / "sum")
     (begun / "zarr.json").write_text("{", encoding="utf-8")
     assert not is_store(begun)
+
+
+def test_marks_that_no_sweep_writes_are_those_of_no_store(begun: Path) -> None:
+    marks = json.loads((begun / "done" / "store.json").read_text(encoding="utf-8"))
+    assert owner_of(begun) is not None
+    wrong: dict[str, list[Any]] = {
+        "axes": [["a b"], ["", "b"], [1, "b"], [], ["..", "b"], None],
+        "outputs": [["sum", "../sum"], ["3"], [2], [], None],
+        "box": [[], [0, 3], [2, -1], [2.0, 3], ["2", 3], [2], [2, 3, 4], None],
+        "sweep": ["", "none", marks["sweep"][1:], marks["sweep"].upper() + "G", 7, None],
+    }
+    taken = []
+    for name, values in wrong.items():
+        for value in values:
+            for file in ("store.json", "store-copy.json"):
+                text = json.dumps({**marks, name: value})
+                (begun / "done" / file).write_text(text, encoding="utf-8")
+            if owner_of(begun) is not None:
+                taken.append((name, value))
+    assert taken == []

@@ -142,6 +142,18 @@ def test_a_place_where_nothing_can_be_written_is_refused(tmp_path: Path) -> None
     assert not is_store(tmp_path / "folder")
 
 
+def test_a_store_that_cannot_be_begun_leaves_no_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> None:
+        raise OutputError("store", "a", "it cannot be begun", "name another")
+
+    monkeypatch.setattr(Store, "_writer", refuse)
+    with pytest.raises(OutputError, match="it cannot be begun"):
+        run(tmp_path / "a.zarr")
+    assert not list(tmp_path.iterdir())
+
+
 def test_what_a_store_is_told_is_checked(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match="both continued and replaced"):
         Store(tmp_path, resume=True, overwrite=True)

@@ -193,6 +193,9 @@ def test_a_small_basin_is_found_from_its_neighbours() -> None:
     assert third.present.all()
     assert (found.share[third.label] == 0.0).any()
     assert "Share 0" in found.summary(more=True)
+    large = compute_basin_shares(block, motion, "amplitude", values[:2], sampling=sampling(2, 30))
+    assert (large.states > 0).all()
+    assert "Share 0" not in large.summary(more=True)
     for value, orbit in zip(values, third.orbits, strict=True):
         assert orbit is not None
         assert orbit.stable
