@@ -155,14 +155,14 @@ def test_an_answer_tells_where_falling_begins_and_where_it_ends() -> None:
         ((1.0, nan), (3.0, nan), 0, "at 1, the least searched, and always up to 3"),
         ((1.5, nan), (2.9999, nan), 0, "first at 1.5"),
     ):
-        empty = np.full(2, nan)
+        lows = np.array([low, (nan, nan), (nan, nan)])
         windows = replace(
             made,
             first=np.array([low[0], nan, nan]),
-            low=np.array([low, empty, empty]),
-            high=np.array([high, empty, empty]),
-            impacts=np.where(np.isnan([low, empty, empty]), -1, 1),
-            side=np.where(np.isnan([low, empty, empty]), 0, 1),
+            low=lows,
+            high=np.array([high, (nan, nan), (nan, nan)]),
+            impacts=np.where(np.isnan(lows), -1, 1),
+            side=np.where(np.isnan(lows), 0, 1),
             left_out=np.array([left_out, 0, 0]),
         )
         assert windows._verdict(0, "{:g}".format) == words, (low, high, left_out)

@@ -27,6 +27,21 @@ def test_a_threshold_that_is_not_reached_has_no_duration() -> None:
     assert (found.bracketed_s, found.uniform_s) == (0.0, 0.0)
 
 
+def test_samples_at_the_threshold_are_above_it_where_the_line_between_them_is() -> None:
+    # Uniform and bracketed duration of lines through whole numbers, above 1.
+    for values, uniform, bracketed in (
+        ([0.0, 1.0, 0.0], 0.0, 0.0),
+        ([0.0, 1.0, 2.0, 1.0, 0.0], 2.0, 2.0),
+        ([0.0, 1.0, 1.0, 0.0], 1.0, 1.0),
+        ([0.0, -1.0, -1.0, 0.0], 1.0, 1.0),
+        ([1.0, 3.0], 1.0, 1.0),
+        ([3.0, 1.0, 0.0, 1.0, 3.0], 2.0, 4.0),
+        ([0.0, 2.0, 0.0, -2.0, 0.0], 2.0, 3.0),
+    ):
+        shaking = strong_shaking(Record(acceleration_m_s2=np.array(values), dt_s=1.0), 1.0)
+        assert (shaking.uniform_s, shaking.bracketed_s) == (uniform, bracketed), values
+
+
 @given(st.integers(0, 10_000), st.floats(0.1, 2.0))
 def test_durations_are_those_of_a_very_fine_count(seed: int, threshold: float) -> None:
     record = noise(seed, samples=20)
@@ -37,6 +52,12 @@ def test_durations_are_those_of_a_very_fine_count(seed: int, threshold: float) -
     if above.any():
         first, last = np.flatnonzero(above)[[0, -1]]
         assert found.bracketed_s == pytest.approx((last - first) * fine.dt_s, abs=2.1 * fine.dt_s)
+
+
+def test_the_absolute_velocity_of_lines_through_zero() -> None:
+    for values, expected in (([0.0, 2.0], 1.0), ([-1.0, 0.0, 1.0], 1.0), ([-1.0, 1.0], 0.5)):
+        record = Record(acceleration_m_s2=np.array(values), dt_s=1.0)
+        assert absolute_velocity(record) == expected, values
 
 
 def test_the_absolute_velocity_of_a_sine() -> None:

@@ -200,3 +200,23 @@ def test_runs_of_many_blocks_have_their_levels() -> None:
     assert len(single.to_dict()["values"]) == 1
     assert "peak_rad" not in single.to_dict()["values"][0]
     assert "1 block" in single.headline
+
+
+def test_a_list_has_a_column_for_what_differs() -> None:
+    sizes = [Block.rectangle(width=width, height=1.2) for width in (0.3, 0.4)]
+    same = [sizes[0], sizes[0].with_restitution(0.8)]
+    grounds = [ground(1), ground(2, name="other")]
+    for blocks, given, expected in (
+        (sizes[:1], {"motions": grounds[0]}, ["width", "height"]),
+        (sizes, {"motions": grounds[0]}, ["width", "height", "alpha"]),
+        (same, {"motions": grounds[0]}, ["block", "width", "height", "restitution"]),
+        (sizes, {"motions": grounds}, ["width", "height", "alpha"]),
+        (sizes[:1], {"motions": grounds[0], "reverse": "both"}, ["direction", "width", "height"]),
+        (
+            sizes[:1],
+            {"motions": grounds[0], "pga_g": [0.2, 0.4]},
+            ["width", "height", "PGA [g]", "scale"],
+        ),
+    ):
+        table = describe(simulate_many(blocks, **given)).tables[-1]
+        assert [column.heading for column in table.columns] == [*expected, "peak"], expected
