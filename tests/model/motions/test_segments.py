@@ -151,3 +151,19 @@ def test_motions_are_frozen_and_keyword_only(motion: Any) -> None:
         setattr(motion, name, 1.0)
     with pytest.raises(InputError, match="takes no arguments without a name"):
         type(motion)(1.0, 4.0)
+
+
+def test_a_negative_amplitude_is_a_positive_one_half_a_cycle_on() -> None:
+    turned: dict[str, Any] = {"duration": 1.0, "frequency": 2.0}
+    for phase in (0.0, 1.0, -1.0, 3.0, -3.0, 1e-300, 6.0):
+        segment = Segment(**turned, amplitude=-0.5, phase=phase)
+        assert segment.amplitude == 0.5
+        assert abs(segment.phase) <= max(math.pi, abs(phase))
+        assert math.sin(segment.phase) == pytest.approx(-math.sin(phase), abs=1e-15)
+        assert math.cos(segment.phase) == pytest.approx(-math.cos(phase), abs=1e-15)
+        kept = Segment(**turned, amplitude=0.5, phase=phase)
+        assert (kept.amplitude, kept.phase) == (0.5, phase)
+    assert Segment(**turned, amplitude=-0.5).phase == math.pi
+    waves = Segment(**turned, amplitude=-0.5, phase=0.3, harmonics=((3, 0.5, 0.1), (1, -1.0, 0.2)))
+    assert (waves.amplitude, waves.phase) == (0.5, 0.3)
+    assert waves.harmonics == ((1, 1.0, 0.2), (3, -0.5, 0.1))
