@@ -1,9 +1,10 @@
 """The types of public arguments: what is refused at the door, and what the line says."""
 
 import inspect
+import itertools
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
@@ -521,6 +522,7 @@ TYPES: list[tuple[Any, list[Any], list[tuple[Any, tuple[str, str]]]]] = [
         [[1.0], (), (1.0, 2)],
         [(iter([1.0]), LIST), ({1.0}, LIST), (1.0, LIST), ([True], REAL), ([None], REAL)],
     ),
+    (Iterable[int], [[1], (1, 2)], [([1.0], WHOLE), (1, LIST_OF), ("ab", LIST_OF)]),
     (list[str], [["a"]], [("a", LIST_OF), ([1], TEXT), ({"a": 1}, LIST_OF), (b"a", LIST_OF)]),
     (
         Mapping[str, float],
@@ -670,3 +672,20 @@ def test_arguments_keep_their_places_whatever_they_are_given_by() -> None:
     for outcome, expected in outcomes:
         assert outcome == expected
         assert {type(each) for each in outcome[:-1]} == {float}
+
+
+def test_what_can_be_gone_through_once_is_kept_as_a_tuple() -> None:
+    @checked
+    def taken(x: Iterable[int], y: Sequence[int] = ()) -> tuple[object, object]:
+        return x, y
+
+    given: list[Iterable[int]] = [iter([1, 2]), (k for k in (1, 2)), {1: "a", 2: "b"}.keys()]
+    for each in given:
+        assert taken(each)[0] == (1, 2)
+    rows = np.array([1, 2])
+    assert taken(rows)[0] == (1, 2)
+    with pytest.raises(InputError, match=r"y = .* it must be a list or a tuple; give a list"):
+        taken([], iter([1]))  # type: ignore[arg-type]
+    endless = itertools.count()
+    with pytest.raises(InputError, match=r"x = .* it must have at most 1000000 items; give fewer"):
+        taken(endless)
