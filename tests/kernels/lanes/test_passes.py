@@ -29,7 +29,8 @@ def flight_of(lanes: Floats, j: int) -> ExactFlight:
     """Return the flight of a lane from its start, in many digits."""
     parts = [mp.mpf(lanes[field + j]) for field in (lane.AMPLITUDE, lane.FREQUENCY)]
     velocity, phase = (mp.mpf(lanes[field + j]) for field in (lane.VELOCITY, lane.PHASE))
-    return ExactFlight(mp.mpf(-1), mp.mpf(0), *parts, mp.mpf(0), velocity, phase)
+    amplitude, frequency = parts
+    return ExactFlight(mp.mpf(-1), mp.mpf(0), amplitude, frequency, mp.mpf(0), velocity, phase)
 
 
 def test_lanes_fly_by_the_closed_form() -> None:

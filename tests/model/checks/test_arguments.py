@@ -689,3 +689,18 @@ def test_what_can_be_gone_through_once_is_kept_as_a_tuple() -> None:
     endless = itertools.count()
     with pytest.raises(InputError, match=r"x = .* it must have at most 1000000 items; give fewer"):
         taken(endless)
+
+
+def test_a_mask_and_a_unit_are_named_in_a_union_too() -> None:
+    @checked
+    def taken(x: Block | list[float], y: float | Block = 1.0) -> tuple[object, object]:
+        return x, y
+
+    masked: Any = MASKED
+    with pytest.raises(InputError, match=r"^x = .* 1 of its 3 elements are masked"):
+        taken(masked)
+    quantity: Any = Quantity(1.0, "cm")
+    with pytest.raises(InputError, match=r"^x = .* it carries a unit"):
+        taken([quantity])
+    with pytest.raises(InputError, match=r"^y = .* it carries a unit"):
+        taken([1.0], quantity)
