@@ -60,7 +60,7 @@ class Case(NamedTuple):
 
 
 def drawn(seed: int, step: float) -> Case:
-    """Return lanes of unlike blocks, each in a sample of its own, half of them about to land."""
+    """Return lanes of unlike blocks, each in a sample of its own, many of them about to land."""
     rng = np.random.default_rng(seed)
     segments = np.zeros((SAMPLES + 1, NONLINEAR_SEGMENT_COLUMNS))
     flat, heave = rng.normal(0.0, 0.5, SAMPLES + 1), rng.normal(0.0, 0.2, SAMPLES + 1)
@@ -85,9 +85,11 @@ def drawn(seed: int, step: float) -> Case:
             float(rng.choice([0.0, rng.uniform(0.0, 0.8)])) * step,
             int(rng.integers(0, 50)), int(rng.integers(0, 90)),
         )  # fmt: skip
-        lands = j % 2 == 0
-        angle = float(rng.uniform(0.0, 0.3 * step) if lands else rng.uniform(0.1, 0.7))
-        velocity = -float(rng.uniform(0.5, 1.0)) if lands else float(rng.normal(0.0, 0.3))
+        angle, velocity = float(rng.uniform(0.1, 0.7)), float(rng.normal(0.0, 0.3))
+        if j % 3 == 0:  # comes down
+            angle, velocity = float(rng.uniform(0.0, 0.3 * step)), -float(rng.uniform(0.5, 1.0))
+        if j % 3 == 1:  # hops for about as long as the sample lasts
+            angle, velocity = 0.0, float(rng.uniform(0.05, 0.6)) * step
         held[j] = 1.0, angle, velocity, rng.choice([0.9, angle]), rng.choice([2.0, 1.1]), 0.0
         put_flight(lanes, wholes, j, Tables(segments, blocks[j]), state, held[j])
         wholes[CELL, j] = j
@@ -187,8 +189,8 @@ def test_lanes_pass_and_land_as_the_equation_of_motion_has_it() -> None:
     longer = [check_lanes(seed, 0.05, lands=False) for seed in (4, 5)]
     landing = [check_lanes(seed, sample, lands=True) for seed, sample in ((6, 0.05), (7, 0.01))]
     coarse = [check_lanes(8, 0.6, lands=True)]
-    assert all(passed > LANES // 4 for passed, _ in (*plain, *longer, *landing))
-    assert all(touched > LANES // 8 for _, touched in landing)
+    assert all(passed > LANES // 6 for passed, _ in (*plain, *longer))
+    assert all(min(counts) > LANES // 8 for counts in landing)
     assert coarse[0][0] > 2
 
 
