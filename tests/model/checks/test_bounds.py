@@ -16,6 +16,7 @@ from rocksteady.formulas import housner_restitution, impact_restitution
 from rocksteady.model.blocks.caps import Cap
 from rocksteady.model.blocks.sides import Side
 from rocksteady.model.checks.bounds import (
+    MASS,
     RESTITUTION,
     Bounds,
     Whole,
@@ -165,6 +166,7 @@ RANGES: list[tuple[Callable[[Any], object], str, float, float, str]] = [
         "width", 1e-50, 1e50, "[]",
     ),
     (lambda x: Cap(columns=4, cap_mass_ratio=x), "cap_mass_ratio", 0.0, 1000.0, "[]"),
+    (lambda x: MASS("mass_kg", x), "mass_kg", 0.0, 1e9, "(]"),
     (lambda x: rs.Nonlinear(tolerance=x), "tolerance", 1e-13, 1e-3, "[]"),
     (lambda x: rs.Harmonic(**(WAVE | {"amplitude": x})), "amplitude", 0.0, 1e50, "[]"),
     (
