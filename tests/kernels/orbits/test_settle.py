@@ -7,14 +7,18 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.core.tables import March
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.orbits.closed_form import existence_amplitude, symmetric_orbit
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS, distance, mirror, state_at
 from rocksteady.kernels.orbits.return_map import (
+    FALL,
     GRAZE,
     IMPACT,
+    STAY,
+    STUCK,
     UPLIFT,
     AnyState,
     Jacobian,
@@ -286,3 +290,20 @@ def test_the_weaker_an_orbit_attracts_the_longer_its_approach_is_followed() -> N
     assert returns_to(10, 1.0 - 1e-9) == 200_000
     assert returns_to(11, 1.0 - 1e-9) == 2_000_000 // 11
     assert returns_to(512, 1.0 - 1e-9) == 2_000_000 // 512
+
+
+def test_outcomes_and_kinds_of_passages_are_told_apart() -> None:
+    kinds = (IMPACT, UPLIFT, GRAZE, FALL, STAY, STUCK)
+    outcomes = (PERIODIC, STAYS, FALLS, UNSETTLED, LEFT_OVER)
+    assert len(set(kinds)) == len(kinds)
+    assert len(set(outcomes)) == len(outcomes)
+    system = even_system(2.0, 4.0, 0.8)
+    assert next_passage(system, Section(1, 0, 0.4, 0.3), -1.0).kind == IMPACT
+    assert next_passage(system, Section(1, 0, 0.4, 9.0), -1.0).kind == FALL
+    still = even_system(0.5, 4.0, 0.5)
+    assert next_passage(still, Section(1, 0, 0.4, 1e-4), -1.0).kind == STAY
+    lifted = even_system(1.2, 4.0, 0.5)
+    found = next_passage(lifted, Section(1, 1, 0.4, 1e-4), -1.0)
+    assert (found.kind, found.state.speed) == (UPLIFT, 0.0)
+    # Uplift is where 1.2 sin(phase) is 1.
+    assert found.state.phase == pytest.approx(math.asin(1.0 / 1.2), rel=1e-12)
