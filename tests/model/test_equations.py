@@ -1,5 +1,7 @@
 """Equations of motion: which hold where none are given, and what is refused."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -93,3 +95,14 @@ def test_what_is_no_model_is_refused_with_what_to_give() -> None:
 def test_a_tolerance_has_limits(tolerance: float) -> None:
     with pytest.raises(InputError, match="tolerance"):
         Nonlinear(tolerance=tolerance)
+
+
+def test_the_error_of_the_full_equations_lies_between_1e_13_and_1e_3() -> None:
+    assert Nonlinear().tolerance == 1e-10
+    for tolerance in (1e-13, 1e-10, 1e-3):
+        given = Nonlinear(tolerance=tolerance)
+        assert chosen_model(given, BLOCK) is given
+        assert given.name == "nonlinear"
+    for tolerance in (math.nextafter(1e-13, 0.0), math.nextafter(1e-3, 1.0), 0.0, 1.0, math.nan):
+        with pytest.raises(InputError, match=r"^tolerance = .*\[1e-13, 0.001\]"):
+            Nonlinear(tolerance=tolerance)

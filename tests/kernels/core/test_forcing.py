@@ -13,12 +13,21 @@ from rocksteady.kernels.core.forcing import (
     ONE_SIGN,
     SINE,
     Forcing,
+    grazes,
     largest_forcing,
     make_forcing,
     mixed_node,
     next_turn,
+    side_forcing,
     starts_positive,
     steepest_forcing,
+)
+from rocksteady.kernels.core.tables import (
+    AMPLITUDE,
+    CONSTANT,
+    FREQUENCY,
+    SEGMENT_COLUMNS,
+    SLOPE,
 )
 from rocksteady.kernels.linear.flight import wrapped
 from tests.every import every
@@ -183,3 +192,84 @@ def test_a_phase_is_wrapped_into_its_turn(phase: float) -> None:
     assert -0.5 * math.pi <= found < 1.5 * math.pi
     turns = (mp.mpf(phase) - found) / (2 * mp.pi)
     assert abs(turns - mp.nint(turns)) <= 1e-15 * (1 + abs(phase))
+
+
+def test_a_slope_as_steep_as_the_sinusoid_never_turns() -> None:
+    # A (w t -+ sin(w t)) has a point of inflection each period and no extremum.
+    for amplitude, frequency in ((2.0, 1.5), (0.25, 8.0)):
+        for slope in (amplitude * frequency, -amplitude * frequency):
+            forcing = make_forcing(0.3, slope, amplitude, frequency)
+            assert next_turn(forcing, 0.4, 0.0) == math.inf
+            steeper = make_forcing(0.3, slope * (1.0 + 1e-9), amplitude, frequency)
+            assert next_turn(steeper, 0.4, 0.0) == math.inf
+            flatter = make_forcing(0.3, slope * (1.0 - 1e-9), amplitude, frequency)
+            assert next_turn(flatter, 0.4, 0.0) < 2.0 * math.pi / frequency
+
+
+def test_where_it_begins_at_zero_its_rate_decides() -> None:
+    rows: list[tuple[tuple[float, float, float, float], float, bool]] = []
+    for slope in (-0.5, 0.5):
+        # A line through zero, and one but for rounding.
+        rows += [
+            ((constant, slope, 0.0, 0.0), 0.2, slope > 0.0) for constant in (0.0, 4e-16, -4e-16)
+        ]
+        # Away from rounding the constant decides.
+        rows += [((constant, slope, 0.0, 0.0), 0.2, constant > 0.0) for constant in (1e-14, -1e-14)]
+        for phase in (-1.0, 0.3, 1.2, 2.0, 3.5):
+            start = -2.0 * math.sin(phase)
+            rate = slope + 2.0 * 3.0 * math.cos(phase)
+            rows.append(((start, slope, 2.0, 3.0), phase, rate > 0.0))
+            rows.append(((start + 1e-13, slope, 2.0, 3.0), phase, True))
+            rows.append(((start - 1e-13, slope, 2.0, 3.0), phase, False))
+    # 2 (sin(1.5 t) - 1.5 t) is below zero from its start on.
+    rows.append(((0.0, -3.0, 2.0, 1.5), 0.0, False))
+    # Without a slope: a constant, a sinusoid that touches zero, and one between its nodes.
+    rows += [((0.0, 0.0, 0.0, 0.0), 0.0, False), ((1e-300, 0.0, 0.0, 0.0), 0.0, True)]
+    rows += [((-2.0, 0.0, 2.0, 3.0), 0.5 * math.pi, False), ((2.0, 0.0, 2.0, 3.0), 0.1, True)]
+    rising = math.asin(0.25)
+    for phase, positive in (
+        (rising - 1e-12, False),
+        (rising + 1e-12, True),
+        (math.pi - rising - 1e-12, True),
+        (math.pi - rising + 1e-12, False),
+        (4.0, False),
+        (-0.5 * math.pi, False),
+    ):
+        rows.append(((-0.5, 0.0, 2.0, 3.0), phase, positive))
+    at_node = make_forcing(-0.5, 0.0, 2.0, 3.0)
+    assert starts_positive(at_node, at_node.rising)
+    assert not starts_positive(at_node, math.pi - at_node.rising)
+    wrong = [row for row in rows if starts_positive(make_forcing(*row[0]), row[1]) != row[2]]
+    assert not wrong, wrong
+
+
+def test_a_side_sees_the_base_in_its_own_units() -> None:
+    segments = np.zeros((2, SEGMENT_COLUMNS))
+    segments[1, [CONSTANT, SLOPE, AMPLITUDE, FREQUENCY]] = 0.4, -0.3, 1.2, 5.0
+    sides = np.array([[0.9, 0.8, 1.25], [0.9, 1.4, 0.7]])
+    for elapsed in (0.0, 0.6):
+        for side, (_, lean, rate) in zip((1, -1), sides.tolist(), strict=True):
+            forcing = side_forcing(segments, 1, sides, side, elapsed)
+            # theta'' = rate^2 (theta - lean + side a) in reference units, over lean and rate^2.
+            for own in (0.0, 0.3, 1.1):
+                time = own / rate
+                phase = 5.0 * time + 0.7
+                base = side * (0.4 - 0.3 * (elapsed + time)) + 1.2 * math.sin(phase)
+                seen = forcing.constant + forcing.slope * own
+                seen += forcing.amplitude * math.sin(0.7 + forcing.frequency * own)
+                assert seen == pytest.approx(base / lean - 1.0, rel=1e-13), (elapsed, side, own)
+
+
+def test_impacts_graze_below_a_speed_of_the_shaking() -> None:
+    for amplitude, frequency, unit in (
+        (0.0, 0.5, 1.0),
+        (0.0, 1.0, 1.0),
+        (3.0, 0.1, 1.0),
+        (3.0, 4.0, 1.0),
+        (3.0, 8.0, 0.5),
+        (0.0, 100.0, 0.01),
+    ):
+        least = 1e-9 * unit
+        assert grazes(least, amplitude, frequency)
+        assert grazes(0.0, amplitude, frequency)
+        assert not grazes(least * (1.0 + 1e-12), amplitude, frequency)

@@ -78,10 +78,9 @@ def random_arc(rng: np.random.Generator) -> tuple[float, float, float]:
     return 10.0 ** rng.uniform(-2.0, 1.3), frequency, rng.uniform(-1.5, 4.7)
 
 
-@pytest.mark.slow
-def test_speeds_and_derivatives_are_those_of_the_boundary_value_problem_in_50_digits() -> None:
-    rng = np.random.default_rng(1)
-    for _ in range(sample_size(400, 150)):
+def check_arcs(seed: int, count: int) -> None:
+    rng = np.random.default_rng(seed)
+    for _ in range(count):
         amplitude, frequency, first = random_arc(rng)
         duration = 10.0 ** rng.uniform(-3.0, math.log10(60.0)) * rng.choice([1.0, -1.0])
         found = arc_between(amplitude, frequency, first, duration)
@@ -92,11 +91,18 @@ def test_speeds_and_derivatives_are_those_of_the_boundary_value_problem_in_50_di
 
 
 @pytest.mark.slow
-@every("duration", [1e-4, 1e-6, 1e-9, 1e-12, 1e-15, 1e-30, 0.0])
-def test_a_short_arc_keeps_its_digits(duration: float) -> None:
+def test_speeds_and_derivatives_are_those_of_the_boundary_value_problem_in_50_digits() -> None:
+    check_arcs(1, sample_size(400, 150))
+
+
+def test_speeds_and_derivatives_of_a_few_arcs_are_those_of_50_digits() -> None:
+    check_arcs(11, 40)
+
+
+def check_short_arcs(duration: float, count: int) -> None:
     # Speeds are half the duration times the pull on the block: relative to that.
     rng = np.random.default_rng(2)
-    for _ in range(sample_size(60, 30)):
+    for _ in range(count):
         amplitude, frequency, first = random_arc(rng)
         for signed in (duration, -duration):
             found = arc_between(amplitude, frequency, first, signed)
@@ -110,6 +116,17 @@ def test_a_short_arc_keeps_its_digits(duration: float) -> None:
                 assert abs(got - exact) <= 1e-14 * size * duration
             for got, exact in zip(found[8:], truth[8:], strict=True):
                 assert abs(got - exact) <= 1e-15 * size
+
+
+@pytest.mark.slow
+@every("duration", [1e-4, 1e-6, 1e-9, 1e-12, 1e-15, 1e-30, 0.0])
+def test_a_short_arc_keeps_its_digits(duration: float) -> None:
+    check_short_arcs(duration, sample_size(60, 30))
+
+
+@every("duration", [1e-4, 1e-9, 1e-30, 0.0])
+def test_a_few_short_arcs_keep_their_digits(duration: float) -> None:
+    check_short_arcs(duration, 4)
 
 
 @pytest.mark.slow

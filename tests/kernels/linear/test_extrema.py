@@ -76,10 +76,9 @@ def cases(seed: int, count: int) -> Floats:
     return flights
 
 
-@pytest.mark.slow
-def test_extrema_and_peaks_agree_with_dense_sampling() -> None:
+def check_extrema(seed: int, count: int) -> None:
     counted, several = 0, 0
-    for case in cases(1, inner_sample_size(1000, 150)):
+    for case in cases(seed, count):
         flight, forcing = made(case)
         span = float(case[SPAN])
         roots, sure = sampled_roots(case, 1, 0.0)
@@ -112,15 +111,22 @@ def test_extrema_and_peaks_agree_with_dense_sampling() -> None:
             assert highest == pytest.approx(truth, abs=blur), case.tolist()
         else:
             assert highest >= truth - blur
-    assert counted > inner_sample_size(500, 50)
-    assert several > inner_sample_size(40, 5)
+    assert counted > count // 3
+    assert several > count // 30
 
 
 @pytest.mark.slow
-@every("level", [0.02, 0.3, 1.0, -0.4])
-def test_the_last_rise_through_a_level_agrees_with_dense_sampling(level: float) -> None:
+def test_extrema_and_peaks_agree_with_dense_sampling() -> None:
+    check_extrema(1, inner_sample_size(1000, 150))
+
+
+def test_extrema_and_peaks_of_a_few_flights_agree_with_dense_sampling() -> None:
+    check_extrema(11, 40)
+
+
+def check_last_rises(level: float, seed: int, count: int) -> None:
     counted = 0
-    for case in cases(2, inner_sample_size(500, 100)):
+    for case in cases(seed, count):
         flight, forcing = made(case)
         span = float(case[SPAN])
         roots, sure = sampled_roots(case, 0, level)
@@ -135,7 +141,18 @@ def test_the_last_rise_through_a_level_agrees_with_dense_sampling(level: float) 
         steep = curves(case, np.array([rising[-1]]))[1][0]
         blur = 64 * 2.0**-52 * scale(case) / steep
         assert found == pytest.approx(rising[-1], abs=blur + 1e-12), case.tolist()
-    assert counted > inner_sample_size(30, 5)
+    assert counted > count // 20
+
+
+@pytest.mark.slow
+@every("level", [0.02, 0.3, 1.0, -0.4])
+def test_the_last_rise_through_a_level_agrees_with_dense_sampling(level: float) -> None:
+    check_last_rises(level, 2, inner_sample_size(500, 100))
+
+
+@every("level", [0.02, 1.0, -0.4])
+def test_the_last_rise_of_a_few_flights_agrees_with_dense_sampling(level: float) -> None:
+    check_last_rises(level, 12, 25)
 
 
 def test_a_falling_block_rises_through_the_critical_angle_for_the_last_time() -> None:
@@ -184,10 +201,9 @@ def test_an_inflection_is_no_extremum() -> None:
     inner_extrema(flight, forcing, 2.0 * back)  # ends
 
 
-@pytest.mark.slow
-def test_peaks_of_flights_above_the_floor_are_those_of_dense_sampling() -> None:
+def check_peaks(seed: int, count: int) -> None:
     rng, short = np.random.default_rng(6), 0
-    for case in cases(5, inner_sample_size(400, 80)):
+    for case in cases(seed, count):
         case[ANGLE] = abs(case[ANGLE])
         if case[ANGLE] == 0.0:
             case[VELOCITY] = abs(case[VELOCITY])
@@ -209,4 +225,13 @@ def test_peaks_of_flights_above_the_floor_are_those_of_dense_sampling() -> None:
             for before in ((share * angle, 0.0), (0.0, share * speed), (share * angle, 1e9)):
                 again = flight_peaks(flight, forcing, span, *peaks, *before)
                 assert again == (max(angle, before[0]), max(speed, before[1]))
-    assert short > inner_sample_size(150, 30)
+    assert short > count // 3
+
+
+@pytest.mark.slow
+def test_peaks_of_flights_above_the_floor_are_those_of_dense_sampling() -> None:
+    check_peaks(5, inner_sample_size(400, 80))
+
+
+def test_peaks_of_a_few_flights_above_the_floor_are_those_of_dense_sampling() -> None:
+    check_peaks(15, 30)

@@ -26,11 +26,10 @@ def landing(
     return phase + mp.mpf(frequency) * time, -mp.mpf(restitution) * flight.state(time)[1]
 
 
-@pytest.mark.slow
-def test_the_jacobian_agrees_with_differences_in_fifty_digits() -> None:
-    rng = np.random.default_rng(1)
+def check_jacobian(seed: int, count: int) -> None:
+    rng = np.random.default_rng(seed)
     checked, step = 0, mp.mpf(10) ** -30
-    while checked < sample_size(300, 40):
+    while checked < count:
         amplitude, restitution = rng.uniform(0.0, 10.0), rng.uniform(0.05, 1.0)
         frequency = 10.0 ** rng.uniform(math.log10(0.05), 3.0)
         phase = wrapped(rng.uniform(0.0, 2.0 * math.pi))
@@ -59,6 +58,15 @@ def test_the_jacobian_agrees_with_differences_in_fifty_digits() -> None:
             size = steep * (frequency if entry < 2 else pull) + 1.0
             allowed = blur * size * (1.0 + steep * pull * (1.0 + frequency))
             assert abs(got - exact) <= allowed + 1e-13 * abs(exact), (entry, amplitude, frequency)
+
+
+@pytest.mark.slow
+def test_the_jacobian_agrees_with_differences_in_fifty_digits() -> None:
+    check_jacobian(1, sample_size(300, 40))
+
+
+def test_the_jacobian_of_a_few_landings_agrees_with_differences_in_fifty_digits() -> None:
+    check_jacobian(11, 20)
 
 
 def test_its_determinant_is_that_of_a_flow_that_keeps_area() -> None:

@@ -159,10 +159,8 @@ def test_no_zero_is_missed_in_a_million_flights(seed: int) -> None:
 # ------------------------------------------------------------------------------ endless forcing
 
 
-@pytest.mark.slow
-def test_no_return_is_claimed_only_where_there_is_none() -> None:
-    count = sample_size(40_000, 300)
-    flights = random_flights(np.random.default_rng(11), count)
+def check_no_return(seed: int, count: int) -> None:
+    flights = random_flights(np.random.default_rng(seed), count)
     flights[:, SLOPE] = 0.0
     flights[:, SPAN] = np.where(flights[:, FREQUENCY] > 30.0, 20.0, 60.0)
     found, truth = np.zeros((count, 6)), np.zeros((count, 2))
@@ -185,6 +183,15 @@ def test_no_return_is_claimed_only_where_there_is_none() -> None:
         if verdict(flights[i], FOUND, found[i, TIME]) == "wrong"
     ]
     assert not wrong, flights[wrong[:3]].tolist()
+
+
+@pytest.mark.slow
+def test_no_return_is_claimed_only_where_there_is_none() -> None:
+    check_no_return(11, sample_size(40_000, 300))
+
+
+def test_no_return_is_claimed_of_a_few_flights_only_where_there_is_none() -> None:
+    check_no_return(12, 120)
 
 
 def test_no_return_holds_in_fifty_digits_for_a_long_time() -> None:

@@ -1,6 +1,7 @@
 """What a march amounts to: times of its flights, of its rest and of its fall, and its impacts."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from rocksteady.kernels.core.tables import (
     COUNTED,
     ENDED_BY_IMPACT,
     LIFT,
+    LIFT_CEILING,
     LIFT_SLOPE,
     ORDERS,
     OVERTURNED,
@@ -31,6 +33,7 @@ from rocksteady.kernels.march.facts import (
     run_end,
     run_facts,
 )
+from rocksteady.kernels.march.replay import fill_states
 from tests.every import every
 from tests.kernels.tables import Piece, Run, both_sides, harmonic, run, table
 
@@ -142,3 +145,136 @@ def test_where_a_run_of_seven_and_a_quarter_periods_ends(
     half, phase = run_end(Tables(segments, both_sides(restitution)), 7.25)
     assert half == end[0]
     assert phase == pytest.approx(end[1])
+
+
+def bounce_time(velocity: float, alpha: float, push: float, weight: float) -> float:
+    """Return how long a bounce on a still base lasts, in a side's own units, by its energy.
+
+    The motion is y'' = h cos(alpha (1 - y)) - k sin(alpha (1 - y))/alpha; alpha 0 is y - 1 + h.
+    """
+    if alpha == 0.0:
+        return 2.0 * math.atanh(velocity / (1.0 - push))
+
+    foot = weight * math.sin(alpha) / alpha - push * math.cos(alpha)
+    if velocity < 1e-5 * foot:
+        return 2.0 * velocity / foot
+
+    def depth(top: float, y: Any) -> Any:
+        """Return half the square of the speed at y below a top."""
+        middle, half = alpha * (1.0 - 0.5 * (top + y)), 0.5 * alpha * (top - y)
+        pull = weight * np.sin(middle) / alpha - push * np.cos(middle)
+        return 2.0 * np.sin(half) * pull / alpha
+
+    low, high = 0.0, min(1.0, velocity * velocity / foot)
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        below = depth(middle, 0.0) < 0.5 * velocity * velocity
+        low, high = (middle, high) if below else (low, middle)
+    nodes, weights = np.polynomial.legendre.leggauss(24)
+    u = 0.5 * (nodes + 1.0)  # y = top (1 - u^2) takes the root away
+    speed = np.sqrt(2.0 * depth(high, high * (1.0 - u * u)))
+    return 2.0 * float(np.sum(weights * high * u / speed))
+
+
+def rest_by_bounces(sides: Floats, velocity: float, push: float, lift: float, free: bool) -> float:
+    """Return when bounces from the floor of the positive side are over, in reference time."""
+    total, side = 0.0, 0
+    for _ in range(400):
+        ratio, lean, rate, *more = sides[side]
+        towards = push if side == 0 else -push
+        alpha = more[0] if more else 0.0
+        own = velocity / (lean * rate)
+        total += bounce_time(own, alpha, towards / lean, 1.0 + lift) / rate
+        velocity *= abs(ratio)
+        side = side if free else 1 - side
+        if velocity < 1e-12:
+            break
+    return total
+
+
+@every(
+    ("ratios", "lean", "rate", "alpha", "push", "lift"),
+    [
+        ((-0.5, 1.0), (1.0, 1.0), (1.0, 1.0), None, 0.0, 0.0),  # against a wall
+        ((-0.6, 1.0), (1.0, 1.0), (1.0, 1.0), None, 0.4, 0.0),
+        ((-0.6, 1.0), (1.0, 1.0), (1.0, 1.0), None, -0.4, 0.0),
+        ((-0.5, 1.0), (1.0, 1.0), (1.0, 1.0), (0.4, 0.4), 0.2, 0.3),
+        ((0.5, 0.6), (1.0, 0.7), (1.0, 1.3), None, 0.0, 0.0),
+        ((0.6, 0.4), (1.0, 1.4), (1.0, 0.8), None, 0.3, 0.0),
+        ((0.5, 0.5), (1.0, 1.0), (1.0, 1.0), (0.5, 0.5), 0.0, 0.0),
+        ((0.5, 0.5), (1.0, 1.0), (1.0, 1.0), (0.5, 0.5), 0.3, -0.4),
+        ((0.5, 0.5), (1.0, 1.0), (1.0, 1.0), (0.5, 0.5), -0.2, 0.4),
+        ((0.6, 0.5), (1.0, 0.8), (1.0, 1.2), (0.5, 0.4), 0.2, 0.2),
+    ],
+)
+def test_rest_comes_when_bounces_by_their_energy_are_over(
+    ratios: tuple[float, float],
+    lean: tuple[float, float],
+    rate: tuple[float, float],
+    alpha: tuple[float, float] | None,
+    push: float,
+    lift: float,
+) -> None:
+    sides = both_sides(ratios, lean, rate)
+    if alpha is not None:
+        sides = np.column_stack([sides, alpha, [1e-15] * 2])
+    segments = table(Piece(constant=push))
+    if alpha is not None:
+        segments = np.column_stack([segments, np.zeros((1, LIFT_CEILING + 1 - SEGMENT_COLUMNS))])
+        segments[0, LIFT], segments[0, LIFT_CEILING] = lift, abs(lift)
+    ran = run(segments, sides, side=1, velocity=0.1, rest_velocity=1e-8)
+    assert ran.status == AT_REST
+    _, facts, _ = facts_of(ran, sides)
+    expected = rest_by_bounces(sides, 0.1, push, lift, ratios[0] < 0.0)
+    assert facts.rested == pytest.approx(expected, rel=1e-9)
+    assert facts.rested < facts.end == facts.last + facts_of(ran, sides)[0][-1]
+
+
+@every(
+    ("alpha", "angle", "level"),
+    [(None, 0.0, 2.0), (None, 0.5, 2.0), (None, 1.5, 2.5), (0.3, 0.2, 2.0), (1.2, 0.2, 1.309)],
+)
+def test_a_fall_is_followed_to_a_level_or_until_the_block_lies(
+    alpha: float | None, angle: float, level: float
+) -> None:
+    for lean, side in ((1.0, 1), (0.8, -1)):
+        sides = both_sides(0.5, (1.0, lean))
+        segments = table(Piece())
+        if alpha is not None:
+            sides = np.column_stack([sides, [alpha] * 2, [1e-15] * 2])
+            segments = np.column_stack(
+                [segments, np.zeros((1, LIFT_CEILING + 1 - SEGMENT_COLUMNS))]
+            )
+            level = min(level, 0.5 * math.pi / alpha)
+        own = 1.0 if side > 0 else lean
+        ran = run(segments, sides, side=side, angle=side * angle * own, velocity=1.6 * side * own)
+        assert ran.status == OVERTURNED
+        _, facts, _ = facts_of(ran, sides)
+        states, row = np.empty((3, 1)), np.array([len(ran.rows) - 1])
+        fill_states(segments, sides, ran.rows, row, np.array([facts.last]), states)
+        assert abs(states[0, 0]) == pytest.approx(level * own, rel=1e-9)
+        assert facts.passing == 0
+
+
+@every(
+    ("ratios", "end"),
+    [
+        ((1.0, 1.0), ELASTIC_TIME),
+        ((-1.0, 1.0), ELASTIC_TIME),
+        ((1.0, 0.9), LONGEST_REST),
+        ((0.9, 1.0), LONGEST_REST),
+        ((-0.9, 1.0), LONGEST_REST),
+    ],
+)
+def test_only_a_block_that_loses_nothing_is_followed_for_a_bounded_time(
+    ratios: tuple[float, float], end: float
+) -> None:
+    assert run_end(Tables(table(Piece()), both_sides(ratios)), 3.0) == (0, end)
+
+
+def test_half_cycles_and_phase_make_the_periods_asked_for() -> None:
+    for phase in (-2.0, -0.3, 0.0, 0.3, 1.5, 3.0, 3.1415926, 7.0):
+        for cycles in (0.0, 0.1, 0.25, 0.5, 0.75, 1.0, 2.4, 100.5):
+            half, rest = run_end(Tables(harmonic(2.0, 4.0, phase), both_sides(0.8)), cycles)
+            assert 0.0 <= rest < math.pi
+            assert half * math.pi + rest == pytest.approx(phase + 2.0 * math.pi * cycles, abs=1e-12)

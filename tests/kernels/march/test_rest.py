@@ -224,12 +224,11 @@ def bounces_fit(
     return kappa < 1.0 and longest / (1.0 - kappa) <= window
 
 
-@pytest.mark.slow
-def test_the_bounces_of_chatter_that_settles_fit_into_a_window_without_uplift() -> None:
+def check_chatter(seed: int, count: int) -> None:
     # The proof itself: some window, no longer than the span, holds the sum of the bounds.
-    rng = np.random.default_rng(6)
+    rng = np.random.default_rng(seed)
     said, refused = 0, 0
-    for _ in range(inner_sample_size(4000, 1000)):
+    for _ in range(count):
         amplitude, frequency = rng.uniform(0.0, 3.0), 10.0 ** rng.uniform(-1.0, 2.0)
         phase = float(rng.uniform(-0.5 * math.pi, 1.5 * math.pi))
         other = phase + math.pi if phase < 0.5 * math.pi else phase - math.pi
@@ -245,7 +244,16 @@ def test_the_bounces_of_chatter_that_settles_fit_into_a_window_without_uplift() 
             )
         said += ends
         refused += not ends
-    assert min(said, refused) > inner_sample_size(200, 50)
+    assert min(said, refused) > count // 20
+
+
+@pytest.mark.slow
+def test_the_bounces_of_chatter_that_settles_fit_into_a_window_without_uplift() -> None:
+    check_chatter(6, inner_sample_size(4000, 1000))
+
+
+def test_the_bounces_of_a_little_chatter_that_settles_fit_into_a_window() -> None:
+    check_chatter(16, 300)
 
 
 def test_chatter_cut_off_by_the_next_segment_goes_on_in_it() -> None:

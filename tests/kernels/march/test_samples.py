@@ -111,15 +111,22 @@ def marches_alike(segments: Floats, sides: Floats) -> Run | None:
     return fast
 
 
-@pytest.mark.slow
-def test_a_run_marches_as_its_segments_one_by_one() -> None:
-    rng = np.random.default_rng(1940)
-    cases = sample_size(400, 6)
+def check_runs(seed: int, cases: int) -> None:
+    rng = np.random.default_rng(seed)
     runs = [marches_alike(*random_motion(rng)) for _ in range(cases)]
     compared = [ran.status for ran in runs if ran is not None]
     assert len(compared) > 0.8 * cases
     if cases > 100:
         assert min(compared.count(AT_REST), compared.count(OVERTURNED)) > 50
+
+
+@pytest.mark.slow
+def test_a_run_marches_as_its_segments_one_by_one() -> None:
+    check_runs(1940, sample_size(400, 6))
+
+
+def test_a_few_runs_march_as_their_segments_one_by_one() -> None:
+    check_runs(1941, 4)
 
 
 @every("record", [el_centro, rinaldi])

@@ -15,8 +15,10 @@ from rocksteady.kernels.nonlinear._expansion import (
     DEGREE,
     Course,
     Stretch,
+    bends_after,
     bounds_over,
     fill_course,
+    landing_step,
     middle_step,
     most_over,
     shortened,
@@ -367,3 +369,49 @@ def test_bounds_of_a_step_are_reached_and_are_its_ends_where_nothing_turns() -> 
     stretch, top, _ = cubic_over(h, (0.25, -1.0, 0.25))
     assert top > max(1.0, stretch.later_angle)
     assert most_over(stretch)[1] >= top
+
+
+def test_bends_are_the_derivatives_of_the_polynomial() -> None:
+    """The second derivative has all terms, the next ones those up to the seventh and sixth."""
+    rng = np.random.default_rng(61)
+    wrong = []
+    for case in range(60):
+        for order, degree in ((2, DEGREE), (3, 7), (4, 7), (5, 6)):
+            terms = np.zeros(DEGREE + 1)
+            terms[2 : degree + 1] = rng.normal(size=degree - 1)
+            if case < DEGREE - 1:  # each term alone
+                terms[[n for n in range(2, DEGREE + 1) if n != case + 2]] = 0.0
+            time = float(rng.uniform(0.3, 1.5))
+            found = bends_after(Course(*terms[2:].tolist()), time)[order - 2]
+            curve = np.polynomial.Polynomial(terms).deriv(order)
+            size = np.polynomial.Polynomial(np.abs(curve.coef))(time)
+            if abs(found - curve(time)) > 4e-15 * size:
+                wrong.append((case, order, found, curve(time)))
+    assert not wrong, wrong
+
+
+def test_bounds_are_those_of_each_term_alone() -> None:
+    rng, time = np.random.default_rng(62), 0.7
+    for n in range(3, DEGREE + 1):
+        terms = np.zeros(DEGREE + 1)
+        terms[n] = rng.normal()
+        curve = np.polynomial.Polynomial(np.abs(terms))
+        third, fourths = bounds_over(Course(*terms[2:].tolist()), time)
+        most = curve.deriv(3)(0.0) + time * curve.deriv(4)(time)  # by the mean value theorem
+        assert curve.deriv(3)(time) * (1.0 - 1e-14) <= third <= most * (1.0 + 1e-14)
+        assert fourths == pytest.approx(curve.deriv(4)(time) if n > 3 else 0.0, rel=1e-14)
+
+
+def test_a_step_to_a_landing_ends_soon_after_it_or_with_the_span() -> None:
+    # y = y0 + v t + a t^2 comes down where a t^2 + v t + y0 = 0.
+    for angle, velocity, second in (
+        (0.5, 0.3, -2.0),
+        (0.0, 0.3, -2.0),
+        (0.5, -1.0, 0.1),
+        (0.2, 0.0, -1.0),
+    ):
+        roots = np.roots([second, velocity, angle]).real
+        down = min(root for root in roots if root > 1e-12)
+        step = landing_step(angle, velocity, second, 100.0)
+        assert down < step < 1.5 * down
+        assert landing_step(angle, velocity, second, 0.5 * down) == 0.5 * down

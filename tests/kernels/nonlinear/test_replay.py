@@ -61,3 +61,29 @@ def test_a_flight_of_ever_so_many_steps_has_no_peaks() -> None:
     drive = Drive(0.3, 0.0, 0.0, 0.0, 0.0, -1e12, 0.0)
     assert np.isnan(peaks_of(SteppedFlight(drive, 0.0, 0.9, 0.0, 1.0, 1e-15), 0.0, 0.0)).all()
     assert 0.0 < last_rise_of(SteppedFlight(drive, 0.0, 0.9, 0.0, 1.0, 1e-15), 1.0, 2.0) < 0.1
+
+
+def test_only_a_short_flight_that_starts_low_is_said_to_stay_below() -> None:
+    still = Drive(0.3, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    rows = [
+        (0.1, 0.1, 0.5, 2.0, 2.0, True),
+        (0.1, 0.1, 0.999, 2.0, 2.0, True),
+        (0.1, 0.1, 1.0, 9.0, 9.0, False),  # too long
+        (0.1, 0.1, math.inf, 9.0, 9.0, False),
+        (1.9, 0.5, 0.9, 9.0, 9.0, False),  # the bound of y'' holds up to y = 2
+        (0.1, 0.5, 0.1, 0.11, 9.0, False),
+        (0.1, -0.5, 0.1, 0.19, 0.7, True),
+        (0.1, -0.5, 0.1, 9.0, 0.55, False),
+    ]
+    for angle, velocity, span, top, fastest, expected in rows:
+        flight = SteppedFlight(still, 0.0, angle, velocity, span, 1e-15)
+        assert stays_below(flight, top, fastest) == expected, (angle, velocity, span)
+    for field, value in (
+        ("constant", 3.0),
+        ("slope", -9.0),
+        ("amplitude", 3.0),
+        ("lift", 3.0),
+        ("lift_slope", -9.0),
+    ):
+        pushed = SteppedFlight(still._replace(**{field: value}), 0.0, 0.1, 0.1, 0.5, 1e-15)
+        assert not stays_below(pushed, 2.0, 2.0), field

@@ -13,13 +13,15 @@ from scipy.optimize import brentq
 from rocksteady.kernels.orbits.closed_form import (
     Points,
     Steady,
+    fill_curves,
+    fill_half_cycle,
     fill_steady,
     half_cycle_shape,
     symmetric_orbit,
     symmetry_breaking,
 )
 from tests.every import every
-from tests.oracles import mp
+from tests.oracles import ExactFlight, mp
 from tests.published import TW1
 from tests.strategies import frequency_ratios, restitutions, sample_size
 
@@ -130,10 +132,8 @@ def exact_trace(a: float, w: float, r: float, n: int, f: Any, v: Any) -> Any:
     return -2 * d * mp.cosh(length) + d * mp.sinh(length) / (mp.mpf(w) * v) * grip
 
 
-@pytest.mark.slow
-def test_phase_velocity_and_trace_agree_with_fifty_digits() -> None:
-    count = sample_size(1500, 150)
-    a, w, r, n = random_points(2, count, nearest=1e-2)
+def check_orbits(seed: int, count: int) -> None:
+    a, w, r, n = random_points(seed, count, nearest=1e-2)
     found = steady(a, w, r, n, shapes=False)
     for i in range(count):
         for branch in (1, 2):
@@ -150,6 +150,15 @@ def test_phase_velocity_and_trace_agree_with_fifty_digits() -> None:
             trace = exact_trace(a[i], w[i], r[i], int(n[i]), f, v)
             size = abs(trace) + mp.cosh(n[i] * mp.pi / w[i])
             assert abs(found.trace[branch - 1, i] - trace) < 1e-11 * size, case
+
+
+@pytest.mark.slow
+def test_phase_velocity_and_trace_agree_with_fifty_digits() -> None:
+    check_orbits(2, sample_size(1500, 150))
+
+
+def test_phase_velocity_and_trace_of_a_few_orbits_agree_with_fifty_digits() -> None:
+    check_orbits(12, 60)
 
 
 def test_the_phase_is_in_its_range_and_never_a_negative_zero() -> None:
@@ -487,3 +496,45 @@ def test_one_point_alone_is_told_as_in_a_batch() -> None:
                 batch.extrema[branch, i],
                 batch.admissible[branch, i],
             )
+
+
+@every(("a", "w", "r", "n"), [(2.0, 4.0, 0.8, 1), (3.0, 8.0, 0.95, 3), (1.0, 2.0, 0.5, 1)])
+def test_a_half_cycle_is_the_flight_from_its_phase_and_velocity(
+    a: float, w: float, r: float, n: int
+) -> None:
+    length = n * math.pi / w
+    times, states = np.linspace(0.0, length, 9), np.empty((2, 9))
+    for branch in (1, 2):
+        fill_half_cycle(a, w, n, symmetric_orbit(a, w, r, n, branch), times, states)
+        f, v = exact_orbit(a, w, r, n, branch)
+        flight = ExactFlight(mp.mpf(-1), mp.mpf(0), mp.mpf(a), mp.mpf(w), mp.mpf(0), w * v, f)
+        for time, angle, velocity in zip(times, *states, strict=True):
+            y, speed = flight.state(float(time))
+            assert abs(y - angle) < 1e-12
+            assert abs(speed - velocity) < 1e-12
+        assert abs(states[0, -1]) < 1e-12  # and leaves with r times its speed, mirrored
+        assert r * states[1, -1] == pytest.approx(-states[1, 0], rel=1e-11)
+
+
+def test_curves_of_the_plane_are_the_boundaries_of_its_regions() -> None:
+    w, r = np.array([1.5, 4.0, 4.0, 8.0]), np.array([0.5, 0.8, 0.9, 0.7])
+    n, curves = np.array([1, 1, 3, 3]), np.empty((5, 4))
+    fill_curves(w, r, n, curves)
+    existence, sign, kind, breaking, heteroclinic = curves
+    assert steady(existence * (1.0 - 1e-9), w, r, n, shapes=False).region.tolist() == [4] * 4
+    found = steady(existence * (1.0 + 1e-9), w, r, n, shapes=False)
+    assert np.all(found.region != 4)
+    # Both branches are born together, and the second one's velocity changes its sign.
+    assert np.abs(found.velocity[0] - found.velocity[1]).max() < 1e-3
+    low, high = (
+        steady(sign * (1.0 + off), w, r, n, shapes=False).velocity[1] for off in (-1e-6, 1e-6)
+    )
+    assert np.all((low * high <= 0.0) | np.isnan(low))
+    for curve in (sign, kind):
+        assert np.all(curve >= existence * (1.0 - 1e-12))
+    for i in range(4):
+        assert breaking[i] == symmetry_breaking(w[i], r[i], int(n[i]))
+    # Of ever longer orbits the existence curve tends to the heteroclinic one.
+    long, late = np.full(4, 99), np.empty((5, 4))
+    fill_curves(w, r, long, late)
+    np.testing.assert_allclose(late[0], heteroclinic, rtol=1e-9)

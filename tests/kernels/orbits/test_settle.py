@@ -7,16 +7,21 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.core.tables import March
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.orbits.closed_form import existence_amplitude, symmetric_orbit
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS, distance, mirror, state_at
 from rocksteady.kernels.orbits.return_map import (
+    FALL,
     GRAZE,
     IMPACT,
+    STAY,
+    STUCK,
     UPLIFT,
     AnyState,
+    Jacobian,
     Section,
     next_passage,
     phase_between,
@@ -30,8 +35,12 @@ from rocksteady.kernels.orbits.settle import (
     STAYS,
     UNSETTLED,
     Settled,
+    Stretch,
     arrives,
+    rate_of,
+    returns_to,
     settle,
+    stretched,
 )
 from rocksteady.kernels.orbits.systems import System, make_system
 from tests.every import every
@@ -238,3 +247,63 @@ def test_too_few_periods_leave_it_unsettled(periods: int) -> None:
     assert found.outcome == UNSETTLED
     assert periods <= found.after <= periods + 1
     assert found.passages == 0
+
+
+def test_a_small_difference_turns_and_grows_with_each_passage() -> None:
+    rng = np.random.default_rng(8)
+    for _ in range(20):
+        matrix, start = rng.normal(size=(2, 2)), rng.normal(size=2)
+        start /= np.linalg.norm(start)
+        begun = Stretch(float(start[0]), float(start[1]), 0.7, 12)
+        stretch = stretched(begun, Jacobian(*matrix.ravel().tolist()))
+        image = matrix @ start
+        size = np.linalg.norm(image)
+        np.testing.assert_allclose(stretch[:2], image / size, rtol=1e-13)
+        assert stretch.logarithm == pytest.approx(0.7 + math.log(size), rel=1e-13)
+        assert stretch.since == 12
+        for scale in (1e-200, 1e200):  # whose squares are no numbers
+            far = stretched(begun, Jacobian(*(scale * matrix).ravel().tolist()))
+            np.testing.assert_allclose(far[:2], image / size, rtol=1e-13)
+            assert far.logarithm == pytest.approx(0.7 + math.log(size) + math.log(scale), rel=1e-13)
+    lost = stretched(Stretch(1.0, 0.0, 0.7, 12), Jacobian(0.0, 1.0, 0.0, 1.0))
+    assert math.hypot(lost.phase, lost.speed) == pytest.approx(1.0)
+    assert (lost.logarithm, lost.since) == (0.7, 12)
+
+
+def test_an_exponent_is_growth_over_forcing_periods_of_two_half_cycles() -> None:
+    rate, periods = rate_of(Stretch(1.0, 0.0, 3.0, 10), 34)
+    assert (rate, periods) == (0.25, 12.0)
+    rate, periods = rate_of(Stretch(1.0, 0.0, 3.0, 10), 10)
+    assert math.isnan(rate)
+    assert periods == 0.0
+
+
+def test_the_weaker_an_orbit_attracts_the_longer_its_approach_is_followed() -> None:
+    for passages in (1, 7):
+        for largest in (0.0, 0.5, 0.9, 0.999):
+            # In so many returns a distance falls to e^-30 of itself.
+            returns = returns_to(passages, largest)
+            assert returns >= 20 + math.floor(30.0 / (1.0 - largest) * (1.0 - 1e-9))
+            assert returns <= 20 + math.ceil(30.0 / (1.0 - largest))
+            assert largest**returns < math.exp(-30.0)
+    assert returns_to(1, 1.0 - 1e-9) == 200_000
+    assert returns_to(10, 1.0 - 1e-9) == 200_000
+    assert returns_to(11, 1.0 - 1e-9) == 2_000_000 // 11
+    assert returns_to(512, 1.0 - 1e-9) == 2_000_000 // 512
+
+
+def test_outcomes_and_kinds_of_passages_are_told_apart() -> None:
+    kinds = (IMPACT, UPLIFT, GRAZE, FALL, STAY, STUCK)
+    outcomes = (PERIODIC, STAYS, FALLS, UNSETTLED, LEFT_OVER)
+    assert len(set(kinds)) == len(kinds)
+    assert len(set(outcomes)) == len(outcomes)
+    system = even_system(2.0, 4.0, 0.8)
+    assert next_passage(system, Section(1, 0, 0.4, 0.3), -1.0).kind == IMPACT
+    assert next_passage(system, Section(1, 0, 0.4, 9.0), -1.0).kind == FALL
+    still = even_system(0.5, 4.0, 0.5)
+    assert next_passage(still, Section(1, 0, 0.4, 1e-4), -1.0).kind == STAY
+    lifted = even_system(1.2, 4.0, 0.5)
+    found = next_passage(lifted, Section(1, 1, 0.4, 1e-4), -1.0)
+    assert (found.kind, found.state.speed) == (UPLIFT, 0.0)
+    # Uplift is where 1.2 sin(phase) is 1.
+    assert found.state.phase == pytest.approx(math.asin(1.0 / 1.2), rel=1e-12)

@@ -1,14 +1,25 @@
 """The types of public arguments: what is refused at the door, and what the line says."""
 
 import inspect
+import itertools
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
-from typing import Annotated, Any, Literal, NamedTuple, Optional, TypeVar
+from pathlib import Path
+from typing import (
+    Annotated,
+    Any,
+    Literal,
+    NamedTuple,
+    Optional,
+    Protocol,
+    TypeVar,
+    runtime_checkable,
+)
 
 import numpy as np
 import pytest
@@ -30,7 +41,7 @@ from rocksteady.errors import InputError
 from rocksteady.export import ExplorerView
 from rocksteady.formulas import housner_restitution, impact_restitution, steady_states
 from rocksteady.measures import compute_response_spectrum
-from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.arrays import guard_result
 from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.motions import add
@@ -359,3 +370,336 @@ def test_aliases_of_arrays_are_checked_as_what_they_stand_for(
     assert str(inspect.signature(checked(call))).startswith(
         "(values: ArrayLike, more: ArrayLike | None = None, whole: "
     )
+
+
+@runtime_checkable
+class Walks(Protocol):
+    """What walks."""
+
+    def walk(self) -> int:
+        """Return steps."""
+        ...
+
+
+class Walker:
+    """Something that walks."""
+
+    def walk(self) -> int:
+        """Return steps."""
+        return 1
+
+
+class Rambler(Walker):
+    """What walks too."""
+
+
+class _Hostile:
+    """What fails where it is looked at."""
+
+    @property
+    def shape(self) -> Any:
+        raise RuntimeError
+
+    def __iter__(self) -> Any:
+        raise RuntimeError
+
+
+WALKER, PATH = Walker(), Path("a", "b")
+WHOLE, REAL = (
+    ("it must be a whole number", "give an int"),
+    ("it must be a real number", "give a float"),
+)
+TEXT, LIST = ("it must be a text", "give a str"), ("it must be a list or a tuple", "give a list")
+LIST_OF = ("it must be a list or a tuple", "give a list of them")
+MAKE = "make one with Block.rectangle(width=..., height=...)"
+READ = "read one with read_record(path), or make a Record(acceleration_m_s2=..., dt_s=...)"
+NO_PAIRS: list[Any] = [(), (1.0,), (1.0, 2.0, 3.0), "ab", {1: 2, 3: 4}, 1, b"ab", tuple, _Hostile()]
+NO_PATH = ("it must be a path", "give a str or a pathlib.Path")
+NOTHING = ("it must be None", "leave it out")
+TYPES: list[tuple[Any, list[Any], list[tuple[Any, tuple[str, str]]]]] = [
+    (float, [1.0, 2, "a", None, True, [1.0]], []),
+    (int, [1.0, 2, "a", None, True], []),
+    (None, [None], [(0, NOTHING), (False, NOTHING)]),
+    (object, [None, 1, "a", float], []),
+    (Any, [None, 1, "a", float], []),
+    (
+        str,
+        ["a", "", b"a", 1.0, None],
+        [(["a"], TEXT), (PATH, TEXT), ({}, TEXT), (Decimal(1), TEXT)],
+    ),
+    (
+        Path,
+        [PATH, "a", "a" * 255, "/".join(["a" * 255] * 3)],
+        [
+            (1, NO_PATH),
+            (b"a", NO_PATH),
+            (None, NO_PATH),
+            (Path, NO_PATH),
+            ("\ud800\udfff" + chr(0xD800), NO_PATH),
+            ("a\0b", ("it must be a path, in text", NO_PATH[1])),
+            ("", ("it must be a path, not an empty text", "name a file or a folder")),
+            ("a" * 256, ("it must be a path of names up to 255 bytes", "shorten it")),
+            ("b/" + "ä" * 128, ("it must be a path of names up to 255 bytes", "shorten it")),
+        ],
+    ),
+    (
+        Callable,
+        [len, Walker().walk, lambda: 1],
+        [(each, ("it must be a function", "give a callable")) for each in (1, "a", int, None)],
+    ),
+    (
+        Literal["a", "b"],
+        ["a", "b", np.array("b")],
+        [(each, ("it must be 'a' or 'b'", "give one of them")) for each in ("c", 1, None, ["a"])],
+    ),
+    (
+        Literal[1, -1],
+        [1, -1, np.int8(1)],
+        [(each, ("it must be 1 or -1", "give one of them")) for each in (True, 1.0, 0, "1", None)],
+    ),
+    (
+        Literal["a", "b", "c"],
+        ["c"],
+        [("d", ("it must be one of a, b, c", "give one of them"))],
+    ),
+    (
+        bool,
+        [True, False, np.True_],
+        [(each, ("it must be True or False", "give a bool")) for each in (0, 1, "a", None)],
+    ),
+    (
+        Block,
+        [BLOCK],
+        [
+            (BARE, ("it must be a Block", MAKE)),
+            (SHAKING, ("it must be a Block", "the block comes first, then the shaking")),
+            (Block, ("it must be a Block", "make one of the class, Block(...)")),
+        ],
+    ),
+    (
+        Harmonic,
+        [SHAKING, rocksteady.Still()],  # the function says why it takes no other motion
+        [(BLOCK, ("it must be a Harmonic", "make a Harmonic(amplitude=..., frequency_ratio=...)"))],
+    ),
+    (Axis, [Axis(name="amplitude", values=[1.0])], [(1, ("it must be an Axis", "give an Axis"))]),
+    (
+        Walks,
+        [WALKER],
+        [(each, ("it must be a Walks", "give a Walks")) for each in (1, None, BLOCK)]
+        + [(Walker, ("it must be a Walks", "give a Walks"))],
+    ),
+    ("Walker", [WALKER, Rambler()], [(1, ("it must be a Walker", "give a Walker"))]),
+    ("None | Walker", [WALKER, None], [(1, ("it must be a Walker", "give a Walker"))]),
+    ("Envelope", [], [(1, ("it must be an Envelope", "give an Envelope"))]),
+    ("x.Record", [RECORD], [(1, ("it must be a Record", READ))]),
+    ("Mapping[str, float]", [1, None], []),  # no class by its name
+    (
+        tuple[float, float],
+        [(1.0, 2.0)],
+        [
+            (each, ("it must be a tuple of 2 values", "give a pair, as (1.0, 2.0)"))
+            for each in NO_PAIRS
+        ]
+        + [
+            ((1.0, math.nan), ("it must not hold NaN", "leave NaN out")),
+            ((None, 1.0), REAL),
+            ((1.0, "a"), REAL),
+        ],
+    ),
+    (
+        tuple[int, str, int],
+        [(1, "a", 2)],
+        [
+            ((1, "a"), ("it must be a tuple of 3 values", "give a list of as many")),
+            ((1, "a", 2.0), WHOLE),
+            ((True, "a", 2), WHOLE),
+            ((1, 2, 2), TEXT),
+        ],
+    ),
+    (tuple[int, ...], [(), (1,), (1, 2, 3)], [((1, 2.0), WHOLE), (1, LIST), ("ab", LIST_OF)]),
+    (
+        Sequence[float],
+        [[1.0], (), (1.0, 2)],
+        [(iter([1.0]), LIST), ({1.0}, LIST), (1.0, LIST), ([True], REAL), ([None], REAL)],
+    ),
+    (Iterable[int], [[1], (1, 2)], [([1.0], WHOLE), (1, LIST_OF), ("ab", LIST_OF)]),
+    (list[str], [["a"]], [("a", LIST_OF), ([1], TEXT), ({"a": 1}, LIST_OF), (b"a", LIST_OF)]),
+    (
+        Mapping[str, float],
+        [{}, {"a": "b", 1: 2}],
+        [
+            ([("a", 1)], ("it must be a mapping", "give a dict")),
+            (None, ("it must be a mapping", "give a dict")),
+            ({None: 1}, ("its keys must be texts", "give a dict of names")),
+        ],
+    ),
+    (float | None, [1.0, None, "a", True], []),
+    (
+        float | Block,
+        [1.0, BLOCK, "a", None],
+        [
+            ([], ("it must be a number or a Block", MAKE)),
+            ({}, ("it must be a number or a Block", MAKE)),
+        ],
+    ),
+    (Block | None, [BLOCK, None], [(1, ("it must be a Block", MAKE))]),
+    (
+        Block | DimensionlessBlock,
+        [BLOCK, BARE],
+        [(1, ("it must be a Block or a DimensionlessBlock", MAKE))],
+    ),
+    (
+        Path | str | None,
+        [PATH, "a", None],
+        [(1, NO_PATH), ("a\0b", ("it must be a path, in text", NO_PATH[1]))],
+    ),
+    (
+        bool | list[int],
+        [True, [1]],
+        [(1, ("it must be True or False or a list or a tuple", "give a bool"))],
+    ),
+]
+"""Of annotations: what passes, and what is refused with which clauses."""
+
+
+def _outcome(call: Callable[..., Any], *given: Any, **named: Any) -> Any:
+    """Return what a call returns, or name and clauses of its refusal."""
+    try:
+        return call(*given, **named)
+    except InputError as error:
+        return error.name, error.valid, error.hint
+
+
+def test_each_annotation_takes_its_values_and_says_what_else_it_wants() -> None:
+    wrong = []
+    for annotation, fit, unfit in TYPES:
+
+        def taken(x: Any) -> Any:
+            return x
+
+        def several(*x: Any) -> Any:
+            return x
+
+        for function in (taken, several):
+            function.__annotations__["x"] = annotation
+        once, often = checked(taken), checked(several)
+        rows = [(value, value) for value in fit]
+        rows += [(value, ("x", *clauses)) for value, clauses in unfit]
+        for value, expected in rows:
+            kept = (*fit[:1], value) if any(value is each for each in fit) else expected
+            outcomes = [
+                (_outcome(once, value), expected),
+                (_outcome(once, x=value), expected),
+                (_outcome(often, *fit[:1], value), kept),
+            ]
+            if any(found is not right and found != right for found, right in outcomes):
+                wrong.append((annotation, value, outcomes))
+    assert not wrong, "\n".join(map(repr, wrong))
+
+
+def test_numbers_are_checked_in_results_and_left_to_the_validators_elsewhere() -> None:
+    def given(kind: Any) -> Any:
+        @kind
+        @dataclass(frozen=True)
+        class Kept:
+            real: float = 0.0
+            whole: int = 0
+            text: str = ""
+            row: Any = None
+
+            def turned(self, by: float, _more: int = 0) -> Any:
+                return by
+
+            @classmethod
+            def of(cls, real: float) -> Any:
+                return cls(real)
+
+            @staticmethod
+            def alone(whole: int, names: list[str]) -> Any:
+                return whole, names
+
+            def _hidden(self, names: list[str]) -> Any:
+                return names
+
+            def __call__(self, names: list[str]) -> Any:
+                return names
+
+        return Kept
+
+    result, plain = given(checked_result), given(checked)
+    for name, value, clauses in (
+        ("real", "a", REAL),
+        ("real", True, REAL),
+        ("real", None, REAL),
+        ("whole", 1.0, WHOLE),
+        ("whole", True, WHOLE),
+        ("text", 1.0, TEXT),
+    ):
+        assert _outcome(result, **{name: value}) == (name, *clauses), (name, value)
+        assert getattr(plain(**{name: value}), name) is value, (name, value)
+    assert math.isnan(result(real=np.float32(math.nan)).real)
+    assert type(result(real=np.float32(0.5)).real) is float
+    assert type(result(np.int8(2)).whole) is int
+    for kind in (result, plain):
+        kept = kind()
+        assert kept.turned("a") == "a"
+        assert type(kept.turned(np.float32(0.5))) is float
+        assert kept._hidden(1) == 1
+        assert _outcome(kept, 1) == ("names", *LIST)
+        assert kept(["a"]) == ["a"]
+        assert type(kind.of(np.float32(0.5)).real) is float
+        assert type(kind.alone(np.int8(1), ["a"])[0]) is int
+        assert _outcome(kind.alone, 1, names=["a", 1]) == ("names", *TEXT)
+        assert _outcome(kept.alone, 1, 2) == ("names", *LIST)
+
+
+def test_arguments_keep_their_places_whatever_they_are_given_by() -> None:
+    @checked
+    def checked_call(
+        first: float, second: float, *rest: float, last: float = 4.0, **more: float
+    ) -> Any:
+        return first, second, *rest, last, more
+
+    taken: Any = checked_call
+    one, two, three, four = (Fraction(number) for number in (1, 2, 3, 4))
+    outcomes: list[tuple[Any, tuple[Any, ...]]] = [
+        (taken(one, two), (1.0, 2.0, 4.0, {})),
+        (taken(second=two, first=one), (1.0, 2.0, 4.0, {})),
+        (taken(one, second=two, last=three), (1.0, 2.0, 3.0, {})),
+        (taken(one, two, three, four, last=one), (1.0, 2.0, 3.0, 4.0, 1.0, {})),
+        (taken(one, two, other=5.0), (1.0, 2.0, 4.0, {"other": 5.0})),
+    ]
+    for outcome, expected in outcomes:
+        assert outcome == expected
+        assert {type(each) for each in outcome[:-1]} == {float}
+
+
+def test_what_can_be_gone_through_once_is_kept_as_a_tuple() -> None:
+    @checked
+    def taken(x: Iterable[int], y: Sequence[int] = ()) -> tuple[object, object]:
+        return x, y
+
+    given: list[Iterable[int]] = [iter([1, 2]), (k for k in (1, 2)), {1: "a", 2: "b"}.keys()]
+    for each in given:
+        assert taken(each)[0] == (1, 2)
+    rows = np.array([1, 2])
+    assert taken(rows)[0] == (1, 2)
+    with pytest.raises(InputError, match=r"y = .* it must be a list or a tuple; give a list"):
+        taken([], iter([1]))  # type: ignore[arg-type]
+    endless = itertools.count()
+    with pytest.raises(InputError, match=r"x = .* it must have at most 1000000 items; give fewer"):
+        taken(endless)
+
+
+def test_a_mask_and_a_unit_are_named_in_a_union_too() -> None:
+    @checked
+    def taken(x: Block | list[float], y: float | Block = 1.0) -> tuple[object, object]:
+        return x, y
+
+    masked: Any = MASKED
+    quantity: Any = Quantity(1.0, "cm")
+    mask = "1 of its 3 elements are masked, and a mask would be lost"
+    unit = "it carries a unit, which would be lost"
+    assert _outcome(taken, masked)[:2] == ("x", mask)
+    assert _outcome(taken, [quantity])[:2] == ("x", unit)
+    assert _outcome(taken, [1.0], quantity)[:2] == ("y", unit)

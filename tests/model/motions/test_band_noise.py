@@ -1,6 +1,7 @@
 """Noise of a band: its spectrum, its realisations, and the exact sum with another motion."""
 
 import math
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ from rocksteady import BaseMotion, Block, Harmonic, Piecewise, Pulse, Record, St
 from rocksteady.dynamics.history.base_motion import base_acceleration, impulses
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError, ModelError
-from rocksteady.motions import BandNoise, Impulses, add_noise
+from rocksteady.motions import BandNoise, Impulses, Segment, add_noise
 from tests.every import every
 
 NOISE = BandNoise(rms=0.2, band=(1.0, 10.0), duration=30.0, seed=1)
@@ -183,3 +184,109 @@ def test_what_is_no_noise_is_refused() -> None:
     assert BandNoise(rms=0.1, band=(1000.0, 1000.5), duration=50.0, seed=1).duration == 50.0
     with pytest.raises(ModelError, match="block"):
         add_noise(RECORD, NOISE)
+
+
+def durations(motion: Any) -> list[float]:
+    return [piece.duration for piece in motion.segments()]
+
+
+def test_the_sum_is_cut_at_samples_and_at_starts_and_nowhere_else() -> None:
+    lines = len(NOISE.segments())
+    over_harmonic = add_noise(Harmonic(amplitude=2.0, frequency_ratio=4.0), NOISE)
+    # Whole lines last one step to the last digit.
+    assert set(durations(over_harmonic)[:-1]) == {NOISE.step}
+    assert len(durations(over_harmonic)) == lines
+    for shift, more in ((0.0, 0), (1e-10, 0), (-1e-10, 0), (1e-8, 1), (-1e-8, 1), (0.5, 1)):
+        for place in (1, 7, 100):
+            edge = (place + shift) * NOISE.step
+            pieces = (Segment(duration=edge, constant=1.0), Segment(duration=40.0, constant=-1.0))
+            total = add_noise(Piecewise(pieces=pieces), NOISE)
+            lasting = durations(total)
+            # The rest of the second segment follows the noise.
+            assert len(lasting) == lines + more + 1, (shift, place)
+            assert min(lasting) > 5e-9 * NOISE.step, (shift, place)
+            assert lasting.count(NOISE.step) >= lines - 3, (shift, place)
+            assert math.fsum(lasting) == pytest.approx(40.0 + edge, rel=1e-12)
+
+
+def test_segments_shorter_than_a_step_keep_their_durations() -> None:
+    short = NOISE.step / 7.3
+    comb = tuple(Segment(duration=short, constant=float(k)) for k in range(30))
+    total = add_noise(Piecewise(pieces=comb), NOISE)
+    assert durations(total)[:5] == [short] * 5
+    cuts = np.cumsum(durations(total))
+    for place in range(1, 30):
+        assert np.abs(cuts - place * short).min() < 1e-12
+    for place in range(1, 20):
+        assert np.abs(cuts - place * NOISE.step).min() < 1e-12
+
+
+@every(
+    ("last", "ends"),
+    [
+        (Segment(duration=math.inf, constant=0.5), True),
+        (Segment(duration=math.inf, amplitude=0.5, frequency=2.0), True),
+        (Segment(duration=math.inf), False),
+        (Segment(duration=math.inf, jump=0.3), False),
+    ],
+)
+def test_what_shakes_for_ever_ends_with_the_noise(last: Segment, ends: bool) -> None:
+    first = Segment(duration=1.3, constant=0.2)
+    for pieces in ((last,), (first, last)):
+        total = add_noise(Piecewise(pieces=pieces), NOISE)
+        table = segment_table(total)
+        later = np.array([30.001, 45.0, 1e4])
+        assert base_acceleration(table, later).tolist() == [0.0, 0.0, 0.0]
+        if ends:
+            assert math.fsum(durations(total)) == pytest.approx(30.0, rel=1e-12)
+        times, sizes = impulses(table)
+        assert sizes.tolist() == ([last.jump] if last.jump else [])
+        assert all(time == pytest.approx(1.3 if len(pieces) == 2 else 0.0) for time in times)
+
+
+def test_a_segment_without_a_sinusoid_has_no_phase_in_the_sum() -> None:
+    quiet = Segment(duration=50.0, constant=1.0, frequency=3.0, phase=0.4)
+    total = add_noise(Piecewise(pieces=(quiet,)), NOISE)
+    assert {(piece.frequency, piece.phase) for piece in total.segments()} == {(0.0, 0.0)}
+    loud = add_noise(
+        Piecewise(pieces=(Segment(duration=50.0, amplitude=1.0, frequency=3.0),)), NOISE
+    )
+    assert {piece.frequency for piece in loud.segments()} == {3.0}
+    assert add_noise(Still(), NOISE).segments() == NOISE.segments()
+
+
+def test_lines_products_and_sinusoids_end_where_they_say() -> None:
+    # 20 samples for each of 100 p: 200 000 lines are 628.3 long.
+    most = 200_000 * 2.0 * math.pi / 2000.0
+    narrow: dict[str, Any] = {"rms": 0.0, "band": (99.9, 100.0), "seed": 1}
+    assert len(BandNoise(**narrow, duration=most * (1.0 - 1e-12)).samples) == 200_001
+    with pytest.raises(InputError) as caught:
+        BandNoise(**narrow, duration=most * 1.00001)
+    assert caught.value.valid == ("it would take 200,002 straight lines, and 200,000 are the most")
+    assert caught.value.hint == "give 628 or less, or a lower band"
+    # Sinusoids are pi/duration apart: at 1.0 p this band has one, or none.
+    for low, high, fit in ((1.0, 1.05, True), (0.95, 1.0, True), (1.01, 1.05, False)):
+        call = partial(BandNoise, rms=0.1, band=(low, high), duration=10.0 * math.pi, seed=1)
+        if fit:
+            call()
+        else:
+            with pytest.raises(InputError, match=r"in this duration they are 0\.1 apart"):
+                call()
+    # Lines are 20 * 5 d/(2 pi), sinusoids 4.99 d/pi: 1e9 products where d is 6289.
+    wide = partial(BandNoise, rms=0.0, band=(0.01, 5.0), seed=1)
+    assert wide(duration=6285.0).duration == 6285.0
+    with pytest.raises(
+        InputError, match=r"100,1\d\d samples of 9,99\d sinusoids are more than 1e9"
+    ):
+        wide(duration=6293.0)
+
+
+def test_the_number_and_the_rms_of_a_realisation_are_those_asked_for() -> None:
+    assert NOISE.realisation(3) == BandNoise(
+        rms=0.2, band=(1.0, 10.0), duration=30.0, seed=1, number=3
+    )
+    louder = NOISE.realisation(3, rms=0.4)
+    np.testing.assert_allclose(louder.samples, 2.0 * NOISE.realisation(3).samples, rtol=1e-14)
+    assert NOISE.realisation(0, rms=0.0).segments() == ()
+    assert not NOISE.realisation(0, rms=0.0).samples.any()
+    assert len(NOISE.samples) == len(NOISE.segments()) + 1

@@ -369,3 +369,59 @@ def test_what_is_made_of_a_floor_keeps_its_ground() -> None:
 def test_what_is_no_frequency_is_refused(frequencies: Any) -> None:
     with pytest.raises(InputError, match="frequencies_hz"):
         Floor(frequencies_hz=frequencies, shapes=1.0)
+
+
+def test_a_floor_without_participation_keeps_its_record_sample_by_sample() -> None:
+    cases: list[dict[str, Any]] = [
+        {"frequencies_hz": 2.0, "shapes": 0.0},
+        {"frequencies_hz": [1, 2], "shapes": [0, 0]},
+    ]
+    ground = Record(acceleration_m_s2=np.array([0.5, 2.0, -2.0, 0.25]), dt_s=0.1, name="a")
+    for modes in cases:
+        moved = Floor(**modes).motion(ground)
+        assert moved.acceleration_m_s2.tolist() == [0.5, 2.0, -2.0, 0.25]
+        assert moved.dt_s == 0.1
+        assert moved.name == f"a (floor {min(Floor(**modes).modes)[0]:.3g} Hz)"
+    assert Floor(frequencies_hz=2.0).motion(replace(ground, name=None)).name is None
+
+
+def test_a_floor_rings_on_until_it_is_quiet_and_not_much_longer() -> None:
+    ground = Record(acceleration_m_s2=np.array([0.0, 1.0, 0.0]), dt_s=0.2)
+    for hertz, damping, tolerance in ((1.5, 0.05, 1e-2), (4.0, 0.2, 1e-3), (0.7, 0.5, 1e-4)):
+        floor = Floor(frequencies_hz=hertz, damping=damping)
+        moved = floor.motion(ground, tolerance=tolerance)
+        longer = floor.motion(ground, tolerance=tolerance * 1e-2)
+        times = np.linspace(moved.duration_s, longer.duration_s, 2000)
+        left = np.abs(of_record(longer, times)).max()
+        assert left <= tolerance * 1.05
+        assert left >= tolerance * math.exp(-2.0 * math.pi * hertz * damping * (1.0 / hertz + 0.2))
+
+
+def test_the_label_of_a_floor_has_its_modes_in_words() -> None:
+    assert Floor(frequencies_hz=1.5, damping=0.05, shapes=1.3).label == (
+        "floor of 1.5 Hz, damping 5 %, shape 1.3"
+    )
+    assert Floor(frequencies_hz=[1.5, 4.0], damping=0.05, shapes=[1.25, -0.4]).label == (
+        "floor of 1.5, 4 Hz, damping 5 %, shape 1.25, -0.4"
+    )
+    assert Floor(**TWO).label == "floor of 1.5, 4 Hz, damping 5, 2 %, shape 1.25, -0.4"
+    assert Floor(**TWO).modes == ((1.5, 0.05, 1.25), (4.0, 0.02, -0.4))
+
+
+def test_the_floor_leads_and_follows_as_the_equation_of_its_modes_has_it() -> None:
+    floor = Floor(**TWO)
+    hertz = np.array([[0.1, 1.0, 1.5], [2.0, 4.0, 30.0]])
+    w = 2.0 * math.pi * hertz
+    ratio = np.ones(hertz.shape, dtype=complex)
+    for frequency, damping, shape in floor.modes:
+        of = 2.0 * math.pi * frequency
+        ratio += shape * w * w / (of * of - w * w + 2j * damping * of * w)
+    np.testing.assert_allclose(floor.amplification(hertz), np.abs(ratio), rtol=1e-12)
+    np.testing.assert_allclose(floor.phase_lead(hertz), np.angle(ratio), rtol=1e-9, atol=1e-12)
+    shaking = Harmonic(amplitude=0.5, frequency_ratio=3.0, phase=0.7)
+    moved = floor.motion(shaking, BLOCK)
+    at = 3.0 * BLOCK.p / (2.0 * math.pi)
+    assert moved.amplitude == pytest.approx(0.5 * float(floor.amplification(at)), rel=1e-12)
+    lead = math.remainder(moved.phase - 0.7 - float(floor.phase_lead(at)), 2.0 * math.pi)
+    assert abs(lead) < 1e-12
+    assert abs(moved.phase) <= math.pi

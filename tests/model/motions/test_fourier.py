@@ -159,3 +159,66 @@ def test_few_samples_have_the_orders_that_they_allow() -> None:
     assert (size, phase) == pytest.approx((1.0, 0.0), abs=1e-15)
     with pytest.raises(rs.errors.InputError, match="at most 1 orders"):
         rs.motions.FourierSeries.from_samples([0.0, 1.0, 0.0, -1.0], frequency_ratio=2.0, orders=2)
+
+
+@pytest.mark.parametrize(
+    ("orders", "odd"), [((1,), True), ((1, 3, 7), True), ((2,), False), ((1, 2), False)]
+)
+def test_odd_orders_alone_make_a_shaking_that_is_its_own_negative_half_a_period_on(
+    orders: tuple[int, ...], odd: bool
+) -> None:
+    motion = rs.motions.FourierSeries(
+        amplitude=1.3, frequency_ratio=2.0, harmonics=tuple((k, 1.0 / k, 0.3 * k) for k in orders)
+    )
+    assert motion.orders == orders
+    assert motion.antisymmetric is odd
+    phases = np.linspace(0.0, 6.0, 20)
+    half = motion.acceleration(phases + math.pi) + motion.acceleration(phases)
+    assert bool(np.abs(half).max() < 1e-12) is odd
+    # The largest possible value is reached where all harmonics have their crest together.
+    together = rs.motions.FourierSeries(
+        amplitude=1.3,
+        frequency_ratio=2.0,
+        harmonics=tuple((k, 1.0 / k, 0.5 * math.pi) for k in orders),
+    )
+    assert together.peak == pytest.approx(1.3 * sum(1.0 / k for k in orders), rel=1e-12)
+
+
+def test_phases_and_samples_that_are_no_numbers_are_refused() -> None:
+    motion = rs.motions.FourierSeries(
+        amplitude=1.0, frequency_ratio=2.0, harmonics=((1, 1.0, 0.0),)
+    )
+    wrong: list[Any] = [
+        math.nan,
+        math.inf,
+        "a",
+        [0.0, math.nan],
+        None,
+        1.1e50,
+        -1.1e50,
+        [[1.0], []],
+    ]
+    for value in wrong:
+        with pytest.raises(rs.errors.InputError, match="phase"):
+            motion.acceleration(value)
+    assert motion.acceleration(1e50).shape == ()
+    rows: list[Any] = [[1.0, 2.0], 1.0, [[1.0, 2.0, 3.0]], [], np.zeros(1_000_001)]
+    for value in rows:
+        with pytest.raises(rs.errors.InputError, match="a row of 3 to 1000000 numbers"):
+            motion.misfit(value)
+    assert motion.misfit([0.0, 0.0, 0.0]) == pytest.approx(math.sin(2.0 * math.pi / 3.0))
+
+
+def test_rounding_is_no_harmonic_of_samples() -> None:
+    turn = 2.0 * math.pi * np.arange(64) / 64
+    for share, kept in ((1e-11, (1, 5)), (1e-13, (1,))):
+        samples = np.sin(turn) + share * np.sin(5.0 * turn)
+        series = rs.motions.FourierSeries.from_samples(samples, frequency_ratio=1.0)
+        assert series.orders == kept, share
+
+
+def test_samples_that_are_all_the_same_are_no_shaking() -> None:
+    for level in (0.0, 2.0, 0.1, -1e-30):
+        for count in (3, 16, 17):
+            with pytest.raises(rs.errors.InputError, match="they must differ from their mean"):
+                rs.motions.FourierSeries.from_samples(np.full(count, level), frequency_ratio=1.0)

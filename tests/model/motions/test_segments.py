@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from rocksteady import Block, Harmonic, Piecewise, Still
 from rocksteady.errors import InputError, ModelError
+from rocksteady.model.motions.segments import segments_of
 from rocksteady.motions import Segment
 from tests.every import every
 from tests.strategies import logarithmic
@@ -151,3 +152,42 @@ def test_motions_are_frozen_and_keyword_only(motion: Any) -> None:
         setattr(motion, name, 1.0)
     with pytest.raises(InputError, match="takes no arguments without a name"):
         type(motion)(1.0, 4.0)
+
+
+def test_a_negative_amplitude_is_a_positive_one_half_a_cycle_on() -> None:
+    turned: dict[str, Any] = {"duration": 1.0, "frequency": 2.0}
+    for phase in (0.0, 1.0, -1.0, 3.0, -3.0, 1e-300, 6.0):
+        segment = Segment(**turned, amplitude=-0.5, phase=phase)
+        assert segment.amplitude == 0.5
+        assert abs(segment.phase) <= max(math.pi, abs(phase))
+        assert math.sin(segment.phase) == pytest.approx(-math.sin(phase), abs=1e-15)
+        assert math.cos(segment.phase) == pytest.approx(-math.cos(phase), abs=1e-15)
+        kept = Segment(**turned, amplitude=0.5, phase=phase)
+        assert (kept.amplitude, kept.phase) == (0.5, phase)
+    assert Segment(**turned, amplitude=-0.5).phase == math.pi
+    waves = Segment(**turned, amplitude=-0.5, phase=0.3, harmonics=((3, 0.5, 0.1), (1, -1.0, 0.2)))
+    assert (waves.amplitude, waves.phase) == (0.5, 0.3)
+    assert waves.harmonics == ((1, 1.0, 0.2), (3, -0.5, 0.1))
+
+
+@every("given", [(1.0,), ("a",), [None], 3.0, "ab", {"a": 1}, (Segment(duration=1.0), 2.0)])
+def test_what_are_no_segments_is_refused_by_a_motion_and_of_one(given: Any) -> None:
+    class Own:
+        def segments(self) -> Any:
+            return given
+
+    with pytest.raises(InputError, match=r"^pieces = .* a sequence of Segments"):
+        Piecewise(pieces=given)
+    with pytest.raises(InputError, match=r"^motion = .* its segments\(\) must return Segments"):
+        segments_of(Own())
+
+
+def test_lists_and_tuples_of_segments_are_taken_and_only_the_last_may_be_endless() -> None:
+    first, last = Segment(duration=1.0, constant=0.5), Segment(duration=math.inf)
+    for pieces in ((first, last), [first, last], (), [last]):
+        given: Any = pieces
+        assert Piecewise(pieces=given).segments() == tuple(pieces)
+        assert segments_of(Piecewise(pieces=given)) == tuple(pieces)
+    for wrong in ((last, first), (first, last, first), (last, last)):
+        with pytest.raises(ModelError, match="only the last segment may be endless"):
+            Piecewise(pieces=wrong)

@@ -129,3 +129,27 @@ def test_the_shortest_and_the_plainest() -> None:
     assert not motion(rms=0.0).samples.any()
     assert np.isfinite(motion(rise=1.0, decay=0.0).samples).all()
     assert np.isfinite(motion(filter_damping=1.0).samples).all()
+
+
+def test_the_hint_of_a_motion_too_short_for_its_filters_is_long_enough() -> None:
+    slow: dict[str, Any] = {"filter_damping": 0.01, "high_pass_ratio": 0.001, "rise": 0.0}
+    for ratio in (0.5, 6.0):
+        with pytest.raises(InputError) as caught:
+            motion(frequency_ratio=ratio, duration=1e-4 / ratio, **slow)
+        assert "and 1e+07 are the most" in caught.value.valid
+        least = float(caught.value.hint.removeprefix("give ").removesuffix(" or more"))
+        motion(frequency_ratio=ratio, duration=1.01 * least, **slow)
+        with pytest.raises(InputError):
+            motion(frequency_ratio=ratio, duration=0.98 * least, **slow)
+
+
+def test_samples_are_40_for_each_period_of_the_ground_to_a_whole_number() -> None:
+    for ratio, duration in ((6.0, 30.0), (1.3, 7.0), (50.0, 0.01), (0.05, 1.0)):
+        one = motion(frequency_ratio=ratio, duration=duration, filter_damping=1.0)
+        ideal = 2.0 * math.pi / (40.0 * ratio)
+        lines = max(1, round(duration / ideal))
+        assert one.step == pytest.approx(duration / lines, rel=1e-14)
+    most = 200_000 * 2.0 * math.pi / (40.0 * 6.0)
+    assert motion(duration=most * (1.0 - 1e-12)).duration < most
+    with pytest.raises(InputError, match=r"^duration = .* it must lie in \(0, 5235\.98"):
+        motion(duration=most * (1.0 + 1e-9))

@@ -39,7 +39,7 @@ def question_millimetres(sizes: Mapping[str, float], *, height: float) -> None:
         warnings.warn(
             f"{given} make a block {height:g} m high: sizes are in metres; for one in millimetres "
             f"give {instead}",
-            stacklevel=4,
+            stacklevel=5,
         )
 
 

@@ -185,7 +185,8 @@ class FourierSeries(DescribedMotion):
             harmonics.append((k, float(hypot(p, q)), float(atan2(q, p))))
         largest = max(size for _, size, _ in harmonics)
         kept = tuple(wave for wave in harmonics if wave[1] > SMALLEST_SHARE * largest)
-        if not kept:
+        # Of equal samples rounding leaves harmonics, each a part of the largest of them.
+        if not kept or bool((values == values[0]).all()):
             raise InputError(
                 "samples",
                 samples,
