@@ -152,7 +152,7 @@ def pointing_of_name(stem: str) -> Pointing:
     if tail is None or _CERTAIN.fullmatch(tail[0]) is None or re.search(r"\d{3}$", tail[0]):
         return Pointing()
     word = tail[0].strip("-_. ").lower()
-    return Pointing(orientation="horizontal") if word.startswith("h") else pointing(word)
+    return Pointing(orientation="horizontal") if word.startswith("hor") else pointing(word)
 
 
 def tells_nothing(component: str | None) -> bool:
