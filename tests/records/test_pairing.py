@@ -175,7 +175,13 @@ def test_what_a_set_says_of_itself() -> None:
     assert rows[0]["pga_m_s2"] == np.abs(samples(100)).max()
     assert whole.to_dict()["warnings"] == list(whole.warnings)
     text = " ".join(whole.summary().split())
-    for words in ("hut: 1 horizontal channel, a vertical one", "channel", "PGA [g]", "dt [s]", "0.102"):
+    for words in (
+        "hut: 1 horizontal channel, a vertical one",
+        "channel",
+        "PGA [g]",
+        "dt [s]",
+        "0.102",
+    ):
         assert words in text, text
     assert repr(RecordSet(name="hut")) == "<RecordSet: hut: 0 horizontal channels, no vertical one>"
     wrong = RecordSet(name="hut", horizontal=(up,), vertical=replace(one, component=None))

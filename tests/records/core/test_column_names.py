@@ -163,10 +163,25 @@ def test_what_a_name_states() -> None:
         assert found.seconds == seconds, (name, found)
     for name, uncertain in (
         *(("1000*acc (g)", "1000*acc"), ("acc (g)", ""), ("time of day", "day")),
-        *(("time (s) (ms)", "s, ms"), ("time (UTC)", "UTC"), ("time (Hz)", "Hz"), ("t (0 s)", "0 s")),
+        *(
+            ("time (s) (ms)", "s, ms"),
+            ("time (UTC)", "UTC"),
+            ("time (Hz)", "Hz"),
+            ("t (0 s)", "0 s"),
+        ),
         *(("acc (g) (gal)", "g, gal"), ("acc (x10) (g)", "x10"), ("acc (raw) (g)", "")),
-        *(("acc (raw)", "raw"), ("acc (cm/s2) (gal)", ""), ("acc x 10", "acc x 10"), ("foo x 10", "")),
-        *(("time since start", ""), ("time (s)", ""), ("time lag", "lag"), ("acc_gal (g)", "g, gal")),
+        *(
+            ("acc (raw)", "raw"),
+            ("acc (cm/s2) (gal)", ""),
+            ("acc x 10", "acc x 10"),
+            ("foo x 10", ""),
+        ),
+        *(
+            ("time since start", ""),
+            ("time (s)", ""),
+            ("time lag", "lag"),
+            ("acc_gal (g)", "g, gal"),
+        ),
     ):
         assert column_name(name).uncertain == uncertain, (name, column_name(name))
 
@@ -174,10 +189,20 @@ def test_what_a_name_states() -> None:
 def test_the_first_word_of_a_name_that_is_not_known() -> None:
     for name, leftover in (
         *(("acc (g)", ""), ("acc wobbled more (g)", "wobbled"), ("acc (wobbled) (g)", "wobbled")),
-        *(("acc 10 (g)", "10"), ("acc 100 (g)", "100"), ("acc 360 (g)", ""), ("acc 361 (g)", "361")),
+        *(
+            ("acc 10 (g)", "10"),
+            ("acc 100 (g)", "100"),
+            ("acc 360 (g)", ""),
+            ("acc 361 (g)", "361"),
+        ),
         *(("acc 45 (g)", ""), ("acc 5 (g)", ""), ("ch12 (g)", ""), ("ch123 (g)", "ch123")),
         *(("TCU054 (g)", ""), ("TCUABC054 (g)", "TCUABC054"), ("BY10 (g)", "BY10"), ("A1 (g)", "")),
-        *(("acc -x (g)", "acc -x"), ("accx", ""), ("acc 1:10 (g)", "acc 1:10"), ("acc e5 (g)", "acc e5")),
+        *(
+            ("acc -x (g)", "acc -x"),
+            ("accx", ""),
+            ("acc 1:10 (g)", "acc 1:10"),
+            ("acc e5 (g)", "acc e5"),
+        ),
         *(("foo1 (g)", "foo1"), ("100 (g)", "100"), ("090 (g)", ""), ("10 deg (g)", "10")),
     ):
         assert column_name(name).leftover == leftover, (name, column_name(name))

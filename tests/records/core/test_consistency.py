@@ -301,7 +301,7 @@ def test_lines_that_are_laid_out_otherwise_are_counted() -> None:
 def test_ends_inside_the_last_number() -> None:
     """Of an odd form alone the end of the line decides, and whether the format is strict."""
     aligned = [f"{k:4d}.{k % 1000:03d}" if k % 3 else f"{-k:4d}.{k:03d}" for k in range(1, 40)]
-    loose = [f"{(-1) ** k * 7**(k % 5)}.{k:03d}" for k in range(1, 40)]
+    loose = [f"{(-1) ** k * 7 ** (k % 5)}.{k:03d}" for k in range(1, 40)]
     for rows, ended, strict, refused in (
         *((aligned, ended, strict, True) for ended in (False, True) for strict in (False, True)),
         *((loose, False, True, True), (loose, True, True, False)),

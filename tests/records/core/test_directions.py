@@ -302,7 +302,11 @@ def test_directions_of_files_that_can_mean_nothing_else() -> None:
     for stem, orientation, down in (
         *(("up", "vertical", False), ("UP", "vertical", False), ("v", None, None)),
         *(("z", None, None), ("u", None, None), ("ud", "vertical", None), ("dn", "vertical", True)),
-        *(("a-h1", "horizontal", None), ("a_hor2", "horizontal", None), ("a-N", "horizontal", None)),
+        *(
+            ("a-h1", "horizontal", None),
+            ("a_hor2", "horizontal", None),
+            ("a-N", "horizontal", None),
+        ),
         *(("a.z", "vertical", None), ("A_090", None, None), ("A090", None, None)),
         *(("startup", None, None), ("STAUP", "vertical", False), ("staUP", "vertical", False)),
         *(("a HNZ", "vertical", None), ("a-hne", "horizontal", None), ("x", None, None)),

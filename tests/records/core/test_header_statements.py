@@ -392,8 +392,16 @@ def test_units_that_words_state() -> None:
     for lines, unit in (
         *((("units: cm/s2",), "cm/s^2"), (("acceleration in g",), "g"), (("hut",), None)),
         *((("units: g (9.81 m/s2)",), "g"), (("units: g (9.80 m/s2)",), "g")),
-        *((("acc (gal)", "units of cm/s^2"), "gal"), (("units: s, g",), "g"), (("(0.35 g)",), None)),
-        *((("PGA in g: 1", "acc in gal"), "gal"), (("units: sec",), None), (("units: time",), None)),
+        *(
+            (("acc (gal)", "units of cm/s^2"), "gal"),
+            (("units: s, g",), "g"),
+            (("(0.35 g)",), None),
+        ),
+        *(
+            (("PGA in g: 1", "acc in gal"), "gal"),
+            (("units: sec",), None),
+            (("units: time",), None),
+        ),
         *((("acc in 0.001 g",), "0.001 g"), (("acc in 10^-3 g",), "mg")),
     ):
         found = statements.stated_unit(head(*lines), [*range(len(lines))])
