@@ -69,9 +69,11 @@ def test_the_size_of_a_peak_is_doubted_and_then_refused() -> None:
         for sign in (1.0, -1.0):
             assert made(values=sign * np.array([0.5, peak, 0.1])).warnings == doubts, peak
     assert len(made(values=np.array([0.5, -999.0, 0.1])).warnings) == 1
-    with pytest.raises(RecordFileError, match="a peak of 1e.03 g is none of a record; see whether"):
+    with pytest.raises(
+        RecordFileError, match=r"a peak of 1e.03 g is none of a record; see whether"
+    ):
         made(values=np.array([0.5, -1001.0, 0.1]))
-    with pytest.raises(RecordFileError, match="its samples are no record, .*whole file"):
+    with pytest.raises(RecordFileError, match=r"its samples are no record, .*whole file"):
         made(values=np.zeros(3))
 
 

@@ -236,8 +236,10 @@ def test_as_many_samples_as_stated() -> None:
     for end, held in ((3, 2), (4, 3)):
         where = consistency.Lines(end=end, **here)
         assert consistency.agreed(more, values[:held], 2, where)[1] == (
-            "the file holds 4 samples, more than the 2 that its header states: "
-            "the last 2 are left out",
+            (
+                "the file holds 4 samples, more than the 2 that its header states: "
+                "the last 2 are left out"
+            ),
         )
     for alone, doubts in (
         (True, ("what stands after the last sample, from line 5, is left out",)),
@@ -274,8 +276,10 @@ def test_the_time_of_a_peak_in_words() -> None:
     assert consistency.timing(values, 0.01, peak_at=-1.0) == ()
     for late in (5.0, 1e30):
         assert consistency.timing(values, 0.01, peak_at=late) == (
-            f"its peak comes after 0 s, and the header states {late:g} s: "
-            "see whether the interval is right",
+            (
+                f"its peak comes after 0 s, and the header states {late:g} s: "
+                "see whether the interval is right"
+            ),
         )
     for other, doubted in ((0.991, False), (0.989, True)):
         values[500] = other

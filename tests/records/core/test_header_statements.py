@@ -303,7 +303,7 @@ def test_times_with_their_units() -> None:
         *(("0", None, None), ("-.01", None, None), ("0 Hz", None, None), ("", None, None)),
     ):
         if seconds is None:
-            with pytest.raises(RecordFileError, match="line 1, .*; give dt_s, in seconds"):
+            with pytest.raises(RecordFileError, match=r"line 1, .*; give dt_s, in seconds"):
                 statements.time_value(head("dt"), 0, written, before)
         else:
             found = statements.time_value(head("dt"), 0, written, before)
@@ -381,7 +381,7 @@ def test_counts_durations_and_units_of_time_of_words() -> None:
         *((("time: noon",), None), (("time in ms", "t [ms]"), 1e-3), (("time is in min",), 60.0)),
     ):
         assert statements.stated_time_unit(head(*lines), [*range(len(lines))]) == size, lines
-    with pytest.raises(RecordFileError, match="line 2, .*states another unit of time; name the c"):
+    with pytest.raises(RecordFileError, match=r"line 2, .*states another unit of time; name the c"):
         statements.stated_time_unit(head("time in ms", "t in s"), [0, 1])
     for wrong in ("time in furlongs", "time in Hz", "time in s or ms", "time in s x 10"):
         with pytest.raises(RecordFileError, match="not understood as a whole; name the column"):

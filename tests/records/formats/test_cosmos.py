@@ -210,7 +210,7 @@ def test_cosmos_directions_without_a_code(tmp_path: Path) -> None:
 def test_cosmos_headers_that_end_too_early(tmp_path: Path) -> None:
     text = cosmos_channel(CM)
     with pytest.raises(
-        RecordFileError, match="line 14, .*10000 lines of values must follow, and f"
+        RecordFileError, match=r"line 14, .*10000 lines of values must follow, and f"
     ):
         read(tmp_path, text.replace("on  10 lines", "on  10000 lines"))
     with pytest.raises(
@@ -219,6 +219,6 @@ def test_cosmos_headers_that_end_too_early(tmp_path: Path) -> None:
         read(tmp_path, text + text.partition("   403  acceleration")[0])
     for none in ("403  acc points", "403  pts"):
         with pytest.raises(
-            RecordFileError, match="no line of it states samples .as in: 7000 accel"
+            RecordFileError, match=r"no line of it states samples .as in: 7000 accel"
         ):
             read(tmp_path, text.replace("403  acceleration pts", none))

@@ -74,7 +74,6 @@ def test_esm_keys_that_are_missing_or_of_another_form(tmp_path: Path) -> None:
         ("DURATION_S: 2.015", "DURATION_S: 2", {"warnings": ()}),
         ("DATA_TYPE: ACCELERATION", "DATA_TYPE: ", {"warnings": ()}),
         ("DATA_TYPE: ACCELERATION", "data type: acceleration", {"warnings": ()}),
-        ("USER2: ", "USER1: again", {"warnings": ()}),
     ):
         text = esm(CM)
         assert old in text

@@ -77,7 +77,7 @@ def test_knet_scales_that_are_no_size(tmp_path: Path) -> None:
     text = knet(counts_of(samples(800)))
     for scale in ("0(gal)/6182761", "3920(gal)/0", "0.0(gal)/0"):
         with pytest.raises(
-            RecordFileError, match="line 14, .*scale of the counts, above 0; it read"
+            RecordFileError, match=r"line 14, .*scale of the counts, above 0; it read"
         ):
             read(tmp_path, text.replace("3920(gal)/6182761", scale))
     for scale, size in (("1(gal)/1", 1.0), ("0.5 (GAL) / 2", 0.25), ("2(gal)/0.5", 4.0)):

@@ -111,14 +111,16 @@ def test_smc_numbers_of_the_header_that_are_missing_or_wrong(tmp_path: Path) -> 
     ):
         with pytest.raises(RecordFileError, match=words):
             read(tmp_path, put(text, 0, place, written))
-    with pytest.raises(RecordFileError, match="line 18, .*it must hold 5 numbers of the header"):
+    with pytest.raises(RecordFileError, match=r"line 18, .*it must hold 5 numbers of the header"):
         read(tmp_path, put(text, 1, 2, "x"))
     # Numbers that fill their columns have nothing between them.
     (full,) = read(tmp_path, put(put(text, 0, 20, "1234567890"), 0, 21, "1234567890"))
     (long,) = read(tmp_path, put(put(text, 1, 3, "123456789.12345"), 1, 4, "123456789.12345"))
     assert full.record == long.record == found.record
     for rate in ("0.0", "-1.0", "1.7E38"):
-        with pytest.raises(RecordFileError, match="line 18, .*a sampling rate above 0, as its sec"):
+        with pytest.raises(
+            RecordFileError, match=r"line 18, .*a sampling rate above 0, as its sec"
+        ):
             read(tmp_path, put(text, 1, 1, rate))
         assert read(tmp_path, put(text, 1, 1, rate), dt_s=0.01)[0].record.dt_s == 0.01
 
