@@ -53,7 +53,8 @@ def test_units_of_the_file_and_of_the_caller() -> None:
     for given in ("cm/s/s", "gal", "0.01 m/s2"):
         assert unit(TEXT, "gal", Given(units=given))[1] == ()
     assert unit(TEXT, "cm/s2", Given(units="G")) == (
-        *("g", ("the file states cm/s^2; its numbers are taken in g",)),
+        "g",
+        ("the file states cm/s^2; its numbers are taken in g",),
     )
     for stated in (None, "volts"):
         assert unit(TEXT, stated, Given(units="mg")) == ("mg", ())
@@ -100,14 +101,15 @@ def test_a_last_sample_that_stands_out_of_twenty() -> None:
 
 
 def test_a_channel_that_is_positive_downwards_is_turned() -> None:
-    for fields, sign, component in (
+    rows: list[tuple[dict[str, Any], float, str]] = [
         ({"orientation": "vertical", "down": True, "component": "ch"}, -1.0, "ch"),
         ({"orientation": "vertical", "down": True}, -1.0, "file's name"),
         ({"orientation": "vertical", "down": False}, 1.0, ""),
         ({"orientation": "vertical"}, 1.0, ""),
         ({"component": "DWN"}, -1.0, "DWN"),
         ({"component": "DWN", "processing": ("first",)}, -1.0, "DWN"),
-    ):
+    ]
+    for fields, sign, component in rows:
         found = made(**fields)
         assert found.orientation == "vertical"
         np.testing.assert_allclose(
@@ -120,7 +122,7 @@ def test_a_channel_that_is_positive_downwards_is_turned() -> None:
 
 def test_directions_of_codes_words_and_names() -> None:
     """A code goes before words, both before the file's name; one degree is no contradiction."""
-    north = {"orientation": "horizontal", "azimuth_deg": 0.0}
+    north: dict[str, Any] = {"orientation": "horizontal", "azimuth_deg": 0.0}
     for component, apart in (
         *(("001", ""), ("359", ""), ("360", ""), ("002", "2 deg"), ("358", "358 deg")),
         *(("180", "180 deg"), ("H1", ""), ("sensor", "")),
@@ -131,7 +133,7 @@ def test_directions_of_codes_words_and_names() -> None:
         assert (found.orientation, found.azimuth_deg) == ("horizontal", 0.0)
     assert made(orientation="horizontal", azimuth_deg=370.0).azimuth_deg == 10.0
     named = RecordText(path=Path("hut-UP.txt"), lines=())
-    for component, alone, words in (
+    of_names: list[tuple[str | None, bool, tuple[str, ...]]] = [
         (None, True, ()),
         ("UP", True, ()),
         ("vertical", True, ()),
@@ -143,28 +145,29 @@ def test_directions_of_codes_words_and_names() -> None:
                 ("090", "vertical, and its header horizontal"),
             )
         ),
-    ):
-        assert made(named, component=component, alone=alone).warnings == words, component
+    ]
+    for label, alone, expected in of_names:
+        assert made(named, component=label, alone=alone).warnings == expected, label
     down = RecordText(path=Path("hut-DWN.txt"), lines=())
-    alone = "the file's name alone states that its values are positive downwards"
-    for component, turned in ((None, True), ("acc 1", True), ("hut", False)):
-        found = made(down, component=component)
-        assert found.warnings == ((alone,) if turned else ()), component
+    by_name = "the file's name alone states that its values are positive downwards"
+    for label, turned in ((None, True), ("acc 1", True), ("hut", False)):
+        found = made(down, component=label)
+        assert found.warnings == ((by_name,) if turned else ()), label
         assert (found.record.acceleration_m_s2[0] < 0.0) == turned
-        assert not made(down, component=component, alone=False).warnings
+        assert not made(down, component=label, alone=False).warnings
 
 
 def test_what_the_caller_gives_is_looked_at_first() -> None:
     assert Given(dt_s=1).dt_s == 1.0
-    for wrong, words in (
+    refused: list[tuple[dict[str, Any], str]] = [
         ({"dt_s": 0.0}, "give the time between samples in seconds"),
         ({"dt_s": -0.01}, "give the time between samples in seconds"),
         ({"dt_s": True}, "give the time between samples in seconds"),
         ({"units": "furlong"}, "it must be a unit of acceleration"),
-    ):
+    ]
+    for wrong, words in refused:
         with pytest.raises(ValueError, match=re.escape(words)):
-            Given(**wrong)  # type: ignore[arg-type]
+            Given(**wrong)
     defaults = Given()
-    assert (defaults.units, defaults.dt_s, defaults.column, defaults.resample) == (
-        *(None, None, None, False),
-    )
+    assert (defaults.units, defaults.dt_s, defaults.column) == (None, None, None)
+    assert defaults.resample is False

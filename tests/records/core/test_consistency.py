@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -216,7 +217,7 @@ def lines_of(lines: list[str], *, ended: bool = True) -> RecordText:
 def test_as_many_samples_as_stated() -> None:
     text = lines_of(["2", "1.5", "2.5", "3.5", "4.5 x"])
     values = np.array([1.5, 2.5, 3.5])
-    here = {"stated": 0, "start": 1}
+    here: dict[str, Any] = {"stated": 0, "start": 1}
     for count, words in (
         (1, "line 1, .*: 1 samples are no record; see whether the file is whole"),
         (0, "line 1, .*: 0 samples are no record"),

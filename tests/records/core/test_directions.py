@@ -279,6 +279,7 @@ def test_a_sense_is_turned_by_a_negative_word_once() -> None:
 
 
 def test_directions_by_compass_quadrant_and_degrees() -> None:
+    azimuth: float | None
     for name, azimuth in (
         *(("n", 0.0), ("s", 180.0), ("e", 90.0), ("w", 270.0), ("west", 270.0), ("south", 180.0)),
         *(("N30E", 30.0), ("n 30.5 deg e", 30.5), ("S30E", 150.0), ("S30W", 210.0), ("N0W", 0.0)),

@@ -177,7 +177,7 @@ def test_cosmos_starts_and_words(tmp_path: Path) -> None:
             elif value < 0:
                 assert found.start_time is None
             else:
-                assert found.start_time == plain.replace(**{name: value}), name
+                assert found.start_time == plain.replace(**{name: value})  # type: ignore[arg-type]
     (found,) = read(tmp_path, text)
     assert found.event == "Somewhere in the West            June 16,2005 13:53 PDT"
     assert found.stated_peak_m_s2 == pytest.approx(1.5, rel=1e-6)
