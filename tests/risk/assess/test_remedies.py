@@ -24,7 +24,12 @@ class Known(Search):
     """
 
     def __init__(
-        self, falls: Callable[[float], float], target: float, *, bias: float = 1.0, most: float = 9.0
+        self,
+        falls: Callable[[float], float],
+        target: float,
+        *,
+        bias: float = 1.0,
+        most: float = 9.0,
     ) -> None:
         self.falls, self.target, self.bias = falls, target, bias
         self.unknown = False
@@ -136,7 +141,9 @@ def test_a_change_is_in_reach_where_a_block_of_it_rocks() -> None:
 
 
 def remedy(**fields: Any) -> Remedy:
-    return Remedy(**({"name": "width", "words": "widen", "probability": 0.25, "basis": "curve"} | fields))
+    return Remedy(
+        **({"name": "width", "words": "widen", "probability": 0.25, "basis": "curve"} | fields)
+    )
 
 
 def test_a_remedy_in_words_and_in_keys() -> None:

@@ -206,7 +206,7 @@ def test_the_density_between_its_nodes_and_the_region(found: BackAnalysis) -> No
         with pytest.raises(InputError, match=f"^first = .*{hint}"):
             found.density_at(wrong, 1.0)
     for share in (0.99 * ratios[0], 1.01 * ratios[-1]):
-        with pytest.raises(InputError, match="^second = "):
+        with pytest.raises(InputError, match=r"^second = "):
             found.contains(float(values[1]), float(values[1] * share))
     rows = found.grid_rows()
     assert len(rows) == found.density.size
@@ -237,7 +237,10 @@ def test_results_of_every_kind_in_words(found: BackAnalysis) -> None:
         ({"bound": "interval"}, f"{pga} 0.1 to 0.4 g, {pgv} 0.2 to 0.8 m/s"),
         ({"bound": "lower bound"}, f"{pga} at least 0.1 g, {pgv} at least 0.2 m/s"),
         ({"bound": "upper bound"}, f"{pga} likely below 0.4 g, {pgv} likely below 0.8 m/s"),
-        ({"bound": "lower bound", "lows": nothing}, f"{pga} without a bound, {pgv} without a bound"),
+        (
+            {"bound": "lower bound", "lows": nothing},
+            f"{pga} without a bound, {pgv} without a bound",
+        ),
         ({"bound": "upper bound", "highs": nothing}, f"{pga} without a bound, {pgv} without a bou"),
     ):
         made = replace(found, **{**some, "held_out_surveys": 0, "confidence": 0.9, **fields})  # type: ignore[arg-type]

@@ -65,8 +65,8 @@ def test_synthetic_surveys_are_of_their_sizes_and_fall_by_slenderness() -> None:
     assert make_synthetic_survey().to_dict() == make_synthetic_survey(12, seed=0).to_dict()
     assert make_synthetic_survey(seed=1).to_dict() != make_synthetic_survey(seed=0).to_dict()
     for wrong in (1, 10_001, 2.5, True):
-        with pytest.raises(InputError, match="^count = "):
+        with pytest.raises(InputError, match=r"^count = "):
             make_synthetic_survey(wrong)  # type: ignore[arg-type]
     for wrong in (-1, 0.5, True):
-        with pytest.raises(InputError, match="^seed = "):
+        with pytest.raises(InputError, match=r"^seed = "):
             make_synthetic_survey(2, seed=wrong)  # type: ignore[arg-type]

@@ -328,7 +328,13 @@ def test_measuring_errors_are_those_of_differences_of_the_ratio() -> None:
             pair = peaks[place], peaks[place + 1]
             ratio = [
                 speed(block, sides[1], pair[1] + after) / speed(block, sides[0], pair[0] + before)
-                for before, after in ((0.0, 0.0), (1e-6, 0.0), (-1e-6, 0.0), (0.0, 1e-6), (0.0, -1e-6))
+                for before, after in (
+                    (0.0, 0.0),
+                    (1e-6, 0.0),
+                    (-1e-6, 0.0),
+                    (0.0, 1e-6),
+                    (0.0, -1e-6),
+                )
             ]
             by_peaks = (ratio[1] - ratio[2]) / 2e-6, (ratio[3] - ratio[4]) / 2e-6
             assert impact.restitution == pytest.approx(ratio[0], rel=1e-9)
@@ -387,7 +393,10 @@ def test_steps_that_a_trend_and_a_measuring_error_need() -> None:
         words = f"From {count} steps the measuring error cannot be estimated: the scatter holds it "
         assert (f"{words}too. Give sigma_rad, or more impacts." in fit.warnings) == short
         assert fit.sigma_estimated
-        assert fit_restitution(Release(peaks_rad=peaks, sigma_rad=1e-4), BLOCK).sigma_estimated is False
+        assert (
+            fit_restitution(Release(peaks_rad=peaks, sigma_rad=1e-4), BLOCK).sigma_estimated
+            is False
+        )
 
 
 def test_a_peak_of_six_standard_deviations_still_counts() -> None:
@@ -448,9 +457,7 @@ def test_a_fit_in_words_and_in_keys() -> None:
     assert fit.housner == pytest.approx((housner, housner), rel=1e-12)
     assert values["factor"] == pytest.approx([0.95 / housner] * 2, rel=1e-6)
     assert values["impacts_to_5_percent"] == counted(BLOCK, peaks[0], 1, (0.95, 0.95))
-    assert values["impacts_to_5_percent_housner"] == counted(
-        BLOCK, peaks[0], 1, (housner, housner)
-    )
+    assert values["impacts_to_5_percent_housner"] == counted(BLOCK, peaks[0], 1, (housner, housner))
     assert values["standard_error"][0] / values["restitution"][0] == pytest.approx(
         values["factor_error"][0] / values["factor"][0]
     )
@@ -484,9 +491,11 @@ def test_peaks_that_a_fit_computes() -> None:
     np.testing.assert_allclose(fit.peaks_of(release, (0.9, 0.9)), exact(e=0.9), rtol=1e-8)
     assert fit.peaks_of(release, (2.0, 2.0))[1] == pytest.approx(BLOCK.alpha)
     for wrong in ((0.9,), (0.9, 0.9, 0.9), (0.0, 0.9), (0.9, 2.01), (-0.1, 0.9)):
-        with pytest.raises(InputError, match="^ratios = "):
+        with pytest.raises(InputError, match=r"^ratios = "):
             fit.peaks_of(release, wrong)
-    with pytest.raises(InputError, match="no impact of one side was measured alone; give the peaks"):
+    with pytest.raises(
+        InputError, match="no impact of one side was measured alone; give the peaks"
+    ):
         fit_restitution(Release(peaks_rad=exact()[::2], sides=1), BLOCK, each_side=True)
     with pytest.raises(InputError, match="no impact of one side was measured alone"):
         fit_restitution(exact(count=1), BLOCK, each_side=True)

@@ -227,7 +227,9 @@ def test_few_steps_leave_the_scatter_without_an_upper_end() -> None:
     spread = float(made.change.std(ddof=1))
     assert found.scatter == pytest.approx(spread, rel=1e-3)
     reach = float(stats.t.ppf(0.95, 1)) * spread / math.sqrt(2.0)
-    assert found.interval[0] == pytest.approx(made.change.mean() + np.array([-reach, reach]), rel=1e-3)
+    assert found.interval[0] == pytest.approx(
+        made.change.mean() + np.array([-reach, reach]), rel=1e-3
+    )
     alone = estimate(independent(1, -0.06, 0.05), error=1.0)
     assert np.isinf(alone.interval[0]).all()
     assert alone.scatter == 0.0

@@ -340,8 +340,14 @@ def test_what_the_second_column_is_called(file: Any) -> None:
         return -math.log1p(-0.01) / years
 
     for name, options, rate in (
-        *((each, {}, 0.01) for each in ("annual rate", "MAFE", "mafoe", "afe", "frequency", "lambda")),
-        *((each, {}, 0.01) for each in ("1/yr", "H [/year]", "x (/a)", "events per year", "H (1/y)")),
+        *(
+            (each, {}, 0.01)
+            for each in ("annual rate", "MAFE", "mafoe", "afe", "frequency", "lambda")
+        ),
+        *(
+            (each, {}, 0.01)
+            for each in ("1/yr", "H [/year]", "x (/a)", "events per year", "H (1/y)")
+        ),
         *(("rate per 10 years", {}, 0.001), ("rate/2.5 y", {}, 0.004), ("rate in 5 a", {}, 0.002)),
         *(("annual probability", {}, poe(1.0)), ("AEP", {}, poe(1.0)), ("apoe", {}, poe(1.0))),
         *(("PoE in 50 years", {}, poe(50.0)), ("poe in 1 year", {}, poe(1.0))),
@@ -366,7 +372,9 @@ def test_what_the_second_column_is_called(file: Any) -> None:
         with pytest.raises(InputError, match=words):
             read_hazard_curves(file(f"PGA [g],{name}\n0.1,0.2\n0.4,0.01\n"), **options)  # type: ignore[arg-type]
     for name, value in (("return period", "0"), ("return period", "-5"), ("rate", "-0.01")):
-        with pytest.raises(InputError, match="line 3, .*a rate is not negative, a return period ab"):
+        with pytest.raises(
+            InputError, match=r"line 3, .*a rate is not negative, a return period ab"
+        ):
             read_hazard_curves(file(f"PGA [g],{name}\n0.1,0.2\n0.4,{value}\n"))
     (ended,) = read_hazard_curves(file("PGA [g],rate\n0.1,0.2\n0.4,0.01\n0.6,0\n"))
     assert ended.remarks == ("1 level left out: no rate.",)
