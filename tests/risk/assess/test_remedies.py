@@ -63,10 +63,10 @@ class Known(Search):
     def runs(self, block: Block) -> Any:
         return block
 
-    def curve_of(self, counts: Any, block: Block) -> Any:
+    def curve_of(self, counts: Any, block: Block) -> Any:  # noqa: ARG002
         return None
 
-    def fitted(self, block: Block, curve: Any) -> float:
+    def fitted(self, block: Block, curve: Any) -> float:  # noqa: ARG002
         falls = self.falls(self.bias * self.width(block))
         return 0.0 if math.isnan(falls) else falls
 
@@ -141,9 +141,8 @@ def test_a_change_is_in_reach_where_a_block_of_it_rocks() -> None:
 
 
 def remedy(**fields: Any) -> Remedy:
-    return Remedy(
-        **({"name": "width", "words": "widen", "probability": 0.25, "basis": "curve"} | fields)
-    )
+    usual: dict[str, Any] = {"name": "width", "words": "widen", "probability": 0.25}
+    return Remedy(**{**usual, "basis": "curve", **fields})
 
 
 def test_a_remedy_in_words_and_in_keys() -> None:

@@ -171,8 +171,8 @@ def test_words_of_odds_are_the_odds() -> None:
         assert share_words(share) == f"About {words}"
     for low, high in itertools.pairwise(WORDS):
         odds = [math.log(each[0] / (1.0 - each[0])) for each in (low, high)]
-        for part, words in ((0.49, low[1]), (0.51, high[1])):
-            middle = odds[0] + part * (odds[1] - odds[0])
+        for near, words in ((0.49, low[1]), (0.51, high[1])):
+            middle = odds[0] + near * (odds[1] - odds[0])
             assert share_words(1.0 / (1.0 + math.exp(-middle))) == f"About {words}"
     assert share_words(0.000999) == share_words(0.0) == "Fewer than 1 in 1000"
     assert share_words(0.9901) == share_words(1.0) == "More than 99 in 100"

@@ -211,7 +211,8 @@ def test_the_density_between_its_nodes_and_the_region(found: BackAnalysis) -> No
     rows = found.grid_rows()
     assert len(rows) == found.density.size
     across, up, density, region = rows[len(ratios) + 1]
-    assert (across, up) == (values[1], pytest.approx(values[1] * ratios[1]))
+    assert across == values[1]
+    assert up == pytest.approx(values[1] * ratios[1])
     assert (density, region) == (found.density[1, 1], bool(found.density[1, 1] >= found.threshold))
 
 

@@ -1,11 +1,20 @@
 """Surveys in words and keys, and synthetic ones."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from rocksteady.calibration import ObjectPrior, Survey
 from rocksteady.errors import InputError
 from rocksteady.risk.back_analysis.synthetic_survey import make_synthetic_survey
+from rocksteady.risk.observations.spread import PriorRange
+
+
+def ends(given: Any) -> tuple[float, float]:
+    """Return the ends of a range of an object's prior."""
+    assert isinstance(given, PriorRange)
+    return given.low, given.high
 
 
 def test_a_survey_in_words_and_keys() -> None:
@@ -46,17 +55,17 @@ def test_synthetic_surveys_are_of_their_sizes_and_fall_by_slenderness() -> None:
         assert survey.to_dict() == again.to_dict()
         for place, (each, fell) in enumerate(zip(survey.objects, survey.fell, strict=True)):
             assert each.name == f"synthetic {place + 1}"
-            width, height, base = each.width_m, each.height_m, each.base
-            middle = 0.5 * (width.low + width.high), 0.5 * (height.low + height.high)
-            assert width.low / middle[0] == pytest.approx(0.97)
-            assert height.low / middle[1] == pytest.approx(0.98)
-            assert (base.low, base.high) == pytest.approx((0.9, 1.0))
+            width, height = ends(each.width_m), ends(each.height_m)
+            middle = 0.5 * sum(width), 0.5 * sum(height)
+            assert width[0] / middle[0] == pytest.approx(0.97)
+            assert height[0] / middle[1] == pytest.approx(0.98)
+            assert ends(each.base) == pytest.approx((0.9, 1.0))
             assert 0.5 * (1.0 - 1e-9) <= middle[1] <= 1.6 * (1.0 + 1e-9)
             assert 2.5 * (1.0 - 1e-9) <= middle[1] / middle[0] <= 6.0 * (1.0 + 1e-9)
             assert fell == (1.25 * middle[0] / middle[1] < 0.35)
     many = make_synthetic_survey(800, seed=1)
-    heights = np.array([0.5 * (each.height_m.low + each.height_m.high) for each in many.objects])
-    ratios = heights / [0.5 * (each.width_m.low + each.width_m.high) for each in many.objects]
+    heights = np.array([0.5 * sum(ends(each.height_m)) for each in many.objects])
+    ratios = heights / [0.5 * sum(ends(each.width_m)) for each in many.objects]
     for values, low, high in ((heights, 0.5, 1.6), (ratios, 2.5, 6.0)):
         # Logarithms are even: four parts of the range have a quarter each, and both are unrelated.
         counts = np.histogram(np.log(values), 4, (np.log(low), np.log(high)))[0]
