@@ -153,7 +153,7 @@ def test_a_row_says_what_its_colour_follows() -> None:
             "red, 50 % (90 %: 10 to 40 %), counted; 20 % by curve",
         ),
     ):
-        made = row("a", **fields)  # type: ignore[arg-type]
+        made = row("a", **fields)
         assert _row_words(made) == words, fields
 
 
