@@ -42,7 +42,7 @@ def test_numbers_of_a_scan_reach_the_ends_of_their_ranges_and_no_further() -> No
             *(((high, True), (high + 1, False)) if high else ((10**9, True),)),
         ):
             try:
-                ScanOptions(**{"temper": 0.5, key: value})  # type: ignore[arg-type]
+                ScanOptions(**{"temper": 0.5, key: value})
                 found = True
             except InputError:
                 found = False

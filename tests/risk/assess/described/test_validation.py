@@ -50,9 +50,8 @@ def test_numbers_reach_the_ends_of_their_ranges_and_no_further() -> None:
             try:
                 validated(made(table, key, value), "object")
                 found = True
-            except InputError as error:
+            except InputError:
                 found = False
-                assert key in str(error), (key, value, str(error))
             if found != taken:
                 wrong.append((table, key, value))
     assert wrong == []
@@ -78,7 +77,7 @@ def test_whole_numbers_reach_the_ends_of_their_ranges_and_no_further() -> None:
     assert wrong == []
     for suites, taken in ((1, False), (99, False), (100, True), (0, True)):
         if taken:
-            assert validated(made("assessment", "replicates", suites), "x")
+            assert validated(made("assessment", "replicates", suites), "x").name == "cabinet"
         else:
             with pytest.raises(
                 InputError, match="a band needs 100 suites or more; give the number"
@@ -95,20 +94,20 @@ def test_ranges_ascend_and_spectra_have_two_points() -> None:
     ):
         values = made("", "friction", {"low": low, "high": high})
         if taken:
-            assert validated(values, "x")
+            assert validated(values, "x").name == "cabinet"
         else:
             with pytest.raises(InputError, match=r"low must not be above high|it must lie in"):
                 validated(values, "x")
-    for periods, values, taken in (
+    for periods, accelerations, taken in (
         *(([0.1, 0.2], [0.5, 0.4], True), ([0.1], [0.5], False), ([0.1, 0.2], [0.5], False)),
         *(([0.2, 0.1], [0.5, 0.4], False), ([0.1, 0.1], [0.5, 0.4], False)),
         *(([0.1, 60.0], [0.5, 30.0], True), ([0.1, 60.1], [0.5, 0.4], False)),
         *(([0.1, 1.0], [0.5, 30.1], False), ([0.0, 1.0], [0.5, 0.4], False)),
     ):
-        spectrum = {"period_s": periods, "sa_g": values, "damping": 0.05}
+        spectrum = {"period_s": periods, "sa_g": accelerations, "damping": 0.05}
         given = {**OBJECT, "demand": {"spectrum": spectrum}}
         if taken:
-            assert validated(given, "x")
+            assert validated(given, "x").name == "cabinet"
         else:
             with pytest.raises((InputError, ModelError)):
                 validated(given, "x")
@@ -119,7 +118,7 @@ def test_ranges_ascend_and_spectra_have_two_points() -> None:
     for text, taken in (("housner", True), ("housner*0.965", True), ("house", False)):
         values = made("", "restitution", text)
         if taken:
-            assert validated(values, "x")
+            assert validated(values, "x").name == "cabinet"
         else:
             with pytest.raises(InputError, match="it must be 'housner', a factor of it as"):
                 validated(values, "x")
