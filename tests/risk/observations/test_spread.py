@@ -167,7 +167,7 @@ def test_texts_of_spreads_and_what_they_say() -> None:
         ({"low": 0.0, "high": 1.0, "sd": 0.5}, "mean = None"),
     ):
         with pytest.raises(InputError, match=re.escape(words)):
-            PriorRange(**wrong)  # type: ignore[arg-type]
+            PriorRange(**wrong)
     for ends in (0.0, 1.0):
         assert PriorRange(low=0.0, high=1.0, mean=ends, sd=0.1).middle == ends
 
