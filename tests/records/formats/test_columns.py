@@ -521,3 +521,23 @@ def test_decimal_commas_and_separators(tmp_path: Path) -> None:
             RecordFileError, match=f"line {line}, .*it must be a row of numbers, as"
         ):
             read(tmp_path, text, units="g", dt_s=0.01)
+
+
+def test_rows_of_units_below_the_names(tmp_path: Path) -> None:
+    rows = "0.00,5,1.0\n0.01,5,-2.5\n0.02,5,0.5\n"
+    for units, size in (
+        *(("(s),(cm/s),(g)", G), ("s,m/s,gal", 0.01), ("[s],[mm],[m/s2]", 1.0), ("s,-,g", G)),
+    ):
+        (found,) = read(tmp_path, f"Time,Vel,Acc\n{units}\n{rows}")
+        np.testing.assert_allclose(found.record.acceleration_m_s2, size * np.array(THREE))
+        assert found.component == "Acc"
+    with pytest.raises(RecordFileError, match=r"line 2, .*its column 'furlong' is not understood"):
+        read(tmp_path, f"Time,Vel,Acc\ns,furlong,volt\n{rows}")
+    for place, refused in ((19, True), (20, False)):
+        words = "\n".join(["Corrected accelerogram", *["-"] * (place - 1), "number of points 3"])
+        text = f"{words}\n1.5 2.5 -0.5\n2.5 1.5 0.5\n"
+        if refused:
+            with pytest.raises(RecordFileError, match="it is one of GeoNet's files"):
+                read(tmp_path, text, format="columns", units="g", dt_s=0.01)
+        else:
+            assert read(tmp_path, text, format="columns", units="g", dt_s=0.01)

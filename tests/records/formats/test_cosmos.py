@@ -222,3 +222,20 @@ def test_cosmos_headers_that_end_too_early(tmp_path: Path) -> None:
             RecordFileError, match=r"no line of it states samples .as in: 7000 accel"
         ):
             read(tmp_path, text.replace("403  acceleration pts", none))
+
+
+def test_cosmos_numbers_without_a_stated_format(tmp_path: Path) -> None:
+    """Whole numbers are then eight characters wide, and real ones fifteen."""
+    text = cosmos_channel(CM)
+    lines = text.split("\n")
+    first = next(at for at, line in enumerate(lines) if "Real-header values" in line)
+    reals = [
+        "".join(f"{line[at : at + 13]:>15}" for at in range(0, len(line), 13))
+        for line in lines[first + 1 : first + 18]
+    ]
+    lines[first + 1 : first + 18] = reals
+    bare = "\n".join(lines).replace(", Format= (10I8)", "").replace(", Format= (6F13.6)", "")
+    (found,), (plain,) = read(tmp_path, bare), read(tmp_path, text)
+    assert found.record == plain.record
+    assert (found.start_time, found.stated_peak_m_s2) == (plain.start_time, plain.stated_peak_m_s2)
+    assert found.azimuth_deg == 340.0

@@ -153,3 +153,17 @@ def test_smc_peaks_and_directions(tmp_path: Path) -> None:
     assert read(tmp_path, star)[0].warnings == (
         "the file does not state its quantity: taken to be acceleration",
     )
+
+
+def test_smc_words_of_the_header(tmp_path: Path) -> None:
+    text = smc(CM)
+    for old, new, fields in (
+        ("station = Hut, 1295 Shafter        component=    360", "-", {"station": "HUT1"}),
+        ("station = Hut, 1295 Shafter        component=    360", "-", {"component": None}),
+        ("component=    360", "component= up  ", {"component": "up", "orientation": "horizontal"}),
+        ("1704 Somewhere, CA", "1704              ", {"event": None}),
+        ("HUT1", "    ", {"station": "Hut, 1295 Shafter"}),
+    ):
+        assert old in text
+        (found,) = read(tmp_path, text.replace(old, new))
+        assert {name: getattr(found, name) for name in fields} == fields, new
