@@ -10,7 +10,8 @@ from rocksteady.risk.calibration._flips import _changed, _halved, _high_passed, 
 
 def sine(hertz: float, dt_s: float, count: int) -> np.ndarray:
     time = dt_s * np.arange(count)
-    return np.sin(2.0 * np.pi * hertz * time) * np.sin(np.pi * time / time[-1]) ** 2
+    values: np.ndarray = np.sin(2.0 * np.pi * hertz * time) * np.sin(np.pi * time / time[-1]) ** 2
+    return values
 
 
 def record(samples: np.ndarray, dt_s: float = 0.01) -> Record:
