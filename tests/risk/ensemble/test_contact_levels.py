@@ -115,7 +115,9 @@ def test_the_last_level_is_the_highest_at_which_one_in_a_hundred_may_end_so() ->
         def ended(last: float, part: float = part) -> float:
             """Return the share of the runs that end without an answer."""
             span = np.geomspace(min(usual[0], last / 2.0), last, 20)
-            runs = [level > limit * (1.0 - 1e-9) * (1.0 + 1e-12) for level in span for limit in lost]
+            runs = [
+                level > limit * (1.0 - 1e-9) * (1.0 + 1e-12) for level in span for limit in lost
+            ]
             return part * float(np.mean(runs))
 
         lasts[vertical] = found[-1]
@@ -128,6 +130,8 @@ def test_the_last_level_is_the_highest_at_which_one_in_a_hundred_may_end_so() ->
     words = words_of_shorter(USUAL, [STATUE], lasts[True])
     assert len(words) == 1
     assert words[0].startswith("The levels end at p PGV/(g tan alpha) ")
-    assert "the vertical motion of stronger records falls at g, and such runs have no an" in words[0]
+    assert (
+        "the vertical motion of stronger records falls at g, and such runs have no an" in words[0]
+    )
     assert words_of_shorter(USUAL, [STATUE], usual[-1]) == []
     assert words_of_shorter(rs.risk.Levels(MEASURE, [1.0]), [STATUE], 1.0) == []
