@@ -78,3 +78,33 @@ def test_outcomes_of_one_kind_have_a_curve() -> None:
     measures = np.random.default_rng(3).normal(size=(12, 4))
     found = rivals.logistic(measures, np.ones(12), np.ones(12, dtype=bool))
     assert ((found > 0.9) & (found < 1.0)).all()
+
+
+def test_a_gain_is_a_record_that_is_so_much_stronger() -> None:
+    """Every measure of a test is that of the scaled record without a gain."""
+    objects = {
+        "a": ObjectPrior(name="a", width_m=0.2, height_m=1.0, base=1.0),
+        "b": ObjectPrior(name="b", alpha_rad=0.3, p_rad_s=4.0),
+    }
+    records = make_records(2)
+    gains = (0.5, 1.0, 3.0)
+    tests, scaled = [], []
+    for name in objects:
+        for record in records:
+            for gain in gains:
+                usual = {"name": f"{len(tests)}", "object": name, "fell": True}
+                tests.append(ShakingTest(record=record, gain=gain, **usual))  # type: ignore[arg-type]
+                scaled.append(ShakingTest(record=record.scaled(gain), **usual))  # type: ignore[arg-type]
+    found, expected = (rivals.measures_of(each, objects) for each in (tests, scaled))
+    assert found.shape == (12, len(rivals.MEASURES))
+    np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-9)
+    # What scales with the square of the gain, with the gain, and what does not change.
+    grown = np.exp(found[2] - found[1])
+    powers = {
+        name: (2.0 if "gain^2" in name else 1.0 if "gain" in name else 0.0)
+        for name in rivals.MEASURES
+    }
+    np.testing.assert_allclose(grown, [3.0**power for power in powers.values()], rtol=1e-6)
+    # The last two are of the object: g tan alpha of its outline and p of its middle.
+    np.testing.assert_allclose(found[0, -2], math.log(9.80665 * 0.2), rtol=1e-9)
+    np.testing.assert_allclose(found[-1, -2:], np.log([9.80665 * math.tan(0.3), 4.0]), rtol=1e-9)
