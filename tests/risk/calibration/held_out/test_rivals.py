@@ -88,7 +88,8 @@ def test_a_gain_is_a_record_that_is_so_much_stronger() -> None:
     }
     records = make_records(2)
     gains = (0.5, 1.0, 3.0)
-    tests, scaled = [], []
+    tests: list[ShakingTest] = []
+    scaled: list[ShakingTest] = []
     for name in objects:
         for record in records:
             for gain in gains:

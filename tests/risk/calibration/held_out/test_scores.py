@@ -82,9 +82,9 @@ def test_the_calibration_error_is_that_of_tenths() -> None:
     assert compute_scores([0.5, 0.5], [1, 0], groups=["a", "a"], replicates=0).groups == 1
     none = compute_scores([0.1, 0.2], [0, 0], replicates=0)
     assert np.isnan(none.f1[0])
-    for wrong, fell in (([0.5], [0.5]), ([1.1], [1]), ([-0.1], [1]), ([], []), ([0.5, 0.5], [1])):
+    for wrong, given in (([0.5], [0.5]), ([1.1], [1]), ([-0.1], [1]), ([], []), ([0.5, 0.5], [1])):
         with pytest.raises(InputError):
-            compute_scores(wrong, fell)
+            compute_scores(wrong, given)
     with pytest.raises(InputError, match="there are 1 tests; name each one's group"):
         compute_scores([0.5], [1], groups=["a", "b"])
     with pytest.raises(InputError, match=r"^replicates = "):
