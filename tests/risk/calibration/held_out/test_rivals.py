@@ -109,3 +109,24 @@ def test_a_gain_is_a_record_that_is_so_much_stronger() -> None:
     # The last two are of the object: g tan alpha of its outline and p of its middle.
     np.testing.assert_allclose(found[0, -2], math.log(9.80665 * 0.2), rtol=1e-9)
     np.testing.assert_allclose(found[-1, -2:], np.log([9.80665 * math.tan(0.3), 4.0]), rtol=1e-9)
+
+
+def test_a_curve_knows_no_units_of_its_measures() -> None:
+    """Measures are counted in their own deviations: other units and zeros change nothing."""
+    rng = np.random.default_rng(8)
+    measures = rng.normal(size=(60, 3))
+    fell = (measures[:, 0] + 0.5 * rng.normal(size=60) > 0.0).astype(float)
+    fell[::7] = np.nan
+    train = np.arange(60) % 3 != 0
+    found = rivals.logistic(measures, fell, train)
+    other = rivals.logistic(measures * [100.0, 0.01, 3.0] + [5.0, -2.0, 0.1], fell, train)
+    np.testing.assert_allclose(found, other, rtol=1e-7)
+    assert np.corrcoef(found, measures[:, 0])[0, 1] > 0.9
+    nothing = rivals.logistic(measures, fell, np.zeros(60, dtype=bool))
+    assert (nothing == 0.5).all()
+    rates, curves = rivals.out_of_group(measures, fell, np.zeros(60, dtype=int), np.arange(60) % 3)
+    held = np.arange(60) % 3 == 0
+    np.testing.assert_allclose(curves[held], found[held], rtol=1e-12)
+    np.testing.assert_allclose(
+        rates[held], rivals.base_rate(fell, np.zeros(60, dtype=int), ~held)[held]
+    )
