@@ -147,10 +147,10 @@ def test_right_angles_are_right_to_a_degree() -> None:
         *((0.0, None, True), (None, None, True), (269.0, 0.0, True), (268.4, 0.0, False)),
     ):
         for pair in ((first, second), (second, first)):
-            found = RecordSet(name="hut", horizontal=tuple(across(each) for each in pair))
+            result = RecordSet(name="hut", horizontal=tuple(across(each) for each in pair))
             listed = " and ".join(f"{each:g}" for each in pair if each is not None)
             words = f"azimuths {listed} deg, not at right angles"
-            assert found.warnings == (() if square else (words,)), pair
+            assert result.warnings == (() if square else (words,)), pair
     # Of one or three horizontal channels, or vertical ones, angles say nothing.
     three = RecordSet(name="hut", horizontal=(across(0.0), across(40.0), across(90.0)))
     beside = RecordSet(name="hut", horizontal=(across(0.0),), other=(recording(samples(100)),))
@@ -158,10 +158,12 @@ def test_right_angles_are_right_to_a_degree() -> None:
 
 
 def test_what_a_set_says_of_itself() -> None:
-    one = across(0.0, component="NS", station="Hut", event="Town")
+    single = across(0.0, component="NS", station="Hut", event="Town")
     up = recording(samples(100), 0.02, orientation="vertical", event="town", station="Shed")
     odd = recording(samples(90), component="x")
-    whole = RecordSet(name="hut", horizontal=(one,), vertical=up, other=(odd,), warnings=("more",))
+    whole = RecordSet(
+        name="hut", horizontal=(single,), vertical=up, other=(odd,), warnings=("more",)
+    )
     assert whole.warnings == (
         *("stations 'Hut' and 'Shed'", "intervals of 0.01, 0.02 s"),
         *("lengths from 90 to 100 samples", "more"),
@@ -184,7 +186,7 @@ def test_what_a_set_says_of_itself() -> None:
     ):
         assert words in text, text
     assert repr(RecordSet(name="hut")) == "<RecordSet: hut: 0 horizontal channels, no vertical one>"
-    wrong = RecordSet(name="hut", horizontal=(up,), vertical=replace(one, component=None))
+    wrong = RecordSet(name="hut", horizontal=(up,), vertical=replace(single, component=None))
     assert wrong.warnings[-2:] == (
         "hut.csv is vertical, in the place of a horizontal channel",
         "hut.csv is horizontal, in the place of a vertical channel",
@@ -193,10 +195,10 @@ def test_what_a_set_says_of_itself() -> None:
 
 def test_starts_count_where_all_channels_state_them() -> None:
     starts = [START + timedelta(seconds=late) for late in (0.2, 0.0, 0.05)]
-    one, two, three = (across(None, start_time=start) for start in starts)
-    whole = RecordSet(name="hut", horizontal=(one, two), other=(three,))
+    single, two, three = (across(None, start_time=start) for start in starts)
+    whole = RecordSet(name="hut", horizontal=(single, two), other=(three,))
     assert whole.starts_s == pytest.approx((0.2, 0.0, 0.05))
-    bare = RecordSet(name="hut", horizontal=(one, across(None)), other=(three,))
+    bare = RecordSet(name="hut", horizontal=(single, across(None)), other=(three,))
     assert bare.starts_s == (0.0, 0.0, 0.0)
     assert bare.warnings == ("starts up to 0.15 s apart",)
     assert RecordSet(name="hut").starts_s == ()
@@ -205,9 +207,9 @@ def test_starts_count_where_all_channels_state_them() -> None:
 def test_channels_that_overlap_by_two_samples_can_be_trimmed() -> None:
     motion = samples(40)
     for late, left in ((37, 3), (38, 2), (39, 1), (40, 0), (0, 40)):
-        one = recording(motion, start_time=START)
+        single = recording(motion, start_time=START)
         two = recording(motion, start_time=START + timedelta(seconds=0.01 * late))
-        whole = RecordSet(name="hut", other=(one, two))
+        whole = RecordSet(name="hut", other=(single, two))
         if left < 2:
             with pytest.raises(InputError, match="no time in common; see whether they are of one"):
                 whole.aligned("trim")
@@ -232,18 +234,18 @@ def test_channels_that_overlap_by_two_samples_can_be_trimmed() -> None:
 
 
 def test_places_are_kept_when_channels_are_aligned() -> None:
-    one, two, up, odd = (recording(samples(count)) for count in (30, 40, 50, 60))
-    one, two = (replace(each, orientation="horizontal") for each in (one, two))
+    single, two, up, odd = (recording(samples(count)) for count in (30, 40, 50, 60))
+    single, two = (replace(each, orientation="horizontal") for each in (single, two))
     up = replace(up, orientation="vertical")
     for vertical in (None, up):
-        whole = RecordSet(name="hut", horizontal=(one, two), vertical=vertical, other=(odd, odd))
-        found = whole.aligned("trim")
-        assert (found.name, len(found.horizontal), len(found.other)) == ("hut", 2, 2)
-        assert (found.vertical is None) == (vertical is None)
-        assert {len(each.record.acceleration_m_s2) for each in found.recordings} == {30}
+        whole = RecordSet(name="hut", horizontal=(single, two), vertical=vertical, other=(odd, odd))
+        result = whole.aligned("trim")
+        assert (result.name, len(result.horizontal), len(result.other)) == ("hut", 2, 2)
+        assert (result.vertical is None) == (vertical is None)
+        assert {len(each.record.acceleration_m_s2) for each in result.recordings} == {30}
         # Without starts all begin together: the shortest of them is left as it is.
-        assert found.horizontal[0] is one
-        assert found.other[0].processing == (
+        assert result.horizontal[0] is single
+        assert result.other[0].processing == (
             "0 samples cut from the start and 30 from the end, 0 and 0 zeros put there",
         )
 
@@ -252,12 +254,12 @@ def test_several_channels_of_one_place_are_named(tmp_path: Path) -> None:
     for end, component in enumerate(("000", "090", "045", "UP", "DWN")):
         path = tmp_path / f"{end}.AT2"
         path.write_text(at2(samples(100), component=component))
-    (found,) = pair_records(sorted(tmp_path.iterdir()))
-    assert len(found.horizontal) == 3
-    assert found.vertical is not None
-    assert found.vertical.component == "UP"
-    assert [each.component for each in found.other] == ["DWN"]
-    assert found.warnings == (
+    (result,) = pair_records(sorted(tmp_path.iterdir()))
+    assert len(result.horizontal) == 3
+    assert result.vertical is not None
+    assert result.vertical.component == "UP"
+    assert [each.component for each in result.other] == ["DWN"]
+    assert result.warnings == (
         "2 vertical channels: the first is taken",
         "3 horizontal channels: which belong together is open",
     )
@@ -268,8 +270,8 @@ def test_names_of_files_that_are_alike_but_for_their_ends(tmp_path: Path) -> Non
         *("ELC180-hor1", "ELC270-hor2", "ELC-up", "H1", "B-h1", "B-h2", "C.HNZ", "C.HNE", "090"),
     ):
         (tmp_path / f"{stem}.csv").write_text(csv(samples(100)))
-    found = {each.name: each for each in pair_records(sorted(tmp_path.iterdir()))}
-    counts = {name: (len(each.horizontal), each.vertical is None) for name, each in found.items()}
+    result = {each.name: each for each in pair_records(sorted(tmp_path.iterdir()))}
+    counts = {name: (len(each.horizontal), each.vertical is None) for name, each in result.items()}
     assert counts["ELC"] == (2, False)
     assert counts["B"] == (2, True)
     assert counts["C"] == (1, False)

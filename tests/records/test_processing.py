@@ -115,21 +115,21 @@ def test_what_is_taken_off_in_words() -> None:
 
 def test_a_resampled_record_ends_with_its_last_whole_interval() -> None:
     """0.99 s in all: as many samples as begin in it, whatever rounding makes of the quotient."""
-    one = recording(samples(100))
+    single = recording(samples(100))
     for dt, count in (
         *((0.99, 2), (0.495, 3), (0.33, 4), (0.5, 2), (0.03, 34), (0.02, 50), (0.98, 2)),
         *((0.0099, 101), (0.0011, 901), (0.011, 91), (0.99 / 7, 8), (0.99 / 49, 50)),
     ):
-        found = resample(one, dt)
-        assert len(found.record.acceleration_m_s2) == count, dt
+        result = resample(single, dt)
+        assert len(result.record.acceleration_m_s2) == count, dt
         np.testing.assert_allclose(
-            found.record.acceleration_m_s2,
+            result.record.acceleration_m_s2,
             np.interp(dt * np.arange(count), 0.01 * np.arange(100), samples(100)),
             atol=1e-12,
         )
-        assert found.processing == (f"resampled from 0.01 s to {dt:g} s (linear)",)
+        assert result.processing == (f"resampled from 0.01 s to {dt:g} s (linear)",)
     for same, kept in ((0.01 * (1.0 + 1e-10), True), (0.01 * (1.0 + 1e-8), False)):
-        assert (resample(one, same) is one) == kept
+        assert (resample(single, same) is single) == kept
     for wrong, words in (
         (0.991, "0.99 s would have 1 samples; give an interval near the record's, 0.01 s"),
         (5.0, "0.99 s would have 1 samples"),
@@ -137,14 +137,14 @@ def test_a_resampled_record_ends_with_its_last_whole_interval() -> None:
         (0.99 / 20_000_000, "0.99 s would have 20000000"),
     ):
         with pytest.raises(InputError, match=words):
-            resample(one, wrong)
+            resample(single, wrong)
 
 
 def test_ratios_of_whole_numbers_up_to_a_thousand_can_be_filtered() -> None:
-    one = recording(samples(3000))
+    single = recording(samples(3000))
     for finer, coarser in ((1, 2), (2, 1), (3, 7), (1, 999), (1, 1000)):
-        found = resample(one, 0.01 * coarser / finer, method="filtered").record
-        assert len(found.acceleration_m_s2) == 2999 * finer // coarser + 1
+        result = resample(single, 0.01 * coarser / finer, method="filtered").record
+        assert len(result.acceleration_m_s2) == 2999 * finer // coarser + 1
     for ratio in (1001.0, 1.0 / 1001.0, 2.0**0.5, 1.0 + 1e-6):
         with pytest.raises(InputError, match="one of whole numbers up to 1000; give such an inter"):
-            resample(one, 0.01 * ratio, method="filtered")
+            resample(single, 0.01 * ratio, method="filtered")

@@ -123,17 +123,19 @@ def test_a_folder_is_read_without_vertical_channels_and_hidden_files(tmp_path: P
 def test_channels_by_number_and_by_name(tmp_path: Path) -> None:
     path = tmp_path / "hut.csv"
     path.write_text("t,2 (g),NS (g),ns (g)\n0,1,2,3\n.01,-1,-2,-3\n.02,1,2,3\n")
-    found = read_recordings(path)
-    assert [each.record.name for each in found] == ["hut 2", "hut NS", "hut ns"]
+    result = read_recordings(path)
+    assert [each.record.name for each in result] == ["hut 2", "hut NS", "hut ns"]
     for channel, peak in ((1, 1.0), (2, 2.0), (3, 3.0), ("3", 3.0), ("2", 1.0), (" 1 ", 1.0)):
-        assert chosen(found, channel).record.peak_acceleration_m_s2 == pytest.approx(9.80665 * peak)
+        assert chosen(result, channel).record.peak_acceleration_m_s2 == pytest.approx(
+            9.80665 * peak
+        )
     words = r"holds 3 channels; choose one: 1 \(2\), 2 \(NS\), 3 \(ns\)"
     with pytest.raises(InputError, match=words):
-        chosen(found, None)
+        chosen(result, None)
     for wrong in (0, 4, -1, "NS", "x", "", "1.0", "0000000001", "²"):
         with pytest.raises(InputError, match=r"has no such channel; choose one: 1 \(2\), 2 \(NS\)"):
-            chosen(found, wrong)
-    assert chosen(found[:1], None) is found[0]
+            chosen(result, wrong)
+    assert chosen(result[:1], None) is result[0]
     bare = tmp_path / "bare.csv"
     bare.write_text("0,1,2\n.01,-1,-2\n.02,1,2\n.03,2,1\n")
     names = [each.record.name for each in read_recordings(bare, units="g")]

@@ -81,10 +81,10 @@ def test_the_size_of_a_peak_is_doubted_and_then_refused() -> None:
 def test_a_peak_may_be_a_hundredth_off_the_stated_one() -> None:
     for peak, agrees in ((0.9901, True), (0.989, False), (1.0099, True), (1.011, False)):
         for sign in (1.0, -1.0):
-            found = made(values=np.array([0.1, -peak, 0.2]), stated_peak=sign)
-            assert found.stated_peak_m_s2 == pytest.approx(G)
+            result = made(values=np.array([0.1, -peak, 0.2]), stated_peak=sign)
+            assert result.stated_peak_m_s2 == pytest.approx(G)
             words = f"its peak is {peak * G:.6g} m/s^2, and the header states 9.80665 m/s^2"
-            assert found.warnings == (() if agrees else (words,)), (peak, sign)
+            assert result.warnings == (() if agrees else (words,)), (peak, sign)
     assert made().stated_peak_m_s2 is None
 
 
@@ -110,14 +110,14 @@ def test_a_channel_that_is_positive_downwards_is_turned() -> None:
         ({"component": "DWN", "processing": ("first",)}, -1.0, "DWN"),
     ]
     for fields, sign, component in rows:
-        found = made(**fields)
-        assert found.orientation == "vertical"
+        result = made(**fields)
+        assert result.orientation == "vertical"
         np.testing.assert_allclose(
-            found.record.acceleration_m_s2, sign * G * np.array([0.5, -1.0, 0.25]), rtol=1e-14
+            result.record.acceleration_m_s2, sign * G * np.array([0.5, -1.0, 0.25]), rtol=1e-14
         )
         words = f"sign changed: {component} is positive downwards, and vertical motion upwards"
         first = fields.get("processing", ())
-        assert found.processing == (*first, *((words,) if sign < 0.0 else ())), fields
+        assert result.processing == (*first, *((words,) if sign < 0.0 else ())), fields
 
 
 def test_directions_of_codes_words_and_names() -> None:
@@ -127,10 +127,10 @@ def test_directions_of_codes_words_and_names() -> None:
         *(("001", ""), ("359", ""), ("360", ""), ("002", "2 deg"), ("358", "358 deg")),
         *(("180", "180 deg"), ("H1", ""), ("sensor", "")),
     ):
-        found = made(component=component, **north)
+        result = made(component=component, **north)
         words = f"the channel is called {component!r}, {apart}, and its code in the header states "
-        assert found.warnings == ((f"{words}0 deg: the code is taken",) if apart else ())
-        assert (found.orientation, found.azimuth_deg) == ("horizontal", 0.0)
+        assert result.warnings == ((f"{words}0 deg: the code is taken",) if apart else ())
+        assert (result.orientation, result.azimuth_deg) == ("horizontal", 0.0)
     assert made(orientation="horizontal", azimuth_deg=370.0).azimuth_deg == 10.0
     named = RecordText(path=Path("hut-UP.txt"), lines=())
     of_names: list[tuple[str | None, bool, tuple[str, ...]]] = [
@@ -151,9 +151,9 @@ def test_directions_of_codes_words_and_names() -> None:
     down = RecordText(path=Path("hut-DWN.txt"), lines=())
     by_name = "the file's name alone states that its values are positive downwards"
     for label, turned in ((None, True), ("acc 1", True), ("hut", False)):
-        found = made(down, component=label)
-        assert found.warnings == ((by_name,) if turned else ()), label
-        assert (found.record.acceleration_m_s2[0] < 0.0) == turned
+        result = made(down, component=label)
+        assert result.warnings == ((by_name,) if turned else ()), label
+        assert (result.record.acceleration_m_s2[0] < 0.0) == turned
         assert not made(down, component=label, alone=False).warnings
 
 

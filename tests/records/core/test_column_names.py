@@ -156,11 +156,11 @@ def test_what_a_name_states() -> None:
         ("min", "other", "min", None, None),
         ("acc (g) - Plot 1", "acceleration", "acc", "g", None),
     ):
-        found = column_name(name)
-        assert (found.kind, found.label) == (kind, label), (name, found)
-        assert (found.unit is None) == (unit is None), (name, found)
-        assert found.unit is None or in_m_s2(found.unit) == in_m_s2(unit or ""), (name, found)
-        assert found.seconds == seconds, (name, found)
+        result = column_name(name)
+        assert (result.kind, result.label) == (kind, label), (name, result)
+        assert (result.unit is None) == (unit is None), (name, result)
+        assert result.unit is None or in_m_s2(result.unit) == in_m_s2(unit or ""), (name, result)
+        assert result.seconds == seconds, (name, result)
     for name, uncertain in (
         *(("1000*acc (g)", "1000*acc"), ("acc (g)", ""), ("time of day", "day")),
         *(

@@ -262,10 +262,10 @@ def test_durations_that_fit_the_interval() -> None:
             *((lasts - place, True), (lasts + dt_s + place, True)),
             *((lasts + 1.02 * (dt_s + place), False), (lasts - 1.02 * place - 0.02 * dt_s, False)),
         ):
-            found = consistency.timing(values, dt_s, duration=(stated, place))
+            result = consistency.timing(values, dt_s, duration=(stated, place))
             words = f"its 101 samples {dt_s:g} s apart last {lasts:.6g} s, and the header states "
             words += f"{stated:g} s: see whether the interval is right"
-            assert found == (() if fits else (words,)), (dt_s, place, stated)
+            assert result == (() if fits else (words,)), (dt_s, place, stated)
     for none in (None, 0.0, -0.01):
         assert consistency.timing(values, none, duration=(99.0, 0.0), peak_at=50.0) == ()
 
@@ -282,8 +282,8 @@ def test_the_time_of_a_peak_in_words() -> None:
                 "see whether the interval is right"
             ),
         )
-    for other, doubted in ((0.991, False), (0.989, True)):
-        values[500] = other
+    for counterpart, doubted in ((0.991, False), (0.989, True)):
+        values[500] = counterpart
         assert bool(consistency.timing(values, 0.01, peak_at=5.0)) == doubted
 
 
@@ -299,8 +299,8 @@ def test_lines_that_are_laid_out_otherwise_are_counted() -> None:
             ([2, 5, 6], f"line 3 and 2 more lines are {tail}"),
         ):
             changed = [row[:-1] if at in odd else row for at, row in enumerate(rows)]
-            found = consistency.layout(lines_of(changed), range(count))
-            assert found == ((words,) if len(odd) <= most else ()), (count, odd)
+            result = consistency.layout(lines_of(changed), range(count))
+            assert result == ((words,) if len(odd) <= most else ()), (count, odd)
 
 
 def test_ends_inside_the_last_number() -> None:
@@ -331,9 +331,9 @@ def test_few_digits_in_the_last_of_uneven_numbers() -> None:
     for count, ended, few in ((12, False, True), (12, True, True), (12, False, False)):
         rows = [f"{value:.{3 + k % 3}f}" for k, value in enumerate(rng.normal(size=count))]
         rows[-1] = "0.12" if few else "0.12345"
-        found = consistency.layout(lines_of(rows, ended=ended), range(count))
+        result = consistency.layout(lines_of(rows, ended=ended), range(count))
         words = "the file may end inside its last number, '0.12': its last line has no end"
-        assert found == ((words,) if few and not ended else ())
+        assert result == ((words,) if few and not ended else ())
     whole = ["1234", "-56789", "987654", "12", "34567", "777", "4321", "99", "10", "1"]
     words = "the file may end inside its last number, '1', which has few digits"
     assert consistency.layout(lines_of(whole, ended=False), range(10)) == (words,)

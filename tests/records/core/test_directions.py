@@ -271,9 +271,9 @@ def test_a_sense_is_turned_by_a_negative_word_once() -> None:
         *(("wobbled", ("", None, False)), ("negative", ("", None, False)), ("", ("", None, False))),
         *(("dwn vertical", ("vertical", True, False)), ("u-d (u-d)", ("vertical", None, False))),
     ):
-        found = pointing(name)
+        result = pointing(name)
         orientation = "vertical" if expected[0] else None
-        assert (found.orientation, found.down, found.unclear) == (
+        assert (result.orientation, result.down, result.unclear) == (
             *(orientation, expected[1], bool(expected[2])),
         ), name
 
@@ -286,14 +286,14 @@ def test_directions_by_compass_quadrant_and_degrees() -> None:
         *(("N90W", 270.0), ("s0e", 180.0), ("H045", 45.0), ("n045", 45.0), ("45 degrees", 45.0)),
         *(("12.5", 12.5), ("10", 10.0), ("4", 4.0), ("360.0", 0.0), ("359.5", 359.5)),
     ):
-        found = pointing(name)
-        assert (found.orientation, found.azimuth_deg) == ("horizontal", azimuth), name
+        result = pointing(name)
+        assert (result.orientation, result.azimuth_deg) == ("horizontal", azimuth), name
     for name, azimuth in (("HNN", 0.0), ("hne", 90.0), ("BLX", None), ("hn2", None), ("HGT", None)):
-        found = pointing(f"channel {name}")
-        assert (found.orientation, found.azimuth_deg) == ("horizontal", azimuth), name
+        result = pointing(f"channel {name}")
+        assert (result.orientation, result.azimuth_deg) == ("horizontal", azimuth), name
     for name in ("1", "2", "3", "361", "1000", "h45", "HN3", "channel", "x", "HNQ", "sensor x"):
-        found = pointing(name)
-        assert (found.orientation, found.azimuth_deg) == (None, None), name
+        result = pointing(name)
+        assert (result.orientation, result.azimuth_deg) == (None, None), name
     # A word beside the direction that states none is left out; a letter alone stays unknown.
     for name, azimuth in (("comp 090", 90.0), ("acc NS", 0.0), ("comp 5", None), ("acc n", None)):
         assert pointing(name).azimuth_deg == azimuth, name
@@ -313,8 +313,8 @@ def test_directions_of_files_that_can_mean_nothing_else() -> None:
         *(("a HNZ", "vertical", None), ("a-hne", "horizontal", None), ("x", None, None)),
         *(("a-V", "vertical", None), ("slowdown", None, None), ("puldwn", "vertical", True)),
     ):
-        found = pointing_of_name(stem)
-        assert (found.orientation, found.down) == (orientation, down), stem
+        result = pointing_of_name(stem)
+        assert (result.orientation, result.down) == (orientation, down), stem
 
 
 def test_names_without_a_word_of_direction() -> None:

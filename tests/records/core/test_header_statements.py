@@ -306,8 +306,8 @@ def test_times_with_their_units() -> None:
             with pytest.raises(RecordFileError, match=r"line 1, .*; give dt_s, in seconds"):
                 statements.time_value(head("dt"), 0, written, before)
         else:
-            found = statements.time_value(head("dt"), 0, written, before)
-            assert found == pytest.approx(seconds, rel=1e-14), written
+            result = statements.time_value(head("dt"), 0, written, before)
+            assert result == pytest.approx(seconds, rel=1e-14), written
     for written, before, words in (
         ("x", None, "it must state a time or a rate above 0"),
         ("0 s", None, "it must state a time or a rate above 0"),
@@ -334,8 +334,8 @@ def test_intervals_agree_within_the_digits_that_they_are_written_with() -> None:
         *((("fs (kHz): 0.2",), 0.005), (("time step (ms): 5",), 0.005), (("50 sps",), 0.02)),
         *((("sampling interval: 5 ms", "rate"), 0.005), (("dt = 1 s", "1 Hz"), 1.0)),
     ):
-        found = statements.stated_interval(head(*lines), [*range(len(lines))])
-        assert found == (None if interval is None else pytest.approx(interval, rel=1e-12)), lines
+        result = statements.stated_interval(head(*lines), [*range(len(lines))])
+        assert result == (None if interval is None else pytest.approx(interval, rel=1e-12)), lines
     # The finest of them is named first, and the line of the other.
     for lines, words in (
         (("dt = 0.01 s", "50 Hz"), "line 1, .*states 0.02 s and 0.01 s between samples|line 2, "),
@@ -374,8 +374,8 @@ def test_counts_durations_and_units_of_time_of_words() -> None:
         (("duration = 5 or 6 s",), None),
         (("hut",), None),
     ):
-        found = statements.stated_duration(head(*lines), [*range(len(lines))])
-        assert found == (None if duration is None else pytest.approx(duration, rel=1e-12)), lines
+        result = statements.stated_duration(head(*lines), [*range(len(lines))])
+        assert result == (None if duration is None else pytest.approx(duration, rel=1e-12)), lines
     for lines, size in (
         *((("time in ms",), 1e-3), (("t (s)",), 1.0), (("start time in ms",), None)),
         *((("time: noon",), None), (("time in ms", "t [ms]"), 1e-3), (("time is in min",), 60.0)),
@@ -404,13 +404,13 @@ def test_units_that_words_state() -> None:
         ),
         *((("acc in 0.001 g",), "0.001 g"), (("acc in 10^-3 g",), "mg")),
     ):
-        found = statements.stated_unit(head(*lines), [*range(len(lines))])
-        assert (found is None) == (unit is None), lines
-        assert found is None or in_m_s2(found) == in_m_s2(unit or ""), lines
+        result = statements.stated_unit(head(*lines), [*range(len(lines))])
+        assert (result is None) == (unit is None), lines
+        assert result is None or in_m_s2(result) == in_m_s2(unit or ""), lines
     assert statements.stated_unit(head("acc in g"), [0], explicit=True) is None
     assert statements.stated_unit(head("units: g"), [0], explicit=True) == "g"
-    both = "line 2, .*: its header states g and gal, which are not one unit; give units: g, mg"
-    with pytest.raises(RecordFileError, match=both):
+    joint = "line 2, .*: its header states g and gal, which are not one unit; give units: g, mg"
+    with pytest.raises(RecordFileError, match=joint):
         statements.stated_unit(head("acc in g", "acc in gal"), [0, 1])
     for wrong in ("units: furlongs", "units: g (9.7 m/s2)", "acc in g or gal", "was in g"):
         with pytest.raises(RecordFileError, match="its unit is not understood as a whole; give un"):

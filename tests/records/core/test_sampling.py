@@ -164,19 +164,19 @@ def test_times_that_do_not_grow_or_not_evenly() -> None:
 def test_samples_between_those_of_a_file_lie_on_straight_lines() -> None:
     uneven = [0.0, 0.01, 0.03, 0.04, 0.05]
     for dt_s, count in ((None, 6), (0.01, 6), (0.025, 3), (0.05, 2), (0.04, 2), (0.005, 11)):
-        found = spaced(uneven, dt_s=dt_s, resample=True)
+        result = spaced(uneven, dt_s=dt_s, resample=True)
         step = 0.01 if dt_s is None else dt_s
-        assert len(found.values) == count, dt_s
-        assert found.dt_s == pytest.approx(step)
+        assert len(result.values) == count, dt_s
+        assert result.dt_s == pytest.approx(step)
         expected = np.interp(step * np.arange(count), uneven, np.arange(5.0))
-        np.testing.assert_allclose(found.values, expected, atol=1e-12)
+        np.testing.assert_allclose(result.values, expected, atol=1e-12)
         words = f"resampled from intervals of 0.01 to 0.02 s to {step:g} s (straight lines between"
-        assert found.notes == (f"{words} the samples)",)
+        assert result.notes == (f"{words} the samples)",)
     even = [0.02 * at for at in range(9)]
     for dt_s, resample in ((None, False), (None, True), (0.02, True), (0.05, False)):
-        found = spaced(even, dt_s=dt_s, resample=resample)
-        assert found.dt_s == pytest.approx(0.02)
-        assert (found.notes, len(found.values)) == ((), 9)
+        result = spaced(even, dt_s=dt_s, resample=resample)
+        assert result.dt_s == pytest.approx(0.02)
+        assert (result.notes, len(result.values)) == ((), 9)
     late = spaced([5.0 + time for time in even], dt_s=0.01, resample=True)
     assert late.notes == ("resampled from 0.02 s to 0.01 s (straight lines between the samples)",)
     np.testing.assert_allclose(late.values, 0.5 * np.arange(17), atol=1e-9)
@@ -198,9 +198,9 @@ def test_an_interval_that_is_left_open_or_no_usual_one(tmp_path: Path) -> None:
         *((0.01, "%.2f", ""), (1 / 128, "%.7f", ""), (0.0125, "%.3f", "open")),
         *((0.01234321, "%.6f", "odd"), (1.0 / 81.0, "%.6f", "")),
     ):
-        found = table(tmp_path, [form % (k * dt) for k in range(60)])
-        words = " ".join(found.warnings)
-        assert found.record.dt_s == pytest.approx(dt, rel=1e-3)
+        result = table(tmp_path, [form % (k * dt) for k in range(60)])
+        words = " ".join(result.warnings)
+        assert result.record.dt_s == pytest.approx(dt, rel=1e-3)
         assert bool(words) == bool(doubt), (dt, words)
         assert ("no usual one: see whether rows are missing" in words) == ("odd" in doubt), dt
         if words:

@@ -83,8 +83,8 @@ def test_the_end_of_a_file_and_what_is_text() -> None:
             (b"\xe9", ("é",), False),
         ),
     ):
-        found = as_text(path, data)
-        assert (found.lines, found.ended) == (lines, ended), data
+        result = as_text(path, data)
+        assert (result.lines, result.ended) == (lines, ended), data
     # A hundredth of the first 4096 characters may be marks of control, tabs not counted.
     for odd, length, text in (
         *((1, 100, True), (2, 100, False), (2, 199, False), (2, 200, True), (40, 4096, True)),

@@ -384,20 +384,20 @@ def test_a_row_of_count_and_interval_is_known_by_its_form(tmp_path: Path) -> Non
                 read(tmp_path, text, units="g", dt_s=0.01)
             continue
         given = {} if len(first.split()) > 1 else {"dt_s": 0.01}
-        (found,) = read(tmp_path, text, units="g", **given)
-        assert len(found.record.acceleration_m_s2) == count, first
-        assert found.record.dt_s == dt_s
-        assert (found.warnings == ()) == (count == 120 and dt_s <= 0.1), first
+        (result,) = read(tmp_path, text, units="g", **given)
+        assert len(result.record.acceleration_m_s2) == count, first
+        assert result.record.dt_s == dt_s
+        assert (result.warnings == ()) == (count == 120 and dt_s <= 0.1), first
     # Above times and samples the row is as wide as theirs.
     pairs = "".join(f"{0.01 * at:.2f} {0.5 + at % 3:.2f}\n" for at in range(30))
-    (found,) = read(tmp_path, f"30 0.01\n{pairs}", units="g")
-    assert (len(found.record.acceleration_m_s2), found.warnings) == (30, ())
+    (result,) = read(tmp_path, f"30 0.01\n{pairs}", units="g")
+    assert (len(result.record.acceleration_m_s2), result.warnings) == (30, ())
     whole = "".join(f"{at % 5 + 1}\n" for at in range(120))
-    (found,) = read(tmp_path, f"120\n{whole}", units="g", dt_s=0.01)
-    assert len(found.record.acceleration_m_s2) == 121
+    (result,) = read(tmp_path, f"120\n{whole}", units="g", dt_s=0.01)
+    assert len(result.record.acceleration_m_s2) == 121
     for few in ("120 0.01\n1.5\n", "120\n1.5\n"):
-        (found,) = read(tmp_path, few, units="mg", dt_s=0.01)
-        assert found.record.acceleration_m_s2[0] == pytest.approx(0.12 * G)
+        (result,) = read(tmp_path, few, units="mg", dt_s=0.01)
+        assert result.record.acceleration_m_s2[0] == pytest.approx(0.12 * G)
 
 
 def test_times_without_a_name_grow_evenly(tmp_path: Path) -> None:
@@ -412,9 +412,9 @@ def test_times_without_a_name_grow_evenly(tmp_path: Path) -> None:
         ([0.0, 0.0, 0.0, 0.0], False),
         ([0.1, -0.2, 0.3, -0.1, 0.2], False),
     ):
-        (found,) = read(tmp_path, rows(times), units="g", dt_s=0.01)
+        (result,) = read(tmp_path, rows(times), units="g", dt_s=0.01)
         count = len(times) if known else 2 * len(times)
-        assert len(found.record.acceleration_m_s2) == count, times
+        assert len(result.record.acceleration_m_s2) == count, times
     # One of ten steps may go back, which is then a row that is wrong, and no more.
     for back, known in ((1, True), (4, False)):
         times = [0.01 * at for at in range(30)]
@@ -432,11 +432,11 @@ def test_few_columns_without_names_may_be_channels(tmp_path: Path) -> None:
     for width, doubted in ((1, False), (2, True), (3, True), (4, True), (5, False), (6, False)):
         lines = [values[at : at + width] for at in range(0, 60, width)]
         text = "\n".join(" ".join(f"{value:.4f}" for value in line) for line in lines) + "\n"
-        (found,) = read(tmp_path, text, units="g", dt_s=0.01)
+        (result,) = read(tmp_path, text, units="g", dt_s=0.01)
         words = f"{width} numbers a line are taken as samples that follow each other; give column "
         expected = (f"{words}where they are channels",) if doubted else ()
-        assert found.warnings == expected, width
-        np.testing.assert_allclose(found.record.acceleration_m_s2, G * values, atol=1e-3)
+        assert result.warnings == expected, width
+        np.testing.assert_allclose(result.record.acceleration_m_s2, G * values, atol=1e-3)
         (last,) = read(tmp_path, text, units="g", dt_s=0.01, column=width)
         np.testing.assert_allclose(
             last.record.acceleration_m_s2, G * values[width - 1 :: width], atol=1e-3
@@ -457,8 +457,8 @@ def test_rows_that_are_short(tmp_path: Path) -> None:
     ):
         with pytest.raises(RecordFileError, match=words):
             read(tmp_path, text, units="g", dt_s=0.01)
-    (found,) = read(tmp_path, "1 2 5\n-4 5 6\n7\n", units="g", dt_s=0.01)
-    assert len(found.record.acceleration_m_s2) == 7
+    (result,) = read(tmp_path, "1 2 5\n-4 5 6\n7\n", units="g", dt_s=0.01)
+    assert len(result.record.acceleration_m_s2) == 7
 
 
 def test_quantities_of_words_above_a_table(tmp_path: Path) -> None:
@@ -508,9 +508,9 @@ def test_decimal_commas_and_separators(tmp_path: Path) -> None:
         ("t,acc (g)\n0,1.5\n.01,-2.5\n# a\n.02,.5\n", [1.5, -2.5, 0.5], 3),
         ("2001,12,3\ntaken down\nt,acc (g)\n0,1.5\n.01,-2.5\n.02,.5\n", [1.5, -2.5, 0.5], 3),
     ):
-        found = read(tmp_path, text, units="g", **({} if text[0] in "t2" else {"dt_s": 0.01}))
-        assert len(found[0].record.acceleration_m_s2) == count, text
-        np.testing.assert_allclose(found[0].record.acceleration_m_s2, G * np.array(values))
+        result = read(tmp_path, text, units="g", **({} if text[0] in "t2" else {"dt_s": 0.01}))
+        assert len(result[0].record.acceleration_m_s2) == count, text
+        np.testing.assert_allclose(result[0].record.acceleration_m_s2, G * np.array(values))
     for text, line in (
         ("t,acc (g)\n0,1\n.01,2\n* remark\n.02,3\n", 4),
         ("0,1\ntaken down\n.01,2\n.02,3\n", 2),
@@ -528,9 +528,9 @@ def test_rows_of_units_below_the_names(tmp_path: Path) -> None:
     for units, size in (
         *(("(s),(cm/s),(g)", G), ("s,m/s,gal", 0.01), ("[s],[mm],[m/s2]", 1.0), ("s,-,g", G)),
     ):
-        (found,) = read(tmp_path, f"Time,Vel,Acc\n{units}\n{rows}")
-        np.testing.assert_allclose(found.record.acceleration_m_s2, size * np.array(THREE))
-        assert found.component == "Acc"
+        (result,) = read(tmp_path, f"Time,Vel,Acc\n{units}\n{rows}")
+        np.testing.assert_allclose(result.record.acceleration_m_s2, size * np.array(THREE))
+        assert result.component == "Acc"
     with pytest.raises(RecordFileError, match=r"line 2, .*its column 'furlong' is not understood"):
         read(tmp_path, f"Time,Vel,Acc\ns,furlong,volt\n{rows}")
     for place, refused in ((19, True), (20, False)):

@@ -131,9 +131,9 @@ def test_cosmos_intervals_and_times_of_peaks(tmp_path: Path) -> None:
     late = f"{np.abs(values).argmax() * 0.01:13.6f}"
     assert late in text
     moved = text.replace(late, f"{39.0:13.6f}")
-    (found,) = read(tmp_path, moved)
-    assert len(found.warnings) == 1
-    assert "and the header states 39 s: see whether the interval is right" in found.warnings[0]
+    (result,) = read(tmp_path, moved)
+    assert len(result.warnings) == 1
+    assert "and the header states 39 s: see whether the interval is right" in result.warnings[0]
     assert read(tmp_path, moved, dt_s=0.01)[0].warnings == ()
     # The line of the samples states whole seconds, cut or rounded.
     for dt_ms, raw, seconds, dt in (
@@ -171,16 +171,16 @@ def test_cosmos_starts_and_words(tmp_path: Path) -> None:
         for value in (-999, 5):
             changed = [*lines]
             changed[row] = f"{lines[row][:column]}{value:8d}{lines[row][column + 8 :]}"
-            (found,) = read(tmp_path, "\n".join(changed))
+            (result,) = read(tmp_path, "\n".join(changed))
             if not name:
-                assert found.start_time == plain
+                assert result.start_time == plain
             elif value < 0:
-                assert found.start_time is None
+                assert result.start_time is None
             else:
-                assert found.start_time == plain.replace(**{name: value})  # type: ignore[arg-type]
-    (found,) = read(tmp_path, text)
-    assert found.event == "Somewhere in the West            June 16,2005 13:53 PDT"
-    assert found.stated_peak_m_s2 == pytest.approx(1.5, rel=1e-6)
+                assert result.start_time == plain.replace(**{name: value})  # type: ignore[arg-type]
+    (result,) = read(tmp_path, text)
+    assert result.event == "Somewhere in the West            June 16,2005 13:53 PDT"
+    assert result.stated_peak_m_s2 == pytest.approx(1.5, rel=1e-6)
     for old, new, station in (
         ("Statn No: 01-23075  Code:", "Statn No: 01-23075  Cd:", None),
         ("Code:CE-J2236  CDMG Hut & Far", "Code: X", "X"),
@@ -201,8 +201,8 @@ def test_cosmos_directions_without_a_code(tmp_path: Path) -> None:
         (cosmos_channel(CM, azimuth=400, label="Up"), "Up", "vertical", None),
         (cosmos_channel(CM, azimuth=0, label="sensor"), "sensor", None, None),
     ):
-        (found,) = read(tmp_path, text)
-        assert (found.component, found.orientation, found.azimuth_deg) == (
+        (result,) = read(tmp_path, text)
+        assert (result.component, result.orientation, result.azimuth_deg) == (
             *(component, orientation, azimuth),
         ), component
 
@@ -235,7 +235,10 @@ def test_cosmos_numbers_without_a_stated_format(tmp_path: Path) -> None:
     ]
     lines[first + 1 : first + 18] = reals
     bare = "\n".join(lines).replace(", Format= (10I8)", "").replace(", Format= (6F13.6)", "")
-    (found,), (plain,) = read(tmp_path, bare), read(tmp_path, text)
-    assert found.record == plain.record
-    assert (found.start_time, found.stated_peak_m_s2) == (plain.start_time, plain.stated_peak_m_s2)
-    assert found.azimuth_deg == 340.0
+    (result,), (plain,) = read(tmp_path, bare), read(tmp_path, text)
+    assert result.record == plain.record
+    assert (result.start_time, result.stated_peak_m_s2) == (
+        plain.start_time,
+        plain.stated_peak_m_s2,
+    )
+    assert result.azimuth_deg == 340.0

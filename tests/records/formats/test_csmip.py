@@ -90,16 +90,16 @@ def test_csmip_starts(tmp_path: Path) -> None:
         ("12-31-1994, 23:59:60", datetime(1995, 1, 1, tzinfo=UTC)),
         *(("13/2/12, 21:06:45.0", None), ("2/30/12, 21:06:45.0", None), ("2/13, 1:2:3", None)),
     ):
-        (found,) = read(tmp_path, text.replace("2/13/12, 21:06:45.0", written))
-        assert found.start_time == start, written
+        (result,) = read(tmp_path, text.replace("2/13/12, 21:06:45.0", written))
+        assert result.start_time == start, written
 
 
 def test_csmip_words_of_the_header(tmp_path: Path) -> None:
     text = csmip_v2_channel(CM)
-    (found,) = read(tmp_path, text)
-    assert found.event == "Record of Mon Feb 13, 2012 13:06:45.0 PS"
-    assert found.warnings == ()
-    assert found.stated_peak_m_s2 == pytest.approx(1.5, rel=1e-3)
+    (result,) = read(tmp_path, text)
+    assert result.event == "Record of Mon Feb 13, 2012 13:06:45.0 PS"
+    assert result.warnings == ()
+    assert result.stated_peak_m_s2 == pytest.approx(1.5, rel=1e-3)
     peak = f"{CM[np.abs(CM).argmax()]:10.3f}    cm/sec/sec"
     assert peak in text
     in_g = f"{CM[np.abs(CM).argmax()] / 980.665:10.7f}    g"
@@ -118,8 +118,8 @@ def test_csmip_words_of_the_header(tmp_path: Path) -> None:
         ("Station No.", "Place", {"station": None}),
     ):
         assert old in text
-        (one,) = read(tmp_path, text.replace(old, new))
-        assert {name: getattr(one, name) for name in fields} == fields, old
-        assert one.record == found.record
+        (single,) = read(tmp_path, text.replace(old, new))
+        assert {name: getattr(single, name) for name in fields} == fields, old
+        assert single.record == result.record
     doubled = text.replace("intervals of    0.005", "intervals of    0.010")
     assert read(tmp_path, doubled, dt_s=0.005)[0].warnings == ()

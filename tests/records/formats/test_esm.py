@@ -77,8 +77,8 @@ def test_esm_keys_that_are_missing_or_of_another_form(tmp_path: Path) -> None:
     ):
         text = esm(CM)
         assert old in text
-        (found,) = read(tmp_path, text.replace(old, new))
-        assert {name: getattr(found, name) for name in fields} == fields, new
+        (result,) = read(tmp_path, text.replace(old, new))
+        assert {name: getattr(result, name) for name in fields} == fields, new
     for wrong, dt_s, doubts in (("3.000", None, 1), ("1.900", None, 1), ("3.000", 0.005, 0)):
         text = esm(CM, DURATION_S=wrong)
         given = {} if dt_s is None else {"dt_s": dt_s}

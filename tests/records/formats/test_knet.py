@@ -81,16 +81,16 @@ def test_knet_scales_that_are_no_size(tmp_path: Path) -> None:
         ):
             read(tmp_path, text.replace("3920(gal)/6182761", scale))
     for scale, size in (("1(gal)/1", 1.0), ("0.5 (GAL) / 2", 0.25), ("2(gal)/0.5", 4.0)):
-        (found,) = read(tmp_path, text.replace("3920(gal)/6182761", scale), units="gal")
+        (result,) = read(tmp_path, text.replace("3920(gal)/6182761", scale), units="gal")
         counts = counts_of(samples(800))
         expected = 0.01 * size * (counts - counts.mean())
-        np.testing.assert_allclose(found.record.acceleration_m_s2, expected, atol=1e-9)
+        np.testing.assert_allclose(result.record.acceleration_m_s2, expected, atol=1e-9)
 
 
 def test_knet_words_of_the_header(tmp_path: Path) -> None:
     text = knet(counts_of(samples(800)), peak="1.000")
-    (found,) = read(tmp_path, text)
-    assert (found.station, found.event) == ("AOM001", "2018/01/24 19:51:00, M 6.2")
+    (result,) = read(tmp_path, text)
+    assert (result.station, result.event) == ("AOM001", "2018/01/24 19:51:00, M 6.2")
     for old, new, fields in (
         ("2018/01/24 19:51:43\nSampling", "2018/01/24\nSampling", {"start_time": None}),
         ("Mag.              6.2", "Mag.", {"event": "2018/01/24 19:51:00"}),
@@ -103,8 +103,8 @@ def test_knet_words_of_the_header(tmp_path: Path) -> None:
         ("N-S", "2", {"component": "E-W", "format": "kiknet", "station": "AOM001 borehole"}),
     ):
         assert old in text, old
-        (one,) = read(tmp_path, text.replace(old, new))
-        assert {name: getattr(one, name) for name in fields} == fields, old
+        (single,) = read(tmp_path, text.replace(old, new))
+        assert {name: getattr(single, name) for name in fields} == fields, old
     # More samples than duration and rate state are left out, and both are doubted.
     (more,) = read(tmp_path, text.replace("Duration Time(s)  8", "Duration Time(s)  7"))
     assert "7 s at 100 Hz are 700 samples: see whether duration and rate are right" in more.warnings

@@ -95,14 +95,14 @@ def test_smc_starts_that_are_stated_in_part() -> None:
         # 1800 is no leap year, and 291 is then the same day.
         text = put(smc(CM), 0, place, written)
         path = RecordText(path=Path("hut.smc"), lines=tuple(text.split("\n")))
-        (found,) = smc_format.read(path, Given())
-        assert found.start_time == start, (place, written)
+        (result,) = smc_format.read(path, Given())
+        assert result.start_time == start, (place, written)
 
 
 def test_smc_numbers_of_the_header_that_are_missing_or_wrong(tmp_path: Path) -> None:
     text = smc(CM, comments=0)
-    (found,) = read(tmp_path, put(text, 0, 15, "-32768"))
-    close(found, CM, 5e-3)
+    (result,) = read(tmp_path, put(text, 0, 15, "-32768"))
+    close(result, CM, 5e-3)
     for place, written, words in (
         (15, "-1", "line 13, .*it states more comments than the file has lines"),
         (15, "9999", "line 13, .*it states more comments than the file has lines"),
@@ -116,7 +116,7 @@ def test_smc_numbers_of_the_header_that_are_missing_or_wrong(tmp_path: Path) -> 
     # Numbers that fill their columns have nothing between them.
     (full,) = read(tmp_path, put(put(text, 0, 20, "1234567890"), 0, 21, "1234567890"))
     (long,) = read(tmp_path, put(put(text, 1, 3, "123456789.12345"), 1, 4, "123456789.12345"))
-    assert full.record == long.record == found.record
+    assert full.record == long.record == result.record
     for rate in ("0.0", "-1.0", "1.7E38"):
         with pytest.raises(
             RecordFileError, match=r"line 18, .*a sampling rate above 0, as its sec"
@@ -128,11 +128,11 @@ def test_smc_numbers_of_the_header_that_are_missing_or_wrong(tmp_path: Path) -> 
 def test_smc_peaks_and_directions(tmp_path: Path) -> None:
     largest, smallest = CM.max(), CM.min()
     text = smc(CM)
-    (found,) = read(tmp_path, text)
-    assert found.stated_peak_m_s2 == pytest.approx(0.01 * max(largest, -smallest), rel=1e-6)
+    (result,) = read(tmp_path, text)
+    assert result.stated_peak_m_s2 == pytest.approx(0.01 * max(largest, -smallest), rel=1e-6)
     for place, left in ((29, smallest), (31, largest)):
-        (one,) = read(tmp_path, put(text, 1, place, "1.7000000E+38"))
-        assert one.stated_peak_m_s2 == pytest.approx(abs(0.01 * left), rel=1e-6)
+        (single,) = read(tmp_path, put(text, 1, place, "1.7000000E+38"))
+        assert single.stated_peak_m_s2 == pytest.approx(abs(0.01 * left), rel=1e-6)
     bare = put(put(text, 1, 29, "1.7000000E+38"), 1, 31, "1.7000000E+38")
     assert read(tmp_path, bare)[0].stated_peak_m_s2 is None
     for angles, orientation, azimuth in (
@@ -142,13 +142,13 @@ def test_smc_peaks_and_directions(tmp_path: Path) -> None:
     ):
         text = smc(CM, angles=angles)
         text = text if orientation == "vertical" else text.replace("=    360", "=   none")
-        (one,) = read(tmp_path, text)
+        (single,) = read(tmp_path, text)
         known = angles[0] != 45 and 0 <= angles[1] <= 360
-        assert (one.orientation, one.azimuth_deg) == (
+        assert (single.orientation, single.azimuth_deg) == (
             (orientation, azimuth) if known else (None, None)
         ), angles
         sign = -1.0 if angles[0] == 180 else 1.0
-        np.testing.assert_allclose(one.record.acceleration_m_s2, 0.01 * sign * CM, atol=1e-4)
+        np.testing.assert_allclose(single.record.acceleration_m_s2, 0.01 * sign * CM, atol=1e-4)
     star = smc(CM, first="*")
     assert read(tmp_path, star)[0].warnings == (
         "the file does not state its quantity: taken to be acceleration",
@@ -165,5 +165,5 @@ def test_smc_words_of_the_header(tmp_path: Path) -> None:
         ("HUT1", "    ", {"station": "Hut, 1295 Shafter"}),
     ):
         assert old in text
-        (found,) = read(tmp_path, text.replace(old, new))
-        assert {name: getattr(found, name) for name in fields} == fields, new
+        (result,) = read(tmp_path, text.replace(old, new))
+        assert {name: getattr(result, name) for name in fields} == fields, new

@@ -148,10 +148,10 @@ def test_what_a_header_of_sac_states(obspy: Any, tmp_path: Path) -> None:
             ):
                 read_recordings(path, units="m/s^2")
             continue
-        (found,) = read_recordings(path, units="m/s^2")
-        assert (found.orientation, found.azimuth_deg) == expected, fields
+        (result,) = read_recordings(path, units="m/s^2")
+        assert (result.orientation, result.azimuth_deg) == expected, fields
         sign = -1.0 if fields.get("cmpinc") == 180.0 else 1.0
-        np.testing.assert_allclose(found.record.acceleration_m_s2, sign * trace.data, rtol=1e-6)
+        np.testing.assert_allclose(result.record.acceleration_m_s2, sign * trace.data, rtol=1e-6)
     stream(obspy, channels="3").write(str(path), format="MSEED")
     with pytest.raises(
         RecordFileError, match="holds numbers whose unit the file does not state; c"

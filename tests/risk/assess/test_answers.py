@@ -81,16 +81,16 @@ def test_objects_in_the_order_of_colours_and_probabilities() -> None:
         *(row("a", "green"), row("b", "red", probability=0.3), row("c", "grey")),
         *(row("d", "amber"), row("e", "red", probability=0.9), row("f", "red", probability=None)),
     ]
-    found = table(rows)
-    assert [each["name"] for each in found.worst] == ["e", "b", "f", "d", "c", "a"]
-    by = [each["name"] for each in found.sorted_by("probability", descending=False)]
+    result = table(rows)
+    assert [each["name"] for each in result.worst] == ["e", "b", "f", "d", "c", "a"]
+    by = [each["name"] for each in result.sorted_by("probability", descending=False)]
     assert by == ["a", "d", "b", "e", "c", "f"]
-    assert [each["name"] for each in found.sorted_by("name")] == ["f", "e", "d", "c", "b", "a"]
+    assert [each["name"] for each in result.sorted_by("name")] == ["f", "e", "d", "c", "b", "a"]
     with pytest.raises(InputError, match=r"columns are name, colour, .*; give one"):
-        found.sorted_by("x")
-    assert not found.meets_target
+        result.sorted_by("x")
+    assert not result.meets_target
     assert table([row("a", "green"), row("s", "green", verdict="stands")]).meets_target
-    assert found.demand == (0.3, 0.4)
+    assert result.demand == (0.3, 0.4)
     assert table([row("a", "red"), row("b", "red", pga_g=0.2)]).demand is None
 
 

@@ -134,8 +134,8 @@ def test_a_probability_that_is_not_known_ends_the_search() -> None:
 
 def test_a_change_is_in_reach_where_a_block_of_it_rocks() -> None:
     for most in (0.25, 0.5, 0.5999):
-        found = Known(normal(0.5, 0.3), 0.1, most=most).reach(made, 2.0)
-        assert 0.0 <= most / BEFORE - 1.0 - found <= 0.01, most
+        result = Known(normal(0.5, 0.3), 0.1, most=most).reach(made, 2.0)
+        assert 0.0 <= most / BEFORE - 1.0 - result <= 0.01, most
     for most in (0.6 + 1e-12, 0.7):
         assert Known(normal(0.5, 0.3), 0.1, most=most).reach(made, 2.0) == 2.0
 
@@ -161,8 +161,8 @@ def test_a_remedy_in_words_and_in_keys() -> None:
             "widen; then 1 of 1 run falls at the demand",
         ),
     ):
-        found = remedy(**fields).result
-        assert found.replace("0.25", "25 %") == words or found == words, (fields, found)
+        result = remedy(**fields).result
+        assert result.replace("0.25", "25 %") == words or result == words, (fields, result)
     values = remedy(value=0.3, unit="m", change=0.5, fell=0, trials=8).to_dict()
     assert (values["probability"], values["value"], values["unit"]) == (0.25, 0.3, "m")
     assert values["confirmed"] is False

@@ -189,17 +189,17 @@ def test_remarks_at_the_edges_of_what_is_usual() -> None:
         (4.001, 0.1, "A PGA of 4 g is beyond recorded ones, up to about 4 g: are the units right?"),
         (9.0, 0.6, "PGV/PGA is 0.6 s"),
     ):
-        found = assess_by_formula(BLOCK, pga, ratio * pga * g, 20.0).remarks
-        assert len(found) == (words != ""), (pga, ratio)
-        assert "".join(found).startswith(words)
+        result = assess_by_formula(BLOCK, pga, ratio * pga * g, 20.0).remarks
+        assert len(result) == (words != ""), (pga, ratio)
+        assert "".join(result).startswith(words)
     for alpha, p, words in (
         *((0.0999, 2.0, "alpha 0.0999 rad"), (0.1001, 2.0, ""), (0.2999, 2.0, "")),
         *((0.3001, 2.0, "alpha 0.3 rad"), (0.2, 0.999, "p 0.999 rad/s"), (0.2, 1.001, "")),
         *((0.2, 2.999, ""), (0.2, 3.01, "p 3.01 rad/s"), (0.4, 4.0, "alpha 0.4 rad and p 4 rad/s")),
     ):
-        found = assess_by_formula(Block.from_p(alpha=alpha, p=p), 0.6, 0.4, 20.0).remarks
+        result = assess_by_formula(Block.from_p(alpha=alpha, p=p), 0.6, 0.4, 20.0).remarks
         runs = "lies outside the runs of this package (alpha 0.1 to 0.3 rad, p 1 to 3 rad/s)."
-        assert found == ((f"{words} {runs}",) if words else ()), (alpha, p)
+        assert result == ((f"{words} {runs}",) if words else ()), (alpha, p)
     wall = assess_by_formula(BLOCK.against_wall(0.5), 0.35, 0.4, 20.0).remarks
     assert wall == ("The runs are of blocks that rock to both sides: the wall is left out.",)
     unlike = Block.asymmetric(left=0.15, right=0.2, height=1.8)
@@ -216,10 +216,10 @@ def test_answers_in_words() -> None:
         (0.35, 0.1, 0.0, "It slides at 0.35 g and 0.4 m/s: no probability of falling by rocking."),
         (0.35, 0.3, 0.2, "at 0.35 g and 0.4 m/s with 0.2 g of vertical motion downwards at the pe"),
     ):
-        found = assess_by_formula(BLOCK, pga, 0.4, friction, vertical_g=vertical)
-        text = " ".join(found.summary().split())
+        result = assess_by_formula(BLOCK, pga, 0.4, friction, vertical_g=vertical)
+        text = " ".join(result.summary().split())
         assert first in text, text
-        rocks = found.verdict == "rocks"
+        rocks = result.verdict == "rocks"
         assert ("second formula" in text) == rocks
         assert ("half fall at" in text) == rocks
         lifts = 0.32 / 1.8 * (1.0 - vertical)

@@ -43,10 +43,10 @@ def test_numbers_of_a_scan_reach_the_ends_of_their_ranges_and_no_further() -> No
         ):
             try:
                 ScanOptions(**{"temper": 0.5, key: value})
-                found = True
+                result = True
             except InputError:
-                found = False
-            if found != taken:
+                result = False
+            if result != taken:
                 wrong.append((key, value))
     assert wrong == []
     plain = ScanOptions()

@@ -111,8 +111,8 @@ def test_the_largest_weights_become_quantiles_of_the_law_fitted_to_them(count: i
     b = float(shares @ slopes / shares.sum())
     raw = float(np.mean([np.log1p(-b * each) for each in x]))
     shape = (tail * raw + 10.0 * 0.5) / (tail + 10.0)
-    made, found = smoothed(weights)
-    assert found == pytest.approx(shape, rel=1e-9)
+    made, result = smoothed(weights)
+    assert result == pytest.approx(shape, rel=1e-9)
     law = stats.genpareto(shape, scale=-raw / b)
     quantiles = cut + law.ppf((np.arange(tail) + 0.5) / tail)
     expected = np.sort(weights)
@@ -125,6 +125,6 @@ def test_a_tail_of_few_weights_stays() -> None:
     rng = np.random.default_rng(3)
     for count, known in ((LEAST_TAIL * 5 - 1, False), (LEAST_TAIL * 5, True)):
         weights = rng.random(count) ** -0.3
-        made, found = smoothed(weights / weights.sum())
-        assert np.isfinite(found) == known
+        made, result = smoothed(weights / weights.sum())
+        assert np.isfinite(result) == known
         assert made.sum() == pytest.approx(1.0)

@@ -100,12 +100,12 @@ def test_curves_of_motions_are_moved_by_gain_and_integrated_over_their_error() -
     shift = np.broadcast_to(nodes, (len(features), len(nodes)))
     capacity = features[:, 0] + 0.05 * features[:, 1]
     for error in (0.2, 0.3):
-        found = curves.at(0, shift, np.zeros((1, 1)), np.full(len(features), error))
+        result = curves.at(0, shift, np.zeros((1, 1)), np.full(len(features), error))
         exact = stats.norm.cdf((shift - capacity[:, np.newaxis]) / error)
-        assert np.abs(found - exact).mean() < 0.03
-        assert np.abs((found - exact).mean(axis=0)).max() < 0.02
+        assert np.abs(result - exact).mean() < 0.03
+        assert np.abs((result - exact).mean(axis=0)).max() < 0.02
     alike = fit_curves(np.ones_like(fell), gain, sigma, features)
     assert alike.fits == [None]
-    found = alike.at(0, shift, np.zeros((1, 1)), sigma[0])
-    assert found.shape == shift.shape
-    assert (found == 1.0).all()
+    result = alike.at(0, shift, np.zeros((1, 1)), sigma[0])
+    assert result.shape == shift.shape
+    assert (result == 1.0).all()

@@ -108,9 +108,9 @@ def test_the_last_level_is_the_highest_at_which_one_in_a_hundred_may_end_so() ->
     lasts = {}
     for vertical, part in ((True, 1.0), ("both", 0.5)):
         ways = rs.risk.Ways(vertical=vertical)  # type: ignore[arg-type]
-        found = levels_in_contact(USUAL, [STATUE], shaken, ways=ways).levels
-        assert isinstance(found, tuple)
-        assert len(found) == 20
+        result = levels_in_contact(USUAL, [STATUE], shaken, ways=ways).levels
+        assert isinstance(result, tuple)
+        assert len(result) == 20
 
         def ended(last: float, part: float = part) -> float:
             """Return the share of the runs that end without an answer."""
@@ -120,12 +120,12 @@ def test_the_last_level_is_the_highest_at_which_one_in_a_hundred_may_end_so() ->
             ]
             return part * float(np.mean(runs))
 
-        lasts[vertical] = found[-1]
-        assert ended(found[-1]) <= 0.01
-        higher = sorted(limit for limit in [*lost, usual[-1]] if limit > found[-1] * (1.0 + 1e-6))
+        lasts[vertical] = result[-1]
+        assert ended(result[-1]) <= 0.01
+        higher = sorted(limit for limit in [*lost, usual[-1]] if limit > result[-1] * (1.0 + 1e-6))
         assert higher
         assert all(ended(limit * (1.0 - 1e-9)) > 0.01 for limit in higher)
-        assert found[0] == pytest.approx(min(usual[0], found[-1] / 2.0))
+        assert result[0] == pytest.approx(min(usual[0], result[-1] / 2.0))
     assert lasts[True] <= lasts["both"]
     words = words_of_shorter(USUAL, [STATUE], lasts[True])
     assert len(words) == 1

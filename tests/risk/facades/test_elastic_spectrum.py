@@ -150,10 +150,10 @@ def test_numbers_of_a_site_reach_the_ends_of_their_ranges_and_no_further() -> No
         ):
             try:
                 ElasticSpectrum(**{**usual, key: value})
-                found = True
+                result = True
             except InputError:
-                found = False
-            if found != taken:
+                result = False
+            if result != taken:
                 wrong.append((key, value))
     assert wrong == []
     site = ElasticSpectrum(**usual)

@@ -177,9 +177,9 @@ def test_numbers_reach_the_ends_of_their_ranges_and_no_further() -> None:
         ):
             try:
                 things[thing](**{key: value})
-                found = True
+                result = True
             except RocksteadyError:
-                found = False
-            if found != taken:
+                result = False
+            if result != taken:
                 wrong.append((thing, key, value))
     assert wrong == []

@@ -187,9 +187,9 @@ def test_remarks_are_those_of_the_kind_and_of_what_was_run() -> None:
         ({"ties": (tie,)}, ["ending", "e_star", *always]),
     ):
         facade = Facade(**sizes, **given)
-        found = replace(checked(), facade=facade)
-        assert [each.key for each in found.remarks] == keys, given
-        with_runs = replace(found, runs=runs([[0.1, 0.2]], facade=facade))
+        result = replace(checked(), facade=facade)
+        assert [each.key for each in result.remarks] == keys, given
+        with_runs = replace(result, runs=runs([[0.1, 0.2]], facade=facade))
         more = ["uplift"]
         more += ["rigid_runs"] * facade.free + ["in_line"] * bool(facade.ties)
         assert [each.key for each in with_runs.remarks] == [*keys, *more], given

@@ -227,8 +227,8 @@ def test_states_and_equations_are_those_of_the_runs() -> None:
 
 def test_columns_of_damage_states_name_the_unit_and_have_words_on_the_left() -> None:
     for unit, median in (("g", "median [g]"), ("m/s", "median [m/s]"), ("", "median")):
-        found = [(column.heading, column.left) for column in _columns(unit)]
-        assert found == [
+        result = [(column.heading, column.left) for column in _columns(unit)]
+        assert result == [
             *(("damage state", True), (median, True), ("beta", True)),
             *(("misfit", False), ("gain", False), ("stages", True)),
         ]

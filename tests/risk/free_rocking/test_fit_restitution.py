@@ -305,8 +305,8 @@ def test_impacts_until_a_twentieth_are_those_counted_one_by_one() -> None:
                 if max(peaks) > min(block.positive.alpha, block.negative.alpha):
                     continue
                 release = Release(peaks_rad=peaks, sides=sides)
-                found = impacts_until(release, block, Nonlinear(), ratios)
-                assert found == counted(block, part * alpha, side, ratios), (ratios, side, part)
+                result = impacts_until(release, block, Nonlinear(), ratios)
+                assert result == counted(block, part * alpha, side, ratios), (ratios, side, part)
     release = Release(peaks_rad=exact())
     for never in ((1.0, 1.0), (1.2, 0.9), (0.5, 2.0), (1.0 - 1e-9, 1.0 - 1e-9)):
         assert impacts_until(release, BLOCK, Nonlinear(), never) is None, never
@@ -347,10 +347,10 @@ def test_measuring_errors_are_those_of_differences_of_the_ratio() -> None:
     fit = fit_restitution(Release(peaks_rad=peaks[::2], sides=1, sigma_rad=sigma), BLOCK)
     first = fit.impacts[0]
     ratio = [speed(BLOCK, 1, peaks[2] + d) / speed(BLOCK, 1, peaks[0]) for d in (0.0, 1e-6, -1e-6)]
-    other = [speed(BLOCK, 1, peaks[2]) / speed(BLOCK, 1, peaks[0] + d) for d in (1e-6, -1e-6)]
+    counterpart = [speed(BLOCK, 1, peaks[2]) / speed(BLOCK, 1, peaks[0] + d) for d in (1e-6, -1e-6)]
     by_peaks = (
         (math.sqrt(ratio[1]) - math.sqrt(ratio[2])) / 2e-6,
-        (math.sqrt(other[0]) - math.sqrt(other[1])) / 2e-6,
+        (math.sqrt(counterpart[0]) - math.sqrt(counterpart[1])) / 2e-6,
     )
     assert first.restitution == pytest.approx(math.sqrt(ratio[0]), rel=1e-9)
     assert first.measuring_error == pytest.approx(sigma * math.hypot(*by_peaks), rel=1e-5)
@@ -380,8 +380,8 @@ def test_a_trend_is_the_slope_of_the_restitution_against_the_amplitude() -> None
 def test_steps_that_a_trend_and_a_measuring_error_need() -> None:
     for count, trend in ((3, False), (4, True), (5, True)):
         assert (fit_restitution(exact(count=count), BLOCK).trend is not None) == trend
-        both = decay(UNLIKE, 0.5 * UNLIKE.positive.alpha, np.resize([0.87, 0.93], count))
-        assert (fit_restitution(both, UNLIKE).trend is not None) == (count > 4)
+        joint = decay(UNLIKE, 0.5 * UNLIKE.positive.alpha, np.resize([0.87, 0.93], count))
+        assert (fit_restitution(joint, UNLIKE).trend is not None) == (count > 4)
     # Peaks that are all alike have no amplitude to change with.
     level = fit_restitution(np.full(8, 0.05), BLOCK)
     assert level.restitution == pytest.approx((1.0, 1.0), abs=1e-12)
@@ -426,9 +426,9 @@ def test_half_periods_are_remarked_on_beyond_a_twentieth() -> None:
         assert fit.half_periods == pytest.approx(share, rel=1e-9)
         assert any("Measured half periods are" in each for each in fit.warnings) == remarked
         assert "half periods" in fit.summary(more=True)
-    both = [Release(peaks_rad=peaks), Release(peaks_rad=peaks, times_s=5.0 + 1.02 * times)]
-    assert fit_restitution(both, BLOCK).half_periods == pytest.approx(1.02, rel=1e-9)
-    assert fit_restitution(both[:1], BLOCK).half_periods is None
+    joint = [Release(peaks_rad=peaks), Release(peaks_rad=peaks, times_s=5.0 + 1.02 * times)]
+    assert fit_restitution(joint, BLOCK).half_periods == pytest.approx(1.02, rel=1e-9)
+    assert fit_restitution(joint[:1], BLOCK).half_periods is None
 
 
 def test_peaks_that_grow_are_named_up_to_three() -> None:
@@ -479,9 +479,9 @@ def test_a_fit_in_words_and_in_keys() -> None:
     unlike = fit_restitution(sides, UNLIKE)
     assert "restitution 0.87 and 0.93, from 12 impacts of 1 release" in unlike.summary(more=True)
     assert unlike.to_dict()["restitution"] == pytest.approx([0.87, 0.93])
-    one = fit_restitution(sides, UNLIKE, each_side=False)
-    assert one.factor is not None
-    assert one.factor[0] == one.factor[1]
+    single = fit_restitution(sides, UNLIKE, each_side=False)
+    assert single.factor is not None
+    assert single.factor[0] == single.factor[1]
 
 
 def test_peaks_that_a_fit_computes() -> None:

@@ -182,19 +182,19 @@ def test_groups_without_measuring_errors_have_their_own_means_and_a_common_scatt
     made = independent(count, -0.06, 0.05, seed=4)
     kind = np.arange(count) % kinds
     design = (kind[:, np.newaxis] == np.arange(kinds)).astype(np.float64)
-    found = estimate(replace(made, design=design), error=1.0)
+    result = estimate(replace(made, design=design), error=1.0)
     means = np.array([made.change[kind == each].mean() for each in range(kinds)])
-    assert found.factor == pytest.approx(means, rel=1e-9)
+    assert result.factor == pytest.approx(means, rel=1e-9)
     squares = float(((made.change - means[kind]) ** 2).sum())
-    assert found.scatter == pytest.approx(math.sqrt(squares / (count - kinds)), rel=1e-3)
+    assert result.scatter == pytest.approx(math.sqrt(squares / (count - kinds)), rel=1e-3)
     free = count - kinds - 1
     deviation = math.sqrt(squares / (free - 2) / (count // kinds))
-    assert found.deviation == pytest.approx(np.full(kinds, deviation), rel=0.01)
+    assert result.deviation == pytest.approx(np.full(kinds, deviation), rel=0.01)
     width = math.sqrt(squares / free / (count // kinds))
     ends = means[:, np.newaxis] + width * stats.t.ppf([0.05, 0.95], free)
-    assert found.interval == pytest.approx(ends, abs=0.02 * width)
-    residuals = (made.change - means[kind]) / found.scatter
-    assert found.residuals == pytest.approx(residuals, rel=1e-6)
+    assert result.interval == pytest.approx(ends, abs=0.02 * width)
+    residuals = (made.change - means[kind]) / result.scatter
+    assert result.residuals == pytest.approx(residuals, rel=1e-6)
 
 
 def test_steps_of_two_impacts_have_twice_the_scatter_squared() -> None:
@@ -211,23 +211,23 @@ def test_steps_of_two_impacts_have_twice_the_scatter_squared() -> None:
         after=zero,
         follows=np.zeros(30, dtype=bool),
     )
-    found = estimate(made, error=1.0)
+    result = estimate(made, error=1.0)
     factor = change.sum() / impacts.sum()
     squares = float(((change - factor * impacts) ** 2 / impacts).sum())
-    assert found.factor[0] == pytest.approx(factor, rel=1e-9)
-    assert found.scatter == pytest.approx(math.sqrt(squares / 29.0), rel=1e-3)
-    _, covariance = solved(made, found.scatter, 1.0)
-    assert covariance[0, 0] == pytest.approx(found.scatter**2 / impacts.sum(), rel=1e-9)
+    assert result.factor[0] == pytest.approx(factor, rel=1e-9)
+    assert result.scatter == pytest.approx(math.sqrt(squares / 29.0), rel=1e-3)
+    _, covariance = solved(made, result.scatter, 1.0)
+    assert covariance[0, 0] == pytest.approx(result.scatter**2 / impacts.sum(), rel=1e-9)
 
 
 def test_few_steps_leave_the_scatter_without_an_upper_end() -> None:
     """Of two steps and one mean one degree of freedom is left, of which Student's is known."""
     made = independent(2, -0.06, 0.05)
-    found = estimate(made, error=1.0)
+    result = estimate(made, error=1.0)
     spread = float(made.change.std(ddof=1))
-    assert found.scatter == pytest.approx(spread, rel=1e-3)
+    assert result.scatter == pytest.approx(spread, rel=1e-3)
     reach = float(stats.t.ppf(0.95, 1)) * spread / math.sqrt(2.0)
-    assert found.interval[0] == pytest.approx(
+    assert result.interval[0] == pytest.approx(
         made.change.mean() + np.array([-reach, reach]), rel=1e-3
     )
     alone = estimate(independent(1, -0.06, 0.05), error=1.0)
@@ -241,11 +241,11 @@ def test_errors_of_peaks_alone_have_no_scatter_and_their_own_size() -> None:
     change = rng.normal(-0.05, 0.01, 12)
     wide = np.full(12, 0.05)
     made = replace(independent(12, 0.0, 1.0), change=change, before=wide, after=wide)
-    found = estimate(made, error=1.0)
-    assert found.scatter == 0.0
-    assert found.scatter_interval[0] == 0.0
+    result = estimate(made, error=1.0)
+    assert result.scatter == 0.0
+    assert result.scatter_interval[0] == 0.0
     least = _deviance(made, 0.0, 1.0)
-    end = found.scatter_interval[1]
+    end = result.scatter_interval[1]
     assert 0.5 * (_deviance(made, end, 1.0) - least) == pytest.approx(1.3528, abs=2e-3)
-    assert found.factor[0] == pytest.approx(change.mean())
-    assert found.residuals == pytest.approx((change - change.mean()) / (0.05 * math.sqrt(2.0)))
+    assert result.factor[0] == pytest.approx(change.mean())
+    assert result.residuals == pytest.approx((change - change.mean()) / (0.05 * math.sqrt(2.0)))

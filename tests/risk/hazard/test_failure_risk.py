@@ -419,11 +419,11 @@ def test_notes_say_what_is_to_be_known_of_the_figures() -> None:
     assert (gate in over_pga, "tails" in over_pga) == (False, False)
     tailed = " ".join(compute_risk((0.4, 0.4), ground.extended()).describe().notes)
     assert "The hazard curve has power-law tails: " in tailed
-    for unsampled, told in ((None, False), (0.0, False), (0.5, True)):
+    for unsampled, said in ((None, False), (0.0, False), (0.5, True)):
         some = " ".join(dataclasses.replace(banded, unsampled=unsampled).describe().notes)
         assert (
             "% of the risk are from intensities that no run of the fragility has" in some
-        ) == told
+        ) == said
     values = banded.to_dict()
     assert values["years"] == 50.0
     assert values["return_period_years"] == pytest.approx(1.0 / banded.annual_rate)

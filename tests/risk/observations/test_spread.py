@@ -140,12 +140,12 @@ def test_texts_of_spreads_and_what_they_say() -> None:
         ("1e50", PriorRange.exactly(1e50), 1e50, True),
         ("1" + "0" * 50 + " " * 149, PriorRange.exactly(1e50), 1e50, True),
     ):
-        found = PriorRange.parse(text)
-        assert found == spread, text
-        assert found.middle == pytest.approx(middle)
-        assert found.fixed == fixed
-        assert PriorRange.parse(str(found)) == found
-        assert repr(found) == f"<Spread {found}>"
+        result = PriorRange.parse(text)
+        assert result == spread, text
+        assert result.middle == pytest.approx(middle)
+        assert result.fixed == fixed
+        assert PriorRange.parse(str(result)) == result
+        assert repr(result) == f"<Spread {result}>"
     for text, words in (
         ("0,3", "write a point for a decimal comma"),
         ("0.3 m", "leave units out"),

@@ -74,10 +74,10 @@ def test_asce_7_22_is_that_of_the_floor_for_all_components(
 
 def test_floors_in_proportion_to_the_ground_and_of_any_periods() -> None:
     periods = np.array([[0.0, 0.2], [0.5, math.nextafter(0.5, 1.0)]])
-    found = floor_accelerations(periods, pga_g=0.4, building_period_s=0.5, height_ratio=0.5)
+    result = floor_accelerations(periods, pga_g=0.4, building_period_s=0.5, height_ratio=0.5)
     half = floor_accelerations(periods, pga_g=0.2, building_period_s=0.5, height_ratio=0.5)
-    assert list(found) == ["ASCE 7-22", "EN 1998-1", "NTC 2018"]
-    for code, values in found.items():
+    assert list(result) == ["ASCE 7-22", "EN 1998-1", "NTC 2018"]
+    for code, values in result.items():
         assert values.shape == (2, 2)
         np.testing.assert_allclose(values, 2.0 * half[code], rtol=1e-14)
     empty = floor_accelerations([], pga_g=0.4, building_period_s=0.5, height_ratio=0.5)

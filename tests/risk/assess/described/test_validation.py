@@ -49,10 +49,10 @@ def test_numbers_reach_the_ends_of_their_ranges_and_no_further() -> None:
         ):
             try:
                 validated(made(table, key, value), "object")
-                found = True
+                result = True
             except InputError:
-                found = False
-            if found != taken:
+                result = False
+            if result != taken:
                 wrong.append((table, key, value))
     assert wrong == []
 
@@ -69,10 +69,10 @@ def test_whole_numbers_reach_the_ends_of_their_ranges_and_no_further() -> None:
         for value, taken in ((low - 1, False), (low, True), (high, True), (high + 1, False)):
             try:
                 validated(made(table, key, value), "object")
-                found = True
+                result = True
             except InputError:
-                found = False
-            if found != taken:
+                result = False
+            if result != taken:
                 wrong.append((key, value))
     assert wrong == []
     for suites, taken in ((1, False), (99, False), (100, True), (0, True)):

@@ -71,8 +71,8 @@ def test_the_calibration_error_is_that_of_tenths() -> None:
         ([0.9, 1.0], [1, 0], abs(0.9 - 1.0 + 1.0) / 2.0),
         ([0.899, 0.9], [1, 0], (0.101 + 0.9) / 2.0),
     ):
-        found = compute_scores(p, fell, replicates=0)
-        assert found.ece[0] == pytest.approx(error), p
+        result = compute_scores(p, fell, replicates=0)
+        assert result.ece[0] == pytest.approx(error), p
     assert compute_scores([0.5], [1], replicates=0).accuracy[0] == 1.0
     assert compute_scores([0.4999], [1], replicates=0).accuracy[0] == 0.0
     sure = compute_scores([0.0, 1.0], [1, 1], replicates=0)
@@ -92,12 +92,12 @@ def test_the_calibration_error_is_that_of_tenths() -> None:
 
 
 def test_scores_in_words_and_in_columns() -> None:
-    found = compute_scores([0.9, 0.2, 0.6], [1, 0, 0], replicates=0)
-    (table,) = found.describe().tables
+    result = compute_scores([0.9, 0.2, 0.6], [1, 0, 0], replicates=0)
+    (table,) = result.describe().tables
     assert [(column.heading, column.left) for column in table.columns] == [
         *(("score", True), ("value", False), ("5 %", False), ("95 %", False)),
     ]
-    values = found.values()
+    values = result.values()
     assert list(values) == ["accuracy", "f1", "brier", "log_score", "ece"]
     assert values["brier"]["value"] == pytest.approx((0.01 + 0.04 + 0.36) / 3.0)
-    assert "Brier score 0.137 of 3 tests" in repr(found)
+    assert "Brier score 0.137 of 3 tests" in repr(result)
