@@ -90,3 +90,61 @@ def test_methods_and_ratios_that_are_not_known() -> None:
         resample(recording(samples(100)), 0.02, method="cubic")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="whole numbers"):
         resample(recording(samples(100)), 0.01 * np.pi, method="filtered")
+
+
+def test_what_is_taken_off_in_words() -> None:
+    values = np.array([1.0, 2.0, 4.0, 1.0])
+    for baseline, what, largest in (
+        ("mean", "the mean", 2.0),
+        ("linear", "a straight line", 2.3),
+        ("polynomial:0", "the mean", 2.0),
+        ("polynomial:1", "a straight line", 2.3),
+        ("polynomial:2", "a polynomial of order 2", 3.1),
+        ("polynomial:10", "a polynomial of order 10", 4.0),
+    ):
+        (note,) = correct_baseline(recording(values, processing=()), baseline).processing
+        words = f"baseline: {what}, fitted by least squares, taken off"
+        assert note == f"{words} ({largest:.3g} m/s^2 at most)", baseline
+    for none in ("none", "mean", "linear"):
+        with pytest.raises(InputError, match="polynomial:N with N up to 10"):
+            correct_baseline(recording(values), f"{none}:1")
+    for wrong in ("polynomial:", "polynomial:1.5", "polynomial:0000000010", "polynom:1"):
+        with pytest.raises(InputError, match="a way of taking off a baseline"):
+            correct_baseline(recording(values), wrong)
+
+
+def test_a_resampled_record_ends_with_its_last_whole_interval() -> None:
+    """0.99 s in all: as many samples as begin in it, whatever rounding makes of the quotient."""
+    single = recording(samples(100))
+    for dt, count in (
+        *((0.99, 2), (0.495, 3), (0.33, 4), (0.5, 2), (0.03, 34), (0.02, 50), (0.98, 2)),
+        *((0.0099, 101), (0.0011, 901), (0.011, 91), (0.99 / 7, 8), (0.99 / 49, 50)),
+    ):
+        result = resample(single, dt)
+        assert len(result.record.acceleration_m_s2) == count, dt
+        np.testing.assert_allclose(
+            result.record.acceleration_m_s2,
+            np.interp(dt * np.arange(count), 0.01 * np.arange(100), samples(100)),
+            atol=1e-12,
+        )
+        assert result.processing == (f"resampled from 0.01 s to {dt:g} s (linear)",)
+    for same, kept in ((0.01 * (1.0 + 1e-10), True), (0.01 * (1.0 + 1e-8), False)):
+        assert (resample(single, same) is single) == kept
+    for wrong, words in (
+        (0.991, "0.99 s would have 1 samples; give an interval near the record's, 0.01 s"),
+        (5.0, "0.99 s would have 1 samples"),
+        (1e-9, "0.99 s would have 990000000 samples"),
+        (0.99 / 20_000_000, "0.99 s would have 20000000"),
+    ):
+        with pytest.raises(InputError, match=words):
+            resample(single, wrong)
+
+
+def test_ratios_of_whole_numbers_up_to_a_thousand_can_be_filtered() -> None:
+    single = recording(samples(3000))
+    for finer, coarser in ((1, 2), (2, 1), (3, 7), (1, 999), (1, 1000)):
+        result = resample(single, 0.01 * coarser / finer, method="filtered").record
+        assert len(result.acceleration_m_s2) == 2999 * finer // coarser + 1
+    for ratio in (1001.0, 1.0 / 1001.0, 2.0**0.5, 1.0 + 1e-6):
+        with pytest.raises(InputError, match="one of whole numbers up to 1000; give such an inter"):
+            resample(single, 0.01 * ratio, method="filtered")

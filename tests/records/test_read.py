@@ -9,7 +9,7 @@ import pytest
 from rocksteady import read_record, read_records
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.records import read_recordings
-from rocksteady.records.read import FORMATS
+from rocksteady.records.read import FORMATS, chosen
 from tests.every import every
 from tests.records.writers import at2, cosmos_channel, csv, esm, knet, samples, smc
 
@@ -118,3 +118,39 @@ def test_a_folder_is_read_without_vertical_channels_and_hidden_files(tmp_path: P
     for nothing in ("", ".", "./"):
         with pytest.raises(InputError, match=r"^pattern = "):
             read_records(tmp_path, pattern=nothing)
+
+
+def test_channels_by_number_and_by_name(tmp_path: Path) -> None:
+    path = tmp_path / "hut.csv"
+    path.write_text("t,2 (g),NS (g),ns (g)\n0,1,2,3\n.01,-1,-2,-3\n.02,1,2,3\n")
+    result = read_recordings(path)
+    assert [each.record.name for each in result] == ["hut 2", "hut NS", "hut ns"]
+    for channel, peak in ((1, 1.0), (2, 2.0), (3, 3.0), ("3", 3.0), ("2", 1.0), (" 1 ", 1.0)):
+        assert chosen(result, channel).record.peak_acceleration_m_s2 == pytest.approx(
+            9.80665 * peak
+        )
+    words = r"holds 3 channels; choose one: 1 \(2\), 2 \(NS\), 3 \(ns\)"
+    with pytest.raises(InputError, match=words):
+        chosen(result, None)
+    for wrong in (0, 4, -1, "NS", "x", "", "1.0", "0000000001", "²"):
+        with pytest.raises(InputError, match=r"has no such channel; choose one: 1 \(2\), 2 \(NS\)"):
+            chosen(result, wrong)
+    assert chosen(result[:1], None) is result[0]
+    bare = tmp_path / "bare.csv"
+    bare.write_text("0,1,2\n.01,-1,-2\n.02,1,2\n.03,2,1\n")
+    names = [each.record.name for each in read_recordings(bare, units="g")]
+    assert names == ["bare column 2", "bare column 3"]
+
+
+def test_what_is_in_no_format(tmp_path: Path) -> None:
+    path = tmp_path / "hut"
+    path.write_text("only words\nof a letter\n")
+    words = (
+        f"it is in no format that can be read; give a file of one of these: {', '.join(FORMATS)}"
+    )
+    with pytest.raises(RecordFileError, match=words):
+        read_recordings(path)
+    with pytest.raises(RecordFileError, match="it holds no rows of numbers; give a record as text"):
+        read_recordings(path, format="columns")
+    assert FORMATS[:2] == ("knet", "kiknet")
+    assert FORMATS[-2:] == ("mseed", "sac")

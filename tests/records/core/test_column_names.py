@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from rocksteady.errors import RecordFileError
+from rocksteady.records.core.column_names import column_name
+from rocksteady.records.core.units import in_m_s2
 from tests.every import every
 from tests.records.tables import THREE, G, read
 
@@ -118,3 +120,89 @@ def test_names_of_known_words(tmp_path: Path, name: str) -> None:
 def test_times_in_no_unit_of_time_are_refused(tmp_path: Path, name: str) -> None:
     with pytest.raises(RecordFileError, match="line 1, "):
         read(tmp_path, f"{name},acc (g)\n0,1.0\n0.01,-2.5\n0.02,0.5\n")
+
+
+def test_what_a_name_states() -> None:
+    for name, kind, label, unit, seconds in (
+        ("acc (g)", "acceleration", "acc", "g", None),
+        ("acc_cm/s2", "acceleration", "acc", "cm/s^2", None),
+        ("acc in m/s2", "acceleration", "acc", "m/s^2", None),
+        ("acc 0.3 g", "acceleration", "acc 0.3 g", None, None),
+        ("acc 5 mg", "acceleration", "acc 5 mg", None, None),
+        ("acc 0.01 g", "acceleration", "acc", "0.01 g", None),
+        ("acc 1e-2 g", "acceleration", "acc", "1e-2 g", None),
+        ("acc 10^-3 g", "acceleration", "acc", "mg", None),
+        ("N-S (g)", "acceleration", "N-S", "g", None),
+        ("acc (N) (g)", "acceleration", "acc (N)", "g", None),
+        ("(g)", "acceleration", "", "g", None),
+        ("ug", "unknown", "ug", None, None),
+        ("foo", "unknown", "foo", None, None),
+        ("foo (g)", "acceleration", "foo", "g", None),
+        ("foo (N)", "acceleration", "foo (N)", None, None),
+        ("foo (-)", "unknown", "foo", None, None),
+        ("UP", "acceleration", "UP", None, None),
+        ("vel (cm/s)", "other", "vel", None, None),
+        ("SA (g)", "other", "SA", "g", None),
+        ("SA (g) (gal)", "other", "SA", None, None),
+        ("SA (0.2 s) (g)", "other", "SA", "g", None),
+        ("time (ms)", "time", "time", None, 1e-3),
+        ("time", "time", "time", None, None),
+        ("t in ms", "time", "t in ms", None, 1e-3),
+        ("time of day", "time", "time of day", None, None),
+        ("time (s) (ms)", "time", "time", None, None),
+        ("time_ms (ms)", "time", "time_ms", None, 1e-3),
+        ("s", "time", "s", None, 1.0),
+        ("ms", "time", "ms", None, 1e-3),
+        ("min", "other", "min", None, None),
+        ("acc (g) - Plot 1", "acceleration", "acc", "g", None),
+    ):
+        result = column_name(name)
+        assert (result.kind, result.label) == (kind, label), (name, result)
+        assert (result.unit is None) == (unit is None), (name, result)
+        assert result.unit is None or in_m_s2(result.unit) == in_m_s2(unit or ""), (name, result)
+        assert result.seconds == seconds, (name, result)
+    for name, uncertain in (
+        *(("1000*acc (g)", "1000*acc"), ("acc (g)", ""), ("time of day", "day")),
+        *(
+            ("time (s) (ms)", "s, ms"),
+            ("time (UTC)", "UTC"),
+            ("time (Hz)", "Hz"),
+            ("t (0 s)", "0 s"),
+        ),
+        *(("acc (g) (gal)", "g, gal"), ("acc (x10) (g)", "x10"), ("acc (raw) (g)", "")),
+        *(
+            ("acc (raw)", "raw"),
+            ("acc (cm/s2) (gal)", ""),
+            ("acc x 10", "acc x 10"),
+            ("foo x 10", ""),
+        ),
+        *(
+            ("time since start", ""),
+            ("time (s)", ""),
+            ("time lag", "lag"),
+            ("acc_gal (g)", "g, gal"),
+        ),
+    ):
+        assert column_name(name).uncertain == uncertain, (name, column_name(name))
+
+
+def test_the_first_word_of_a_name_that_is_not_known() -> None:
+    for name, leftover in (
+        *(("acc (g)", ""), ("acc wobbled more (g)", "wobbled"), ("acc (wobbled) (g)", "wobbled")),
+        *(
+            ("acc 10 (g)", "10"),
+            ("acc 100 (g)", "100"),
+            ("acc 360 (g)", ""),
+            ("acc 361 (g)", "361"),
+        ),
+        *(("acc 45 (g)", ""), ("acc 5 (g)", ""), ("ch12 (g)", ""), ("ch123 (g)", "ch123")),
+        *(("TCU054 (g)", ""), ("TCUABC054 (g)", "TCUABC054"), ("BY10 (g)", "BY10"), ("A1 (g)", "")),
+        *(
+            ("acc -x (g)", "acc -x"),
+            ("accx", ""),
+            ("acc 1:10 (g)", "acc 1:10"),
+            ("acc e5 (g)", "acc e5"),
+        ),
+        *(("foo1 (g)", "foo1"), ("100 (g)", "100"), ("090 (g)", ""), ("10 deg (g)", "10")),
+    ):
+        assert column_name(name).leftover == leftover, (name, column_name(name))

@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from rocksteady.errors import RecordFileError
 from rocksteady.records import Recording, read_recordings
 from rocksteady.records.core import consistency
+from rocksteady.records.core.text import RecordText
 from tests.every import every
 from tests.records import FOLDER
 from tests.records.writers import (
@@ -206,3 +208,135 @@ def test_lines_that_are_laid_out_alike_need_no_search_and_lose_no_doubt(
     differing = [(a, b) for a, b in zip(short, map(said, texts), strict=True) if a != b]
     assert differing == []
     assert len(set(short)) > 20
+
+
+def lines_of(lines: list[str], *, ended: bool = True) -> RecordText:
+    return RecordText(path=Path("hut.txt"), lines=tuple(lines), ended=ended)
+
+
+def test_as_many_samples_as_stated() -> None:
+    text = lines_of(["2", "1.5", "2.5", "3.5", "4.5 x"])
+    values = np.array([1.5, 2.5, 3.5])
+    here: dict[str, Any] = {"stated": 0, "start": 1}
+    for count, words in (
+        (1, "line 1, .*: 1 samples are no record; see whether the file is whole"),
+        (0, "line 1, .*: 0 samples are no record"),
+        (4, "line 5, .*: 'x' is no number; 3 samples are read so far, and line 1 states 4; fetch"),
+    ):
+        with pytest.raises(RecordFileError, match=words):
+            consistency.agreed(text, values, count, consistency.Lines(end=4, **here))
+    for count, rest in ((3, ""), (2, "one is"), (1 + 1, "one is")):
+        kept, doubts = consistency.agreed(
+            lines_of(["2", "1.5", "2.5", "3.5"]), values, count, consistency.Lines(end=4, **here)
+        )
+        surplus = f"the file holds 3 samples, more than the {count} that its header states: "
+        assert doubts == ((f"{surplus}the last {rest} left out",) if rest else ())
+        np.testing.assert_array_equal(kept, values[:count])
+    # Numbers below those that have been read count as well.
+    more = lines_of(["2", "1.5", "2.5", "3.5", "4.5"])
+    for end, held in ((3, 2), (4, 3)):
+        where = consistency.Lines(end=end, **here)
+        assert consistency.agreed(more, values[:held], 2, where)[1] == (
+            (
+                "the file holds 4 samples, more than the 2 that its header states: "
+                "the last 2 are left out"
+            ),
+        )
+    for alone, doubts in (
+        (True, ("what stands after the last sample, from line 5, is left out",)),
+        (False, ()),
+    ):
+        where = consistency.Lines(end=4, alone=alone, **here)
+        assert consistency.agreed(text, values, 3, where)[1] == doubts
+    blank = lines_of(["2", "1.5", "2.5", "3.5", " "])
+    assert consistency.agreed(blank, values, 3, consistency.Lines(end=4, **here))[1] == ()
+
+
+def test_durations_that_fit_the_interval() -> None:
+    """From the first sample to the last, or an interval more, and half a digit on either side."""
+    values = np.ones(101)
+    for dt_s, place in ((0.01, 0.0), (0.01, 0.05), (0.02, 0.005)):
+        lasts = 100 * dt_s
+        for stated, fits in (
+            *((lasts, True), (lasts + dt_s, True)),
+            *((lasts - place, True), (lasts + dt_s + place, True)),
+            *((lasts + 1.02 * (dt_s + place), False), (lasts - 1.02 * place - 0.02 * dt_s, False)),
+        ):
+            result = consistency.timing(values, dt_s, duration=(stated, place))
+            words = f"its 101 samples {dt_s:g} s apart last {lasts:.6g} s, and the header states "
+            words += f"{stated:g} s: see whether the interval is right"
+            assert result == (() if fits else (words,)), (dt_s, place, stated)
+    for none in (None, 0.0, -0.01):
+        assert consistency.timing(values, none, duration=(99.0, 0.0), peak_at=50.0) == ()
+
+
+def test_the_time_of_a_peak_in_words() -> None:
+    values = np.full(1000, 0.1)
+    values[0] = -1.0
+    assert consistency.timing(values, 0.01, peak_at=0.0) == ()
+    assert consistency.timing(values, 0.01, peak_at=-1.0) == ()
+    for late in (5.0, 1e30):
+        assert consistency.timing(values, 0.01, peak_at=late) == (
+            (
+                f"its peak comes after 0 s, and the header states {late:g} s: "
+                "see whether the interval is right"
+            ),
+        )
+    for counterpart, doubted in ((0.991, False), (0.989, True)):
+        values[500] = counterpart
+        assert bool(consistency.timing(values, 0.01, peak_at=5.0)) == doubted
+
+
+def test_lines_that_are_laid_out_otherwise_are_counted() -> None:
+    """Nine lines make a layout, and eight do not; the first odd one is named, others counted."""
+    tail = "not laid out as the others: a character may be lost"
+    for count, most in ((8, 0), (9, 1), (40, 3)):
+        rows = [f"{k % 7}.{k:03d}4 -{k % 5}.{k:03d}7" for k in range(count)]
+        assert consistency.layout(lines_of(rows), range(count)) == ()
+        for odd, words in (
+            ([2], f"line 3 is {tail}"),
+            ([2, 5], f"line 3 and 1 more lines are {tail}"),
+            ([2, 5, 6], f"line 3 and 2 more lines are {tail}"),
+        ):
+            changed = [row[:-1] if at in odd else row for at, row in enumerate(rows)]
+            result = consistency.layout(lines_of(changed), range(count))
+            assert result == ((words,) if len(odd) <= most else ()), (count, odd)
+
+
+def test_ends_inside_the_last_number() -> None:
+    """Of an odd form alone the end of the line decides, and whether the format is strict."""
+    aligned = [f"{k:4d}.{k % 1000:03d}" if k % 3 else f"{-k:4d}.{k:03d}" for k in range(1, 40)]
+    loose = [f"{(-1) ** k * 7 ** (k % 5)}.{k:03d}" for k in range(1, 40)]
+    for rows, ended, strict, refused in (
+        *((aligned, ended, strict, True) for ended in (False, True) for strict in (False, True)),
+        *((loose, False, True, True), (loose, True, True, False)),
+        *((loose, False, False, False), (loose, True, False, False)),
+    ):
+        text = lines_of([*rows[:-1], rows[-1][:-1], ""], ended=ended)
+        last = rows[-1][:-1].strip()
+        if refused:
+            match = f"line 39, .*: the file ends inside its last number, '{last}'; fetch"
+            with pytest.raises(RecordFileError, match=match):
+                consistency.layout(text, range(40), strict=strict)
+        else:
+            (doubt,) = consistency.layout(text, range(40), strict=strict)
+            assert doubt.startswith("line 39 is not laid out"), (ended, strict)
+        # What stands below makes it the last number no more.
+        below = lines_of([*text.lines, "end"], ended=ended)
+        assert "line 39 is not" in consistency.layout(below, range(40), strict=strict)[0]
+
+
+def test_few_digits_in_the_last_of_uneven_numbers() -> None:
+    rng = np.random.default_rng(5)
+    for count, ended, few in ((12, False, True), (12, True, True), (12, False, False)):
+        rows = [f"{value:.{3 + k % 3}f}" for k, value in enumerate(rng.normal(size=count))]
+        rows[-1] = "0.12" if few else "0.12345"
+        result = consistency.layout(lines_of(rows, ended=ended), range(count))
+        words = "the file may end inside its last number, '0.12': its last line has no end"
+        assert result == ((words,) if few and not ended else ())
+    whole = ["1234", "-56789", "987654", "12", "34567", "777", "4321", "99", "10", "1"]
+    words = "the file may end inside its last number, '1', which has few digits"
+    assert consistency.layout(lines_of(whole, ended=False), range(10)) == (words,)
+    assert consistency.layout(lines_of([*whole[:-1], "10"], ended=False), range(10)) == ()
+    assert consistency.layout(lines_of(whole[2:], ended=False), range(8)) == ()
+    assert consistency.layout(lines_of([]), range(3)) == ()

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rocksteady.records import RecordSet, pair_records, read_recordings
-from rocksteady.records.core.directions import pointing, pointing_of_name
+from rocksteady.records.core.directions import pointing, pointing_of_name, tells_nothing
 from rocksteady.records.pairing import pair_doubts
 from tests.every import every
 from tests.records import FOLDER
@@ -257,3 +257,69 @@ def test_real_files_of_pacoima_dam() -> None:
 def test_an_azimuth_has_360_degrees_at_most() -> None:
     degrees = {"0": 0.0, "359": 359.0, "360": 0.0, "360.5": None, "361": None}
     assert {text: pointing(text).azimuth_deg for text in degrees} == degrees
+
+
+def test_a_sense_is_turned_by_a_negative_word_once() -> None:
+    unclear = ("vertical", None, True)
+    for name, expected in (
+        *(("negative down", ("vertical", False, False)), ("minus up", ("vertical", True, False))),
+        *(("neg vertical", unclear), ("negative up down", unclear), ("up down", unclear)),
+        *(("vertical (-z)", unclear), ("z- vertical", unclear), ("positive up", ("v", False, 0))),
+        *(("hnz up", ("vertical", False, False)), ("hlz", ("vertical", None, False))),
+        ("vertical up positive", ("vertical", False, False)),
+        *(("up wobbled", ("", None, True)), ("up 090", ("", None, False))),
+        *(("wobbled", ("", None, False)), ("negative", ("", None, False)), ("", ("", None, False))),
+        *(("dwn vertical", ("vertical", True, False)), ("u-d (u-d)", ("vertical", None, False))),
+    ):
+        result = pointing(name)
+        orientation = "vertical" if expected[0] else None
+        assert (result.orientation, result.down, result.unclear) == (
+            *(orientation, expected[1], bool(expected[2])),
+        ), name
+
+
+def test_directions_by_compass_quadrant_and_degrees() -> None:
+    azimuth: float | None
+    for name, azimuth in (
+        *(("n", 0.0), ("s", 180.0), ("e", 90.0), ("w", 270.0), ("west", 270.0), ("south", 180.0)),
+        *(("N30E", 30.0), ("n 30.5 deg e", 30.5), ("S30E", 150.0), ("S30W", 210.0), ("N0W", 0.0)),
+        *(("N90W", 270.0), ("s0e", 180.0), ("H045", 45.0), ("n045", 45.0), ("45 degrees", 45.0)),
+        *(("12.5", 12.5), ("10", 10.0), ("4", 4.0), ("360.0", 0.0), ("359.5", 359.5)),
+    ):
+        result = pointing(name)
+        assert (result.orientation, result.azimuth_deg) == ("horizontal", azimuth), name
+    for name, azimuth in (("HNN", 0.0), ("hne", 90.0), ("BLX", None), ("hn2", None), ("HGT", None)):
+        result = pointing(f"channel {name}")
+        assert (result.orientation, result.azimuth_deg) == ("horizontal", azimuth), name
+    for name in ("1", "2", "3", "361", "1000", "h45", "HN3", "channel", "x", "HNQ", "sensor x"):
+        result = pointing(name)
+        assert (result.orientation, result.azimuth_deg) == (None, None), name
+    # A word beside the direction that states none is left out; a letter alone stays unknown.
+    for name, azimuth in (("comp 090", 90.0), ("acc NS", 0.0), ("comp 5", None), ("acc n", None)):
+        assert pointing(name).azimuth_deg == azimuth, name
+
+
+def test_directions_of_files_that_can_mean_nothing_else() -> None:
+    for stem, orientation, down in (
+        *(("up", "vertical", False), ("UP", "vertical", False), ("v", None, None)),
+        *(("z", None, None), ("u", None, None), ("ud", "vertical", None), ("dn", "vertical", True)),
+        *(
+            ("a-h1", "horizontal", None),
+            ("a_hor2", "horizontal", None),
+            ("a-N", "horizontal", None),
+        ),
+        *(("a.z", "vertical", None), ("A_090", None, None), ("A090", None, None)),
+        *(("startup", None, None), ("STAUP", "vertical", False), ("staUP", "vertical", False)),
+        *(("a HNZ", "vertical", None), ("a-hne", "horizontal", None), ("x", None, None)),
+        *(("a-V", "vertical", None), ("slowdown", None, None), ("puldwn", "vertical", True)),
+    ):
+        result = pointing_of_name(stem)
+        assert (result.orientation, result.down) == (orientation, down), stem
+
+
+def test_names_without_a_word_of_direction() -> None:
+    for name, nothing in (
+        *((None, True), ("", True), ("acc 1", True), ("channel 12 (time)", True), ("ch-3", True)),
+        *(("hut", False), ("acc up", False), ("1a", False), ("x", False)),
+    ):
+        assert tells_nothing(name) == nothing, name

@@ -10,6 +10,9 @@ import pytest
 from rocksteady import read_record
 from rocksteady.errors import RecordFileError
 from rocksteady.records import Recording, read_recordings
+from rocksteady.records.core import header_statements as statements
+from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.units import in_m_s2
 from tests.every import every
 from tests.records.writers import at2, cosmos_channel, csmip_v2_channel, esm, knet, samples, smc
 
@@ -275,3 +278,155 @@ def test_an_interval_of_another_type(tmp_path: Path) -> None:
     path.write_text(ALONE)
     dt_s: Any = Fraction(1, 200)
     assert read_record(path, units="g", dt_s=dt_s).dt_s == 0.005
+
+
+def head(*lines: str) -> RecordText:
+    return RecordText(path=Path("hut.txt"), lines=lines)
+
+
+def test_units_of_the_last_digit() -> None:
+    for written, place in (
+        *(("1", 1.0), ("1.", 1.0), ("10", 1.0), ("1.25", 0.01), ("-0.5", 0.1), (".005", 1e-3)),
+        *(("1.5e-3", 1e-4), ("1E2", 100.0), ("1.50D+2", 1.0), ("2d-1", 0.1), ("1e-1234", 1.0)),
+        *(("1.5e+003", 100.0), ("1.5e-0003", 0.1)),
+    ):
+        assert statements.last_place(written) == pytest.approx(place, rel=1e-15), written
+
+
+def test_times_with_their_units() -> None:
+    for written, before, seconds in (
+        *((".01", None, 0.01), (".01 s", None, 0.01), ("10 ms", None, 0.01), ("2 min", None, 120)),
+        *(("10", "ms", 0.01), ("10 ms", "ms", 0.01), ("100", "Hz", 0.01), ("100 Hz", None, 0.01)),
+        *(("0.1 kHz", None, 0.01), ("50 sps", None, 0.02), ("200 samples/s", None, 0.005)),
+        *((" 5e-3 (s)", None, 0.005), (".01 SEC, 400 POINTS", None, 0.01), (".01", " ", 0.01)),
+        *((",5", None, None), ("0,5", None, 0.5), ("1,25", None, 1.25), ("-0,5", None, None)),
+        *(("0", None, None), ("-.01", None, None), ("0 Hz", None, None), ("", None, None)),
+    ):
+        if seconds is None:
+            with pytest.raises(RecordFileError, match=r"line 1, .*; give dt_s, in seconds"):
+                statements.time_value(head("dt"), 0, written, before)
+        else:
+            result = statements.time_value(head("dt"), 0, written, before)
+            assert result == pytest.approx(seconds, rel=1e-14), written
+    for written, before, words in (
+        ("x", None, "it must state a time or a rate above 0"),
+        ("0 s", None, "it must state a time or a rate above 0"),
+        ("0 Hz", None, "it must state a time or a rate above 0"),
+        (".01.2", None, "its number of seconds is not understood as a whole"),
+        (".01", "furlongs", "its unit of time is not understood as a whole"),
+        (".01 furlongs", None, "its unit of time is not understood as a whole"),
+        (".01 s resampled", None, "it states two times"),
+        (".01 s times 2", None, "its unit of time is not understood as a whole"),
+        (".01 s", "ms", "it states two units of time"),
+    ):
+        with pytest.raises(RecordFileError, match=f"line 2, .*: {words}; give dt_s, in seconds"):
+            statements.time_value(head("", "dt"), 1, written, before)
+        assert statements.interval_value(head("dt"), 0, written, before, 0.01) is None
+        with pytest.raises(RecordFileError):
+            statements.interval_value(head("dt"), 0, written, before, None)
+
+
+def test_intervals_agree_within_the_digits_that_they_are_written_with() -> None:
+    for lines, interval in (
+        *((("dt = 0.01 s", "100 Hz"), 0.01), (("100 Hz", "dt = 0.01 s"), 0.01), (("hut",), None)),
+        *((("dt: 0.0078 s", "128 Hz"), 1 / 128), (("fs: 128", "dt 0.0078125"), 0.0078125)),
+        *((("sampling rate: 200 Hz",), 0.005), (("sampling rate = 200",), 0.005)),
+        *((("fs (kHz): 0.2",), 0.005), (("time step (ms): 5",), 0.005), (("50 sps",), 0.02)),
+        *((("sampling interval: 5 ms", "rate"), 0.005), (("dt = 1 s", "1 Hz"), 1.0)),
+    ):
+        result = statements.stated_interval(head(*lines), [*range(len(lines))])
+        assert result == (None if interval is None else pytest.approx(interval, rel=1e-12)), lines
+    # The finest of them is named first, and the line of the other.
+    for lines, words in (
+        (("dt = 0.01 s", "50 Hz"), "line 1, .*states 0.02 s and 0.01 s between samples|line 2, "),
+        (("dt = 0.01000 s", "dt = 0.0102 s"), "line 2, .*states 0.01 s and 0.0102 s between"),
+        (("dt = 0.010000 s", "dt = 0.01005 s"), "line [12], .*between samples; give dt_s"),
+        (("dt = 0.0078 s", "fs: 125.00"), "line [12], .*between samples; give dt_s"),
+    ):
+        with pytest.raises(RecordFileError, match=words):
+            statements.stated_interval(head(*lines), [*range(len(lines))])
+    # Few digits leave half a hundredth at most.
+    assert statements.stated_interval(head("dt = 0.2 s", "dt = 0.2009 s"), [0, 1]) is not None
+    with pytest.raises(RecordFileError):
+        statements.stated_interval(head("dt = 0.2 s", "dt = 0.2030 s"), [0, 1])
+
+
+def test_counts_durations_and_units_of_time_of_words() -> None:
+    for lines, count in (
+        *((("npts = 403",), (403, 0)), (("", "403 points"), (403, 1)), (("hut",), None)),
+        *((("samples: 403", "n = 403"), (403, 0)), (("number of data points: 1,209",), (1209, 0))),
+        *((("npts = 7, npts = 7",), (7, 0)), (("N 12",), (12, 0)), (("12 data points",), (12, 0))),
+    ):
+        assert statements.stated_count(head(*lines), [*range(len(lines))]) == count, lines
+    two = "line 3, .*: its header states 7 and 8 samples; correct one of the lines"
+    with pytest.raises(RecordFileError, match=two):
+        statements.stated_count(head("npts = 7", "n = 7", "8 samples"), [0, 1, 2])
+    for written in ("7.5", "7 s", "7 or 8", "x"):
+        with pytest.raises(RecordFileError, match="must state a whole number, once; correct the l"):
+            statements.count_value(head("npts"), 0, written)
+    for lines, duration in (
+        (("duration = 40 s",), (40.0, 0.2)),
+        (("duration: 40.0 s",), (40.0, 0.05)),
+        (("record length (min) 2.00",), (120.0, 0.3)),
+        (("duration = 5 s",), (5.0, 0.025)),
+        (("significant duration = 5 s", "total length: 12.5"), (12.5, 0.05)),
+        (("duration = 5 furlongs", "duration: 8.00 s"), (8.0, 0.005)),
+        (("duration = 5 or 6 s",), None),
+        (("hut",), None),
+    ):
+        result = statements.stated_duration(head(*lines), [*range(len(lines))])
+        assert result == (None if duration is None else pytest.approx(duration, rel=1e-12)), lines
+    for lines, size in (
+        *((("time in ms",), 1e-3), (("t (s)",), 1.0), (("start time in ms",), None)),
+        *((("time: noon",), None), (("time in ms", "t [ms]"), 1e-3), (("time is in min",), 60.0)),
+    ):
+        assert statements.stated_time_unit(head(*lines), [*range(len(lines))]) == size, lines
+    with pytest.raises(RecordFileError, match=r"line 2, .*states another unit of time; name the c"):
+        statements.stated_time_unit(head("time in ms", "t in s"), [0, 1])
+    for wrong in ("time in furlongs", "time in Hz", "time in s or ms", "time in s x 10"):
+        with pytest.raises(RecordFileError, match="not understood as a whole; name the column"):
+            statements.stated_time_unit(head(wrong), [0])
+
+
+def test_units_that_words_state() -> None:
+    for lines, unit in (
+        *((("units: cm/s2",), "cm/s^2"), (("acceleration in g",), "g"), (("hut",), None)),
+        *((("units: g (9.81 m/s2)",), "g"), (("units: g (9.80 m/s2)",), "g")),
+        *(
+            (("acc (gal)", "units of cm/s^2"), "gal"),
+            (("units: s, g",), "g"),
+            (("(0.35 g)",), None),
+        ),
+        *(
+            (("PGA in g: 1", "acc in gal"), "gal"),
+            (("units: sec",), None),
+            (("units: time",), None),
+        ),
+        *((("acc in 0.001 g",), "0.001 g"), (("acc in 10^-3 g",), "mg")),
+    ):
+        result = statements.stated_unit(head(*lines), [*range(len(lines))])
+        assert (result is None) == (unit is None), lines
+        assert result is None or in_m_s2(result) == in_m_s2(unit or ""), lines
+    assert statements.stated_unit(head("acc in g"), [0], explicit=True) is None
+    assert statements.stated_unit(head("units: g"), [0], explicit=True) == "g"
+    joint = "line 2, .*: its header states g and gal, which are not one unit; give units: g, mg"
+    with pytest.raises(RecordFileError, match=joint):
+        statements.stated_unit(head("acc in g", "acc in gal"), [0, 1])
+    for wrong in ("units: furlongs", "units: g (9.7 m/s2)", "acc in g or gal", "was in g"):
+        with pytest.raises(RecordFileError, match="its unit is not understood as a whole; give un"):
+            statements.stated_unit(head(wrong), [0])
+
+
+def test_factors_of_words() -> None:
+    words = "line 2, .*: a factor on the samples is stated, and whether it is applied already is n"
+    for line in ("scale factor 2", "x 10", "acc x 10^3", "gain = 0.5", "values are doubled"):
+        with pytest.raises(RecordFileError, match=words):
+            statements.refuse_factors(head("hut", line), [0, 1])
+        statements.refuse_factors(head("hut", line), [0])
+    for line in ("scale factor 1", "scale factor: 1.0", "gain 1.00", "hut x"):
+        statements.refuse_factors(head("hut", line), [0, 1])
+    statements.refuse_factors(head("hut", "x1 x2"), [0, 1], names=1)
+    with pytest.raises(RecordFileError, match=words):
+        statements.refuse_factors(head("hut", "x1 x2"), [0, 1], names=0)
+    with pytest.raises(RecordFileError, match=words):
+        statements.refuse_factors(head("hut", "scale factor 2"), [0, 1], names=1)

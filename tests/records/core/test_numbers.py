@@ -1,5 +1,6 @@
 """Numbers as Fortran writes them: exact, in place, and never a guess."""
 
+import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -89,3 +90,49 @@ def test_samples_stop_at_the_line_that_is_wrong() -> None:
     lines[600] = "1.0 2.O"
     found, end = samples(lines, 0)
     assert (len(found), end) == (1200, 600)
+
+
+def test_the_longest_number_and_the_widest_column() -> None:
+    for zeros, known in ((58, True), (59, False)):
+        text = f"1.{'0' * zeros}"
+        assert number(text) == (1.0 if known else None)
+        assert numbers(f"2 {text}") == ([2.0, 1.0] if known else None)
+        assert numbers(f"2 {text}", 70) == ([2.0, 1.0] if known else None)
+    for line, width, result in (
+        *(("12345678", 8, [12345678.0]), ("123456789", 8, [12345678.0, 9.0])),
+        *(("123456789", None, [123456789.0]), ("1.3456789", 8, [1.3456789])),
+        *(("1234 5678", 4, [1234.0, 5678.0]), ("12  34", 2, [12.0, 34.0]), ("12x4", 2, None)),
+        *(("", 4, []), ("  ", 4, []), ("", None, []), ("1.5E+0031.5E+003", 8, [1500.0, 1500.0])),
+    ):
+        assert numbers(line, width) == result, (line, width)
+
+
+def test_words_behind_the_last_sample_wanted() -> None:
+    lines = ["1 2 3", "", "4 5 end", "6"]
+    for at_most, values, end in (
+        *((3, [1, 2, 3], 1), (4, [1, 2, 3, 4], 3), (5, [1, 2, 3, 4, 5], 3), (6, [1, 2, 3], 2)),
+        *((1, [1, 2, 3], 1), (None, [1, 2, 3], 2), (0, [], 0)),
+    ):
+        result, at = samples(lines, 0, at_most=at_most)
+        assert (result.tolist(), at) == (values, end), at_most
+    assert samples(lines, 3)[0].tolist() == [6.0]
+    assert samples(lines, 4)[1] == 4
+
+
+def test_samples_of_many_lines_end_where_they_should() -> None:
+    """Lines are read in blocks: the ends of blocks are no ends of samples."""
+    for count in (1, 255, 256, 257, 511, 512, 513, 700):
+        lines = [f"{at}.5 -{at}.25" for at in range(count)]
+        whole = np.array([[at + 0.5, -at - 0.25] for at in range(count)]).ravel()
+        for text in (lines, [*lines, "end"], [line.replace(" ", "") for line in lines]):
+            for at_most in (None, 2 * count, 2 * count - 1, 2 * count + 1):
+                result, end = samples(text, 0, at_most=at_most)
+                np.testing.assert_array_equal(result, whole)
+                assert end == count, (count, at_most)
+        result, end = samples(lines, 1, at_most=2)
+        assert (result.tolist(), end) == (whole[2:4].tolist(), min(2, max(count, 1)))
+    for wrong in (100, 300):
+        lines = ["1.5 2.5"] * 600
+        lines[wrong] = "1.5 nan"
+        result, end = samples(lines, 0)
+        assert (len(result), end) == (2 * wrong, wrong)

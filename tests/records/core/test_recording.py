@@ -50,3 +50,32 @@ def test_the_summary_has_what_was_done_and_what_is_odd() -> None:
     assert "4,800 every 0.01 s" in long.summary()
     assert one.to_dict()["processing"] == ["mean taken off"]
     assert np.abs(one.record.acceleration_m_s2).max() > 0.0
+
+
+def test_every_fact_has_its_key_and_its_words() -> None:
+    start = datetime(2020, 1, 2, 3, 4, 5, tzinfo=UTC)
+    single = hut(
+        component="UP",
+        orientation="vertical",
+        station="Hut",
+        event="Town",
+        start_time=start,
+        stated_peak_m_s2=5.9,
+        processing=("first", "second"),
+        warnings=("it is odd",),
+    )
+    values = single.to_dict()
+    fields = ("orientation", "station", "event", "component")
+    assert [values[name] for name in fields] == ["vertical", "Hut", "Town", "UP"]
+    assert (values["stated_peak_m_s2"], values["start_time"]) == (5.9, "2020-01-02T03:04:05+00:00")
+    assert values["processing"] == ["first", "second"]
+    assert values["warnings"] == ["it is odd"]
+    assert values["npts"] == 601
+    text = single.summary()
+    assert text.startswith("Town, Hut, UP")
+    for words in ("hut.csv (csv)", "first", "second", "peak stated"):
+        assert words in text
+    assert "peak stated" not in hut().summary()
+    again = single.processed(hut().record, "third")
+    assert again.processing == ("first", "second", "third")
+    assert again.warnings == single.warnings

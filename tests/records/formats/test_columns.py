@@ -366,3 +366,178 @@ def test_a_channel_is_chosen_by_its_name_without_the_unit(tmp_path: Path) -> Non
     north, up = read(tmp_path, text)
     assert (north.component, north.azimuth_deg, up.component) == ("NS", 0.0, "UD")
     assert read_record(tmp_path / "table.txt", channel="ns") == north.record
+
+
+def test_a_row_of_count_and_interval_is_known_by_its_form(tmp_path: Path) -> None:
+    """A whole number that is large, or counts the rows, or stands beside an interval."""
+    rows = "".join(f"{0.5 + at % 3:.2f}\n" for at in range(120))
+    for first, count, dt_s in (
+        *(("120", 120, 0.01), ("100", 100, 0.01), ("99", 121, 0.01), ("2.0", 121, 0.01)),
+        *(("120 0.005", 120, 0.005), ("2 0.005", 2, 0.005), ("120 1.0", 120, 1.0)),
+        *(("120 0.02 7", 120, 0.02), ("2 0.01 1 2", None, 0), ("120 1.5", None, 0)),
+        *(("120 0.0", None, 0), ("1 0.01", None, 0), ("120. 0.01", None, 0)),
+    ):
+        text = f"{first}\n{rows}"
+        if count is None:
+            width = len(first.split())
+            with pytest.raises(RecordFileError, match=f"1 number, and the table has {width} col"):
+                read(tmp_path, text, units="g", dt_s=0.01)
+            continue
+        given = {} if len(first.split()) > 1 else {"dt_s": 0.01}
+        (result,) = read(tmp_path, text, units="g", **given)
+        assert len(result.record.acceleration_m_s2) == count, first
+        assert result.record.dt_s == dt_s
+        assert (result.warnings == ()) == (count == 120 and dt_s <= 0.1), first
+    # Above times and samples the row is as wide as theirs.
+    pairs = "".join(f"{0.01 * at:.2f} {0.5 + at % 3:.2f}\n" for at in range(30))
+    (result,) = read(tmp_path, f"30 0.01\n{pairs}", units="g")
+    assert (len(result.record.acceleration_m_s2), result.warnings) == (30, ())
+    whole = "".join(f"{at % 5 + 1}\n" for at in range(120))
+    (result,) = read(tmp_path, f"120\n{whole}", units="g", dt_s=0.01)
+    assert len(result.record.acceleration_m_s2) == 121
+    for few in ("120 0.01\n1.5\n", "120\n1.5\n"):
+        (result,) = read(tmp_path, few, units="mg", dt_s=0.01)
+        assert result.record.acceleration_m_s2[0] == pytest.approx(0.12 * G)
+
+
+def test_times_without_a_name_grow_evenly(tmp_path: Path) -> None:
+    def rows(times: list[float]) -> str:
+        return "".join(f"{time:.3f} {at % 3 - 0.5:.1f}\n" for at, time in enumerate(times))
+
+    for times, known in (
+        ([0.0, 0.01, 0.02], True),
+        ([0.0, 0.01], False),
+        ([5.0, 5.01, 5.02, 5.03], True),
+        ([0.03, 0.02, 0.01, 0.0], False),
+        ([0.0, 0.0, 0.0, 0.0], False),
+        ([0.1, -0.2, 0.3, -0.1, 0.2], False),
+    ):
+        (result,) = read(tmp_path, rows(times), units="g", dt_s=0.01)
+        count = len(times) if known else 2 * len(times)
+        assert len(result.record.acceleration_m_s2) == count, times
+    # One of ten steps may go back, which is then a row that is wrong, and no more.
+    for back, known in ((1, True), (4, False)):
+        times = [0.01 * at for at in range(30)]
+        for at in range(back):
+            times[3 + 2 * at] = 0.005
+        if known:
+            with pytest.raises(RecordFileError, match="does not come after"):
+                read(tmp_path, rows(times), units="g", dt_s=0.01)
+        else:
+            assert len(read(tmp_path, rows(times), units="g", dt_s=0.01)) == 1
+
+
+def test_few_columns_without_names_may_be_channels(tmp_path: Path) -> None:
+    values = samples(60)
+    for width, doubted in ((1, False), (2, True), (3, True), (4, True), (5, False), (6, False)):
+        lines = [values[at : at + width] for at in range(0, 60, width)]
+        text = "\n".join(" ".join(f"{value:.4f}" for value in line) for line in lines) + "\n"
+        (result,) = read(tmp_path, text, units="g", dt_s=0.01)
+        words = f"{width} numbers a line are taken as samples that follow each other; give column "
+        expected = (f"{words}where they are channels",) if doubted else ()
+        assert result.warnings == expected, width
+        np.testing.assert_allclose(result.record.acceleration_m_s2, G * values, atol=1e-3)
+        (last,) = read(tmp_path, text, units="g", dt_s=0.01, column=width)
+        np.testing.assert_allclose(
+            last.record.acceleration_m_s2, G * values[width - 1 :: width], atol=1e-3
+        )
+        for wrong in (width + 1, 0, "x", "01e1"):
+            with pytest.raises(
+                InputError, match=f"no such column; choose one of these: 1 to {width}"
+            ):
+                read(tmp_path, text, units="g", dt_s=0.01, column=wrong)
+
+
+def test_rows_that_are_short(tmp_path: Path) -> None:
+    for text, words in (
+        ("t,ax,ay\n0,1,2\n.01,2\n.02,3,4\n", "line 3, .*it has 2 numbers, and the table has 3 col"),
+        ("t,ax,ay\n0,1,2\n.01,2,3\n.02,3\n", "line 4, .*it has 2 numbers, and the table has 3 col"),
+        ("1 2 3\n4\n5 6 7\n", "line 2, .*it has 1 number, and the table has 3 columns; fetch"),
+        ("1 2\n4\n5 6\n", "line 2, .*it has 1 number, and the table has 2 columns; fetch"),
+    ):
+        with pytest.raises(RecordFileError, match=words):
+            read(tmp_path, text, units="g", dt_s=0.01)
+    (result,) = read(tmp_path, "1 2 5\n-4 5 6\n7\n", units="g", dt_s=0.01)
+    assert len(result.record.acceleration_m_s2) == 7
+
+
+def test_quantities_of_words_above_a_table(tmp_path: Path) -> None:
+    for words, refused in (
+        *(
+            ("velocity of the base", True),
+            ("displacement", True),
+            ("DISPLACEMENT OF THE HUT", True),
+        ),
+        *(("velocity and acceleration", False), ("made by some hand", False)),
+        ("scale 3920(gal)/6182761 of it", True),
+        ("scale (gal) / 5", True),
+        ("Corrected accelerogram\nnumber of points 3", True),
+        ("Uncorrected accelerogram\nnumber of points 3", True),
+        ("accelerogram\nnumber of points 3", False),
+    ):
+        text = f"{words}\n1.5 2.5 -0.5\n2.5 1.5 0.5\n"
+        if refused:
+            with pytest.raises(RecordFileError, match=r"quantity|counts, which|GeoNet"):
+                read(tmp_path, text, format="columns", units="g", dt_s=0.01)
+        else:
+            assert read(tmp_path, text, format="columns", units="g", dt_s=0.01)
+
+
+def test_names_without_rows_below_them(tmp_path: Path) -> None:
+    for text, named in (
+        *(("time,acc (g)\n", True), ("acc (g)\n", True), ("acc (g)\nhut\n", False)),
+        *(("hut\ntime  acc (g)\n", True), ("hut,shed\n", False), ("hut\n" * 40, False)),
+        *((f"{'hut' + chr(10)}" * 39 + "time,acc (g)\n", True),),
+        *((f"{'hut' + chr(10)}" * 40 + "time,acc (g)\n", False),),
+    ):
+        words = "names of columns and no rows of numbers; fetch" if named else "in no format that"
+        with pytest.raises(RecordFileError, match=words):
+            read(tmp_path, text)
+
+
+def test_decimal_commas_and_separators(tmp_path: Path) -> None:
+    for text, values, count in (
+        ("t;acc (g)\n0,0;1,5\n0,01;-2,5\n0,02;0,5\n", [1.5, -2.5, 0.5], 3),
+        ("t;acc (g)\n0.0;1.5\n0.01;-2.5\n0.02;0.5\n", [1.5, -2.5, 0.5], 3),
+        ("t\tacc (g)\n0,0\t1,5\n0,01\t-2,5\n0,02\t0,5\n", [1.5, -2.5, 0.5], 3),
+        ("t acc_g\n0,0 1,5\n0,01 -2,5\n0,02 0,5\n", [1.5, -2.5, 0.5], 3),
+        ("acc (g)\n1,5\n-2,5\n0,5\n", [1.5, -2.5, 0.5], 3),
+        ("a,b\n1,5\n-2,5\n0,5\n", [1.0, -2.0, 0.0], 3),
+        ('t,"acc, of N (g)"\n0,1.5\n.01,-2.5\n.02,.5\n', [1.5, -2.5, 0.5], 3),
+        ("t,acc (g, N)\n0,1.5\n.01,-2.5\n.02,.5\n", [1.5, -2.5, 0.5], 3),
+        ("t,acc (g)\n0,1.5\n.01,-2.5\n# a\n.02,.5\n", [1.5, -2.5, 0.5], 3),
+        ("2001,12,3\ntaken down\nt,acc (g)\n0,1.5\n.01,-2.5\n.02,.5\n", [1.5, -2.5, 0.5], 3),
+    ):
+        result = read(tmp_path, text, units="g", **({} if text[0] in "t2" else {"dt_s": 0.01}))
+        assert len(result[0].record.acceleration_m_s2) == count, text
+        np.testing.assert_allclose(result[0].record.acceleration_m_s2, G * np.array(values))
+    for text, line in (
+        ("t,acc (g)\n0,1\n.01,2\n* remark\n.02,3\n", 4),
+        ("0,1\ntaken down\n.01,2\n.02,3\n", 2),
+        ("t,acc (g)\n0,n/a\n.01,2\n.02,3\n", 2),
+        ("acc\n#REF!\n1.5\n2.5\n", 2),
+    ):
+        with pytest.raises(
+            RecordFileError, match=f"line {line}, .*it must be a row of numbers, as"
+        ):
+            read(tmp_path, text, units="g", dt_s=0.01)
+
+
+def test_rows_of_units_below_the_names(tmp_path: Path) -> None:
+    rows = "0.00,5,1.0\n0.01,5,-2.5\n0.02,5,0.5\n"
+    for units, size in (
+        *(("(s),(cm/s),(g)", G), ("s,m/s,gal", 0.01), ("[s],[mm],[m/s2]", 1.0), ("s,-,g", G)),
+    ):
+        (result,) = read(tmp_path, f"Time,Vel,Acc\n{units}\n{rows}")
+        np.testing.assert_allclose(result.record.acceleration_m_s2, size * np.array(THREE))
+        assert result.component == "Acc"
+    with pytest.raises(RecordFileError, match=r"line 2, .*its column 'furlong' is not understood"):
+        read(tmp_path, f"Time,Vel,Acc\ns,furlong,volt\n{rows}")
+    for place, refused in ((19, True), (20, False)):
+        words = "\n".join(["Corrected accelerogram", *["-"] * (place - 1), "number of points 3"])
+        text = f"{words}\n1.5 2.5 -0.5\n2.5 1.5 0.5\n"
+        if refused:
+            with pytest.raises(RecordFileError, match="it is one of GeoNet's files"):
+                read(tmp_path, text, format="columns", units="g", dt_s=0.01)
+        else:
+            assert read(tmp_path, text, format="columns", units="g", dt_s=0.01)

@@ -122,3 +122,123 @@ def test_cosmos_that_is_cut(tmp_path: Path) -> None:
     for kept in (20, 25, 35, 44, 46, 60):
         with pytest.raises(RecordFileError):
             read(tmp_path, "\n".join(lines[:kept]))
+
+
+def test_cosmos_intervals_and_times_of_peaks(tmp_path: Path) -> None:
+    """The interval of the caller goes before both of the header, which then raise no doubt."""
+    values = samples(4000, peak=150.0)
+    text = cosmos_channel(values, raw_dt=0.01)
+    late = f"{np.abs(values).argmax() * 0.01:13.6f}"
+    assert late in text
+    moved = text.replace(late, f"{39.0:13.6f}")
+    (result,) = read(tmp_path, moved)
+    assert len(result.warnings) == 1
+    assert "and the header states 39 s: see whether the interval is right" in result.warnings[0]
+    assert read(tmp_path, moved, dt_s=0.01)[0].warnings == ()
+    # The line of the samples states whole seconds, cut or rounded.
+    for dt_ms, raw, seconds, dt in (
+        *((10.0, -999.0, 40, 0.01), (10.0, -999.0, 39, 0.01), (10.0, -999.0, 41, 0.01)),
+        *((10.0, -999.0, 42, None), (10.0, -999.0, 38, None), (-999.0, 0.01, 40, 0.01)),
+        *((10.0, 0.005, 20, 0.005), (5.0, 0.01, 20, 0.005), (10.0, 0.01, 0, 0.01)),
+        *((5.0, 0.01, 0, 0.005), (0.0, 0.01, 40, 0.01)),
+    ):
+        changed = cosmos_channel(values, dt_ms=dt_ms, raw_dt=raw)
+        stated = int(len(values) * dt_ms / 1000.0)
+        changed = changed.replace(f"approx   {stated} secs", f"approx   {seconds} secs")
+        if dt is None:
+            with pytest.raises(
+                RecordFileError, match=f"fits 4000 samples in some {seconds} s; giv"
+            ):
+                read(tmp_path, changed)
+        else:
+            assert read(tmp_path, changed)[0].record.dt_s == dt, (dt_ms, raw, seconds)
+    raw_first = cosmos_channel(values, dt_ms=5.0, raw_dt=0.01, first="Uncorrected acceleration")
+    raw_first = raw_first.replace("approx   20 secs", "approx   0 secs")
+    assert read(tmp_path, raw_first)[0].record.dt_s == 0.01
+
+
+def test_cosmos_starts_and_words(tmp_path: Path) -> None:
+    text = cosmos_channel(CM)
+    plain = datetime(2005, 6, 16, 20, 53, 4, 400000, tzinfo=UTC)
+    cells = [f"{value:8.0f}" for value in (2005, 167, 6, 16, 20, 53)]
+    names = (*("year", "", "month", "day", "hour", "minute"),)
+    # The whole numbers run from the 40th on, ten a line.
+    lines = text.split("\n")
+    first = next(at for at, line in enumerate(lines) if "Integer-header values" in line) + 1
+    for at, name in enumerate(names):
+        row, column = first + (39 + at) // 10, (39 + at) % 10 * 8
+        assert lines[row][column : column + 8] == cells[at]
+        for value in (-999, 5):
+            changed = [*lines]
+            changed[row] = f"{lines[row][:column]}{value:8d}{lines[row][column + 8 :]}"
+            (result,) = read(tmp_path, "\n".join(changed))
+            if not name:
+                assert result.start_time == plain
+            elif value < 0:
+                assert result.start_time is None
+            else:
+                assert result.start_time == plain.replace(**{name: value})  # type: ignore[arg-type]
+    (result,) = read(tmp_path, text)
+    assert result.event == "Somewhere in the West            June 16,2005 13:53 PDT"
+    assert result.stated_peak_m_s2 == pytest.approx(1.5, rel=1e-6)
+    for old, new, station in (
+        ("Statn No: 01-23075  Code:", "Statn No: 01-23075  Cd:", None),
+        ("Code:CE-J2236  CDMG Hut & Far", "Code: X", "X"),
+    ):
+        assert read(tmp_path, text.replace(old, new))[0].station == station
+
+
+def test_cosmos_directions_without_a_code(tmp_path: Path) -> None:
+    plain = cosmos_channel(CM, azimuth=-999, label="340 deg")
+    scnl = " | <SCNL>HUT.{}.CE.01"
+    for text, component, orientation, azimuth in (
+        (plain, "340 deg", "horizontal", 340.0),
+        (plain.replace("340 deg", "Up"), "Up", "vertical", None),
+        (plain.replace("340 deg", "Other"), "Other", None, None),
+        (plain.replace(" | comment", scnl.format("HNE") + " |"), "HNE", "horizontal", 90.0),
+        (plain.replace(" | comment", scnl.format("HN3") + " |"), "HN3", "horizontal", 340.0),
+        (cosmos_channel(CM, azimuth=402, label="Vert"), "Vert", "vertical", None),
+        (cosmos_channel(CM, azimuth=400, label="Up"), "Up", "vertical", None),
+        (cosmos_channel(CM, azimuth=0, label="sensor"), "sensor", None, None),
+    ):
+        (result,) = read(tmp_path, text)
+        assert (result.component, result.orientation, result.azimuth_deg) == (
+            *(component, orientation, azimuth),
+        ), component
+
+
+def test_cosmos_headers_that_end_too_early(tmp_path: Path) -> None:
+    text = cosmos_channel(CM)
+    with pytest.raises(
+        RecordFileError, match=r"line 14, .*10000 lines of values must follow, and f"
+    ):
+        read(tmp_path, text.replace("on  10 lines", "on  10000 lines"))
+    with pytest.raises(
+        RecordFileError, match="a channel begins, and its samples are missing; fetc"
+    ):
+        read(tmp_path, text + text.partition("   403  acceleration")[0])
+    for none in ("403  acc points", "403  pts"):
+        with pytest.raises(
+            RecordFileError, match=r"no line of it states samples .as in: 7000 accel"
+        ):
+            read(tmp_path, text.replace("403  acceleration pts", none))
+
+
+def test_cosmos_numbers_without_a_stated_format(tmp_path: Path) -> None:
+    """Whole numbers are then eight characters wide, and real ones fifteen."""
+    text = cosmos_channel(CM)
+    lines = text.split("\n")
+    first = next(at for at, line in enumerate(lines) if "Real-header values" in line)
+    reals = [
+        "".join(f"{line[at : at + 13]:>15}" for at in range(0, len(line), 13))
+        for line in lines[first + 1 : first + 18]
+    ]
+    lines[first + 1 : first + 18] = reals
+    bare = "\n".join(lines).replace(", Format= (10I8)", "").replace(", Format= (6F13.6)", "")
+    (result,), (plain,) = read(tmp_path, bare), read(tmp_path, text)
+    assert result.record == plain.record
+    assert (result.start_time, result.stated_peak_m_s2) == (
+        plain.start_time,
+        plain.stated_peak_m_s2,
+    )
+    assert result.azimuth_deg == 340.0

@@ -77,3 +77,49 @@ def test_csmip_volume_1_of_times_and_samples_in_turn(tmp_path: Path, even: bool)
         assert (found.warnings, len(other.warnings)) == ((), 1)
     else:
         assert "resampled" in found.processing[0]
+
+
+def test_csmip_starts(tmp_path: Path) -> None:
+    text = csmip_v2_channel(CM)
+    for written, start in (
+        ("2/13/12, 21:06:45.0", datetime(2012, 2, 13, 21, 6, 45, tzinfo=UTC)),
+        ("2/13/70, 21:06:45.0", datetime(1970, 2, 13, 21, 6, 45, tzinfo=UTC)),
+        ("2/13/69, 21:06:45.0", datetime(2069, 2, 13, 21, 6, 45, tzinfo=UTC)),
+        ("2/13/99, 21:06:45.5", datetime(1999, 2, 13, 21, 6, 45, 500000, tzinfo=UTC)),
+        ("2/13/100, 1: 2: 3", datetime(100, 2, 13, 1, 2, 3, tzinfo=UTC)),
+        ("12-31-1994, 23:59:60", datetime(1995, 1, 1, tzinfo=UTC)),
+        *(("13/2/12, 21:06:45.0", None), ("2/30/12, 21:06:45.0", None), ("2/13, 1:2:3", None)),
+    ):
+        (result,) = read(tmp_path, text.replace("2/13/12, 21:06:45.0", written))
+        assert result.start_time == start, written
+
+
+def test_csmip_words_of_the_header(tmp_path: Path) -> None:
+    text = csmip_v2_channel(CM)
+    (result,) = read(tmp_path, text)
+    assert result.event == "Record of Mon Feb 13, 2012 13:06:45.0 PS"
+    assert result.warnings == ()
+    assert result.stated_peak_m_s2 == pytest.approx(1.5, rel=1e-3)
+    peak = f"{CM[np.abs(CM).argmax()]:10.3f}    cm/sec/sec"
+    assert peak in text
+    in_g = f"{CM[np.abs(CM).argmax()] / 980.665:10.7f}    g"
+    for old, new, fields in (
+        (peak, in_g, {"stated_peak_m_s2": pytest.approx(1.5, rel=1e-5), "warnings": ()}),
+        (peak, peak.replace("cm/sec/sec", "furlongs"), {"stated_peak_m_s2": None, "warnings": ()}),
+        ("Hut                   ", " " * 22, {"station": "89146"}),
+        ("Hut                                       CGS", "", {"station": "89146"}),
+        ("Chan  1: 360 Deg", "-", {"component": None, "orientation": None}),
+        ("Record of", "Rcrd of", {"event": "Rcrd of Mon Feb 13, 2012 13:06:45.0 PST"}),
+        (
+            "intervals of    0.005",
+            "intervals of    0.010",
+            {"warnings": ("the header states 0.01 s between samples too; 0.005 s are taken",)},
+        ),
+        ("Station No.", "Place", {"station": None}),
+    ):
+        assert old in text
+        (single,) = read(tmp_path, text.replace(old, new))
+        assert {name: getattr(single, name) for name in fields} == fields, old
+        assert single.record == result.record
+    doubled = text.replace("intervals of    0.005", "intervals of    0.010")
+    assert read(tmp_path, doubled, dt_s=0.005)[0].warnings == ()

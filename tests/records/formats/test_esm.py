@@ -57,3 +57,34 @@ def test_esm_counts(tmp_path: Path) -> None:
 def test_a_peak_that_is_not_the_headers_is_a_warning(tmp_path: Path) -> None:
     (found,) = read(tmp_path, esm(CM).replace("PGA_CM/S^2: 150.0", "PGA_CM/S^2: -140.0"))
     assert found.warnings == ("its peak is 1.5 m/s^2, and the header states 1.4 m/s^2",)
+
+
+def test_esm_keys_that_are_missing_or_of_another_form(tmp_path: Path) -> None:
+    for old, new, fields in (
+        ("STATION_CODE: HUT", "STATION_NAME: Shed", {"station": "Shed"}),
+        ("STATION_CODE: HUT", "STATION_CODE: ", {"station": None}),
+        ("EVENT_ID: EM-1", "EVENT_ID: ", {"event": "SOMEWHERE"}),
+        ("STREAM: HNE", "STREAM: ", {"component": None, "orientation": None}),
+        ("160919.870", "160919", {"start_time": datetime(2019, 7, 28, 16, 9, 19, tzinfo=UTC)}),
+        ("160919.870", "noon", {"start_time": None}),
+        ("PGA_CM/S^2: ", "PGA_: ", {"stated_peak_m_s2": None, "warnings": ()}),
+        ("PGA_CM/S^2: ", "PGA_CM/S^2: x", {"stated_peak_m_s2": None, "warnings": ()}),
+        ("DURATION_S: 2.015", "DURATION_S: ", {"warnings": ()}),
+        ("DURATION_S: 2.015", "DURATION_S: 2.01", {"warnings": ()}),
+        ("DURATION_S: 2.015", "DURATION_S: 2", {"warnings": ()}),
+        ("DATA_TYPE: ACCELERATION", "DATA_TYPE: ", {"warnings": ()}),
+        ("DATA_TYPE: ACCELERATION", "data type: acceleration", {"warnings": ()}),
+    ):
+        text = esm(CM)
+        assert old in text
+        (result,) = read(tmp_path, text.replace(old, new))
+        assert {name: getattr(result, name) for name in fields} == fields, new
+    for wrong, dt_s, doubts in (("3.000", None, 1), ("1.900", None, 1), ("3.000", 0.005, 0)):
+        text = esm(CM, DURATION_S=wrong)
+        given = {} if dt_s is None else {"dt_s": dt_s}
+        assert len(read(tmp_path, text, **given)[0].warnings) == doubts, wrong
+    for key in ("NDATA", "SAMPLING_INTERVAL_S"):
+        with pytest.raises(
+            RecordFileError, match=f"its header does not state {key}; fetch the fil"
+        ):
+            read(tmp_path, esm(CM).replace(f"{key}:", "X:"), format="esm-ascii")

@@ -71,3 +71,40 @@ def test_counts_without_their_scale_do_not_pass_for_a_table(tmp_path: Path, key:
     assert read(tmp_path, text.upper())[0].record == read(tmp_path, text)[0].record
     with pytest.raises(RecordFileError, match="counts, which is not applied"):
         read(tmp_path, "\n".join(";".join(line.split()) for line in text.splitlines()))
+
+
+def test_knet_scales_that_are_no_size(tmp_path: Path) -> None:
+    text = knet(counts_of(samples(800)))
+    for scale in ("0(gal)/6182761", "3920(gal)/0", "0.0(gal)/0"):
+        with pytest.raises(
+            RecordFileError, match=r"line 14, .*scale of the counts, above 0; it read"
+        ):
+            read(tmp_path, text.replace("3920(gal)/6182761", scale))
+    for scale, size in (("1(gal)/1", 1.0), ("0.5 (GAL) / 2", 0.25), ("2(gal)/0.5", 4.0)):
+        (result,) = read(tmp_path, text.replace("3920(gal)/6182761", scale), units="gal")
+        counts = counts_of(samples(800))
+        expected = 0.01 * size * (counts - counts.mean())
+        np.testing.assert_allclose(result.record.acceleration_m_s2, expected, atol=1e-9)
+
+
+def test_knet_words_of_the_header(tmp_path: Path) -> None:
+    text = knet(counts_of(samples(800)), peak="1.000")
+    (result,) = read(tmp_path, text)
+    assert (result.station, result.event) == ("AOM001", "2018/01/24 19:51:00, M 6.2")
+    for old, new, fields in (
+        ("2018/01/24 19:51:43\nSampling", "2018/01/24\nSampling", {"start_time": None}),
+        ("Mag.              6.2", "Mag.", {"event": "2018/01/24 19:51:00"}),
+        ("Time       2018/01/24 19:51:00", "Time", {"event": "M 6.2"}),
+        ("AOM001", "", {"station": None}),
+        ("N-S", "", {"component": None, "orientation": None}),
+        ("N-S", "7", {"component": "7", "format": "knet"}),
+        ("N-S", "4", {"component": "N-S", "format": "kiknet", "station": "AOM001 surface"}),
+        ("N-S", "6", {"component": "U-D", "format": "kiknet", "station": "AOM001 surface"}),
+        ("N-S", "2", {"component": "E-W", "format": "kiknet", "station": "AOM001 borehole"}),
+    ):
+        assert old in text, old
+        (single,) = read(tmp_path, text.replace(old, new))
+        assert {name: getattr(single, name) for name in fields} == fields, old
+    # More samples than duration and rate state are left out, and both are doubted.
+    (more,) = read(tmp_path, text.replace("Duration Time(s)  8", "Duration Time(s)  7"))
+    assert "7 s at 100 Hz are 700 samples: see whether duration and rate are right" in more.warnings

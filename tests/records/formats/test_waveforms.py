@@ -1,6 +1,7 @@
 """miniSEED and SAC through ObsPy, and what is said where ObsPy is missing."""
 
 import contextlib
+import struct
 import sys
 import warnings
 from pathlib import Path
@@ -105,3 +106,54 @@ def test_without_obspy_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.Mo
         read_recordings(path)
     with pytest.raises(RecordFileError, match=r'pip install "rocksteady\[records\]"'):
         read_recordings(path, format="sac")
+
+
+def test_bytes_by_which_a_format_is_known() -> None:
+    head = b"000001D HUT    HNZXX".ljust(48, b"\x00")
+    for data, name in (
+        *((head, "mseed"), (head[:47], None), (b"MS\x03", "mseed"), (b"MS\x02", None), (b"", None)),
+        *((b"      R ".ljust(48), "mseed"), (head.replace(b"D", b"Q"), "mseed")),
+        *((head.replace(b"D", b"M"), "mseed"), (head.replace(b"D", b"X"), None)),
+        *((head.replace(b"D ", b"D\x00"), "mseed"), (head.replace(b"D ", b"Dx"), None)),
+        *((b"x" + head[1:], None), (head[:5] + b"x" + head[6:], None)),
+    ):
+        assert recognised(data) == name, data
+    for version, order, size, name in (
+        *((6, "<", 633, "sac"), (7, "<", 633, "sac"), (6, ">", 633, "sac"), (7, ">", 633, "sac")),
+        *((5, "<", 633, None), (8, ">", 633, None), (6, "<", 632, None), (6, "<", 700, "sac")),
+    ):
+        packed = b"y" * 304 + struct.pack(f"{order}i", version)
+        assert recognised(packed.ljust(size, b"y")) == name, (version, order, size)
+
+
+def test_what_a_header_of_sac_states(obspy: Any, tmp_path: Path) -> None:
+    path = tmp_path / "hut.sac"
+    for fields, expected in (
+        ({"cmpinc": 0.0, "cmpaz": 10.0}, ("vertical", None)),
+        ({"cmpinc": 180.0}, ("vertical", None)),
+        ({"cmpinc": 90.0, "cmpaz": 370.0}, ("horizontal", 10.0)),
+        ({"cmpinc": 90.0}, ("horizontal", None)),
+        ({"cmpinc": 45.0, "cmpaz": 10.0}, (None, None)),
+        ({}, (None, None)),
+        ({"idep": 8}, (None, None)),
+        ({"idep": 6}, "displacement"),
+        ({"idep": 7}, "velocity"),
+    ):
+        trace = stream(obspy, channels="3")[0]
+        trace.stats.sac = fields
+        trace.write(str(path), format="SAC")
+        if isinstance(expected, str):
+            with pytest.raises(
+                RecordFileError, match=f"its header states {expected}, and the base"
+            ):
+                read_recordings(path, units="m/s^2")
+            continue
+        (result,) = read_recordings(path, units="m/s^2")
+        assert (result.orientation, result.azimuth_deg) == expected, fields
+        sign = -1.0 if fields.get("cmpinc") == 180.0 else 1.0
+        np.testing.assert_allclose(result.record.acceleration_m_s2, sign * trace.data, rtol=1e-6)
+    stream(obspy, channels="3").write(str(path), format="MSEED")
+    with pytest.raises(
+        RecordFileError, match="holds numbers whose unit the file does not state; c"
+    ):
+        read_recordings(path)

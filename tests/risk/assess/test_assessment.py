@@ -698,3 +698,25 @@ def test_an_object_whose_nominal_size_stays_is_told_so() -> None:
     (width,) = (each for each in found.remedies if each.name == "width")
     assert "an end of its ranges alone" in width.words
     assert (width.probability, width.trials) == (0.0, None)
+
+
+def test_tables_of_an_assessment_have_words_on_the_left(found: Assessment) -> None:
+    sides = {
+        column.heading: column.left for table in found.describe().tables for column in table.columns
+    }
+    for heading in ("formula", "verdict", "hazard", "what is varied alone", "over"):
+        assert sides.pop(heading), heading
+    for heading in (
+        *("value", "annual rate [1/yr]", "years", "probability in them", "HCLPF"),
+        *("lowest probability", "highest"),
+    ):
+        assert not sides.pop(heading), heading
+    values = found.to_dict()
+    for row, record in zip(values["inputs"], SUITE, strict=True):
+        assert (row["name"], row["dt_s"], row["vertical"]) == (record.name, record.dt_s, False)
+        assert row["samples"] == len(record.acceleration_m_s2)
+        peak = np.abs(record.acceleration_m_s2).max() / 9.80665
+        assert row["pga_g"] == pytest.approx(peak)
+    (risk,) = values["risks"]
+    assert risk["years"] == 50.0
+    assert risk["probability"] == pytest.approx(-math.expm1(-50.0 * risk["annual_rate"]))

@@ -1,6 +1,8 @@
 """Two numbers to an answer: the worked case, limits, refusals and words."""
 
+import itertools
 import math
+import re
 from typing import Any
 
 import pytest
@@ -10,7 +12,7 @@ from hypothesis import strategies as st
 from rocksteady import Block
 from rocksteady.errors import InputError
 from rocksteady.risk import assess_by_formula
-from rocksteady.risk.assess.two_numbers import share_words
+from rocksteady.risk.assess.two_numbers import WORDS, share_words
 from tests.descriptions import as_json, fits
 from tests.every import every
 
@@ -159,3 +161,79 @@ def test_friction_that_impacts_need_is_named() -> None:
     assert (found.friction_cause, found.probability) == ("impacts", None)
     assert found.friction_needed == pytest.approx(1.8 / 0.32 * 0.2 / 1.8)
     assert "0.625 for impacts" in found.sentence
+
+
+def test_words_of_odds_are_the_odds() -> None:
+    """Each known share is called by its own words, and others by those of the nearest odds."""
+    for share, words in WORDS:
+        part, whole = map(int, re.findall(r"\d+", words))
+        assert share == pytest.approx(part / whole, abs=1e-15)
+        assert share_words(share) == f"About {words}"
+    for low, high in itertools.pairwise(WORDS):
+        odds = [math.log(each[0] / (1.0 - each[0])) for each in (low, high)]
+        for near, words in ((0.49, low[1]), (0.51, high[1])):
+            middle = odds[0] + near * (odds[1] - odds[0])
+            assert share_words(1.0 / (1.0 + math.exp(-middle))) == f"About {words}"
+    assert share_words(0.000999) == share_words(0.0) == "Fewer than 1 in 1000"
+    assert share_words(0.9901) == share_words(1.0) == "More than 99 in 100"
+
+
+def test_remarks_at_the_edges_of_what_is_usual() -> None:
+    g = 9.80665
+    for pga, ratio, words in (
+        (0.4, 0.0099, "PGV/PGA is 0.0099 s; recorded motions have 0.01 to 0.5 s: are the units ri"),
+        (0.4, 0.0101, ""),
+        (0.4, 0.499, ""),
+        (0.4, 0.501, "PGV/PGA is 0.501 s; recorded motions have 0.01 to 0.5 s: are the units righ"),
+        (3.999, 0.1, ""),
+        (4.001, 0.1, "A PGA of 4 g is beyond recorded ones, up to about 4 g: are the units right?"),
+        (9.0, 0.6, "PGV/PGA is 0.6 s"),
+    ):
+        result = assess_by_formula(BLOCK, pga, ratio * pga * g, 20.0).remarks
+        assert len(result) == (words != ""), (pga, ratio)
+        assert "".join(result).startswith(words)
+    for alpha, p, words in (
+        *((0.0999, 2.0, "alpha 0.0999 rad"), (0.1001, 2.0, ""), (0.2999, 2.0, "")),
+        *((0.3001, 2.0, "alpha 0.3 rad"), (0.2, 0.999, "p 0.999 rad/s"), (0.2, 1.001, "")),
+        *((0.2, 2.999, ""), (0.2, 3.01, "p 3.01 rad/s"), (0.4, 4.0, "alpha 0.4 rad and p 4 rad/s")),
+    ):
+        result = assess_by_formula(Block.from_p(alpha=alpha, p=p), 0.6, 0.4, 20.0).remarks
+        runs = "lies outside the runs of this package (alpha 0.1 to 0.3 rad, p 1 to 3 rad/s)."
+        assert result == ((f"{words} {runs}",) if words else ()), (alpha, p)
+    wall = assess_by_formula(BLOCK.against_wall(0.5), 0.35, 0.4, 20.0).remarks
+    assert wall == ("The runs are of blocks that rock to both sides: the wall is left out.",)
+    unlike = Block.asymmetric(left=0.15, right=0.2, height=1.8)
+    assert assess_by_formula(unlike, 0.35, 0.4, 20.0).remarks == (
+        "The sides differ: both are taken to be as the side that lifts first.",
+    )
+
+
+def test_answers_in_words() -> None:
+    """What decides, at which demand, and what lifts the block as a share of the demand."""
+    for pga, friction, vertical, first in (
+        (0.35, None, 0.0, "40 % of such blocks fall at 0.35 g and 0.4 m/s, by a formula."),
+        (0.1, None, 0.0, "It stands at 0.1 g and 0.4 m/s: this does not lift it."),
+        (0.35, 0.1, 0.0, "It slides at 0.35 g and 0.4 m/s: no probability of falling by rocking."),
+        (0.35, 0.3, 0.2, "at 0.35 g and 0.4 m/s with 0.2 g of vertical motion downwards at the pe"),
+    ):
+        result = assess_by_formula(BLOCK, pga, 0.4, friction, vertical_g=vertical)
+        text = " ".join(result.summary().split())
+        assert first in text, text
+        rocks = result.verdict == "rocks"
+        assert ("second formula" in text) == rocks
+        assert ("half fall at" in text) == rocks
+        lifts = 0.32 / 1.8 * (1.0 - vertical)
+        assert f"lifts at {lifts:.3g} g, {lifts / pga:.2g} of the demand" in text.replace("  ", " ")
+        given = "not known, and below it the block slides" if friction is None else f"{friction} gi"
+        assert given in text
+    values = assess_by_formula(BLOCK, 0.35, 0.4, vertical_g=0.2, vertical_share=0.5).to_dict()
+    assert (values["vertical_g"], values["vertical_share"]) == (0.2, 0.5)
+    assert values["uplift_pga_g"] == pytest.approx(0.9 * 0.32 / 1.8)
+    assert values["other_beta"] == 0.462
+    assert values["other_median_pgv_m_s"] / values["median_pgv_m_s"] == pytest.approx(0.672 / 0.757)
+    full = " ".join(assess_by_formula(BLOCK, 0.35, 0.4).summary(more=True).split())
+    assert "0.465 m/s, beta 0.592; second 0.413 m/s, 0.462" in full
+    assert "0.22 to rock without sliding at this PGA; not given" in full
+    soft = Block.rectangle(width=0.3, height=1.8, restitution=0.8)
+    full = " ".join(assess_by_formula(soft, 0.2, 0.4, 0.9).summary(more=True).split())
+    assert "0.667 to rock without sliding at this PGA, for impacts; 0.9 given" in full

@@ -186,3 +186,86 @@ def test_limits_widen_until_the_interval_is_inside(monkeypatch: pytest.MonkeyPat
         assert round(math.log2(factor), 9) in (0.0, 1.0, 2.0, 3.0)
     given = back_analyse(SURVEY, RECORDS, scan=replace(FEW, trials=0, temper=1.0, limits=narrow))
     assert given.limits == pytest.approx(narrow)
+
+
+def test_the_density_between_its_nodes_and_the_region(found: BackAnalysis) -> None:
+    """In logarithms of both it is bilinear: at a node itself, half way the mean of four."""
+    values, ratios = found.first_values, found.ratios
+    for k in (0, 3, len(values) - 1):
+        for j in (0, 5, len(ratios) - 1):
+            at = found.density_at(float(values[k]), float(values[k] * ratios[j]))
+            assert at == pytest.approx(found.density[k, j], rel=1e-6, abs=1e-9)
+            inside = found.contains(float(values[k]), float(values[k] * ratios[j]))
+            assert inside == (at >= found.threshold)
+    first = math.sqrt(values[2] * values[3])
+    middle = found.density_at(first, first * math.sqrt(ratios[4] * ratios[5]))
+    assert middle == pytest.approx(found.density[2:4, 4:6].mean(), rel=1e-6)
+    assert found.limits == (values[0], values[-1])
+    hint = "stay inside, or analyse other limits: rs.calibration.ScanOptions"
+    for wrong in (0.99 * values[0], 1.01 * values[-1]):
+        with pytest.raises(InputError, match=f"^first = .*{hint}"):
+            found.density_at(wrong, 1.0)
+    for share in (0.99 * ratios[0], 1.01 * ratios[-1]):
+        with pytest.raises(InputError, match=r"^second = "):
+            found.contains(float(values[1]), float(values[1] * share))
+    rows = found.grid_rows()
+    assert len(rows) == found.density.size
+    across, up, density, region = rows[len(ratios) + 1]
+    assert across == values[1]
+    assert up == pytest.approx(values[1] * ratios[1])
+    assert (density, region) == (found.density[1, 1], bool(found.density[1, 1] >= found.threshold))
+
+
+def test_records_in_the_order_of_their_weights(found: BackAnalysis) -> None:
+    rows = found.record_rows()
+    weights = [row["weight"] for row in rows]
+    assert weights == sorted(weights, reverse=True)
+    assert sum(weights) == pytest.approx(1.0)
+    for row in rows:
+        place = found.records.index(row["record"])
+        peak = found.first_values[found.weights[place].argmax()]
+        assert row["scale"] * found.values_at_one[place, 0] == pytest.approx(peak)
+        for k, measure in enumerate(found.measures):
+            assert row[measure.key] == pytest.approx(row["scale"] * found.values_at_one[place, k])
+
+
+def test_results_of_every_kind_in_words(found: BackAnalysis) -> None:
+    lows, highs = np.array([0.1, 0.2]), np.array([0.4, 0.8])
+    nothing = np.full(2, np.nan)
+    some = {"lows": lows, "highs": highs, "medians": np.array([0.2, 0.5])}
+    pga, pgv = found.measures[0].label, found.measures[1].label
+    for fields, sentence in (
+        ({"bound": "interval"}, f"{pga} 0.1 to 0.4 g, {pgv} 0.2 to 0.8 m/s"),
+        ({"bound": "lower bound"}, f"{pga} at least 0.1 g, {pgv} at least 0.2 m/s"),
+        ({"bound": "upper bound"}, f"{pga} likely below 0.4 g, {pgv} likely below 0.8 m/s"),
+        (
+            {"bound": "lower bound", "lows": nothing},
+            f"{pga} without a bound, {pgv} without a bound",
+        ),
+        ({"bound": "upper bound", "highs": nothing}, f"{pga} without a bound, {pgv} without a bou"),
+    ):
+        made = replace(found, **{**some, "held_out_surveys": 0, "confidence": 0.9, **fields})  # type: ignore[arg-type]
+        text = " ".join(made.summary(more=True).split())
+        assert sentence in text, text
+        assert f"3 of 5 fell: {sentence}" in made.summary()
+        assert "(90 %)." in made.summary()
+        assert made.inner_threshold == 0.5 or fields["bound"] == "interval"
+        assert "not checked by records that are left out" in text
+        values = made.to_dict()
+        assert (values["objects"], values["fell"], values["bound"]) == (5, 3, fields["bound"])
+        assert values["confidence"] == 0.9
+        row = values["measures"][0]
+        for key, end in (("low", made.lows), ("high", made.highs), ("median", made.medians)):
+            assert row[key] == (None if np.isnan(end[0]) else end[0])
+    checked = replace(found, held_out_surveys=40, share=0.93, confidence=0.9, bound="interval")
+    words = "0.9 of 40 simulated surveys under records that are left out, at a posterior "
+    assert f"{words}probability of 0.93" in " ".join(checked.summary(more=True).split())
+    assert "90 % of 40 simulated surveys" in checked.summary()
+    lines = found.summary(more=True).splitlines()
+    (heading,) = (line for line in lines if "best scale" in line)
+    assert heading.split()[:4] == ["record", "weight", "best", "scale"]
+    row_of = next(line for line in lines if line.strip().startswith("ground "))
+    assert row_of.index("ground") == heading.index("record")
+    assert found.record_weights.sum() == pytest.approx(1.0)
+    low, high = found.to_dict()["limits"]
+    assert (low, high) == found.limits

@@ -30,3 +30,25 @@ def test_a_temper_is_above_0_and_at_most_1_or_chosen_by_trials() -> None:
             ScanOptions(limits=limits)
     with pytest.raises(InputError, match="objects"):
         ScanOptions().draws_of(0)
+
+
+def test_numbers_of_a_scan_reach_the_ends_of_their_ranges_and_no_further() -> None:
+    wrong = []
+    for key, low, high in (
+        *(("levels", 4, 200), ("draws", 2, 10_000), ("trials", 1, 1000), ("seed", 0, None)),
+    ):
+        for value, taken in (
+            *((low - 1, key == "trials"), (low, True)),
+            *(((high, True), (high + 1, False)) if high else ((10**9, True),)),
+        ):
+            try:
+                ScanOptions(**{"temper": 0.5, key: value})
+                result = True
+            except InputError:
+                result = False
+            if result != taken:
+                wrong.append((key, value))
+    assert wrong == []
+    plain = ScanOptions()
+    assert (plain.limits, plain.levels, plain.draws, plain.temper) == (None, 22, None, "auto")
+    assert (plain.trials, plain.seed) == (4, 0)

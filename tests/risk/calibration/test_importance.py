@@ -6,6 +6,7 @@ from scipy import stats
 
 from rocksteady.risk.calibration._importance import (
     FREEDOM,
+    LEAST_TAIL,
     Proposal,
     base_weights,
     refine,
@@ -88,3 +89,42 @@ def test_equal_weights_have_no_tail() -> None:
     made, found = smoothed(equal)
     assert made is equal
     assert np.isnan(found)
+
+
+@pytest.mark.parametrize("count", [100, 400, 3000])
+def test_the_largest_weights_become_quantiles_of_the_law_fitted_to_them(count: int) -> None:
+    """Zhang and Stephens' estimate, summed in loops, of a fifth of all or 3 sqrt(n)."""
+    weights = np.random.default_rng(3).random(count) ** -0.4
+    weights /= weights.sum()
+    tail = int(min(0.2 * count, 3.0 * count**0.5))
+    ordered = sorted(weights.tolist())
+    cut, x = ordered[-tail - 1], [each - ordered[-tail - 1] for each in ordered[-tail:]]
+    quarter = x[int(tail / 4 + 0.5) - 1]
+    trials = 30 + int(tail**0.5)
+    slopes, logs = [], []
+    for number in range(1, trials + 1):
+        b = 1.0 / x[-1] + (1.0 - (trials / (number - 0.5)) ** 0.5) / (3.0 * quarter)
+        k = sum(np.log1p(-b * each) for each in x) / tail
+        slopes.append(b)
+        logs.append(tail * (np.log(-b / k) - k - 1.0))
+    shares = np.exp(np.array(logs) - max(logs))
+    b = float(shares @ slopes / shares.sum())
+    raw = float(np.mean([np.log1p(-b * each) for each in x]))
+    shape = (tail * raw + 10.0 * 0.5) / (tail + 10.0)
+    made, result = smoothed(weights)
+    assert result == pytest.approx(shape, rel=1e-9)
+    law = stats.genpareto(shape, scale=-raw / b)
+    quantiles = cut + law.ppf((np.arange(tail) + 0.5) / tail)
+    expected = np.sort(weights)
+    expected[-tail:] = np.minimum(quantiles, expected[-1])
+    assert np.sort(made) == pytest.approx(expected / expected.sum(), rel=1e-9)
+    assert (np.argsort(made, kind="stable") == np.argsort(weights, kind="stable")).all()
+
+
+def test_a_tail_of_few_weights_stays() -> None:
+    rng = np.random.default_rng(3)
+    for count, known in ((LEAST_TAIL * 5 - 1, False), (LEAST_TAIL * 5, True)):
+        weights = rng.random(count) ** -0.3
+        made, result = smoothed(weights / weights.sum())
+        assert np.isfinite(result) == known
+        assert made.sum() == pytest.approx(1.0)

@@ -119,3 +119,25 @@ def test_a_session_of_one_test_is_refused() -> None:
     lone = [replace(tests.tests[0], session="alone"), *tests.tests[1:]]
     with pytest.raises(InputError, match="alone"):
         calibrate(replace(tests, tests=lone), model=Linear())
+
+
+def test_tests_of_no_session_count_by_their_own_likelihood() -> None:
+    """The whole is theirs, and the sum over the nodes of each session beside it."""
+    made = evidence()
+    shared = made.sessions
+    assert isinstance(shared, Sessions)
+    mixed = replace(shared, member=np.array([-1, 1, 0, -1, 0, 1, -1, 1]))
+    logs = np.random.default_rng(5).normal(size=(5, 8))
+    p = 0.97 * mixed.falls + 0.015
+    likely = np.where(mixed.fell[:, None, None] > 0.0, p, 1.0 - p)
+    prior = np.exp(mixed.weight[0])
+    expected = logs[:, [0, 3, 6]].sum(axis=1)
+    for session in (0, 1):
+        nodes = prior * likely[mixed.member == session].prod(axis=0)
+        expected = expected + np.log(nodes.sum(axis=1))
+    assert mixed.total(logs) == pytest.approx(expected, rel=1e-9)
+    whole = replace(made, log_likelihood=logs, sessions=mixed)
+    result = mixed.condition(whole, np.arange(8))
+    assert result.total == pytest.approx(expected, rel=1e-9)
+    assert (result.log_likelihood[:, [0, 3, 6]] == logs[:, [0, 3, 6]]).all()
+    assert (result.share[:, [0, 3, 6]] == made.share[:, [0, 3, 6]]).all()

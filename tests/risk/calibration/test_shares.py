@@ -3,8 +3,15 @@
 import numpy as np
 import pytest
 from scipy import stats
+from scipy.optimize import minimize
 
-from rocksteady.risk.calibration._shares import normal_strata, pooled_shares
+from rocksteady.risk.calibration._shares import (
+    RIDGE,
+    _logistic,
+    fit_curves,
+    normal_strata,
+    pooled_shares,
+)
 
 
 def test_gains_are_one_of_each_stratum_and_normal() -> None:
@@ -63,3 +70,42 @@ def test_an_exact_gain_and_one_block_have_a_share() -> None:
     found = pooled_shares(fell, np.zeros((1, 400, 1)), np.zeros((1, 400)), np.zeros((400, 3)))
     assert found.mean() == pytest.approx(fell.mean(), abs=0.01)
     assert found.std() < 0.1
+
+
+def test_logistic_coefficients_are_the_likeliest_with_their_ridge() -> None:
+    """Newton's steps against a search, with runs that a plain curve would separate too."""
+    rng = np.random.default_rng(6)
+    for separated in (False, True):
+        x, z = rng.normal(size=400), rng.normal(size=400)
+        design = np.vstack([np.ones(400), x, z])
+        odds = 0.5 + 2.0 * x - z
+        fell = odds > 0.0 if separated else rng.random(400) < 1.0 / (1.0 + np.exp(-odds))
+        ridge = RIDGE * np.array([0.1, 1.0, 1.0])
+
+        def lost(at: np.ndarray, design: np.ndarray, fell: np.ndarray, ridge: np.ndarray) -> float:
+            z = at @ design
+            likely = float((np.logaddexp(0.0, z) - fell * z).sum())
+            return likely + 0.5 * float((ridge * at * at).sum())
+
+        best = minimize(lost, np.zeros(3), args=(design, fell, ridge), tol=1e-10).x
+        assert _logistic(design, fell) == pytest.approx(best, abs=0.02 * np.abs(best).max())
+
+
+def test_curves_of_motions_are_moved_by_gain_and_integrated_over_their_error() -> None:
+    """A fall above a capacity that follows the slenderness: the normal distribution of both."""
+    runs, _ = runs_of(0.0)
+    fell, gain, sigma, features = runs
+    curves = fit_curves(fell, gain, sigma, features)
+    nodes = np.array([-0.4, -0.1, 0.0, 0.2, 0.5])
+    shift = np.broadcast_to(nodes, (len(features), len(nodes)))
+    capacity = features[:, 0] + 0.05 * features[:, 1]
+    for error in (0.2, 0.3):
+        result = curves.at(0, shift, np.zeros((1, 1)), np.full(len(features), error))
+        exact = stats.norm.cdf((shift - capacity[:, np.newaxis]) / error)
+        assert np.abs(result - exact).mean() < 0.03
+        assert np.abs((result - exact).mean(axis=0)).max() < 0.02
+    alike = fit_curves(np.ones_like(fell), gain, sigma, features)
+    assert alike.fits == [None]
+    result = alike.at(0, shift, np.zeros((1, 1)), sigma[0])
+    assert result.shape == shift.shape
+    assert (result == 1.0).all()

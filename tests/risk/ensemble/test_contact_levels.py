@@ -4,7 +4,11 @@ import numpy as np
 import pytest
 
 import rocksteady as rs
-from rocksteady.risk.ensemble.contact_levels import contact_levels, levels_in_contact
+from rocksteady.risk.ensemble.contact_levels import (
+    contact_levels,
+    levels_in_contact,
+    words_of_shorter,
+)
 from rocksteady.seismic.measures.scalar import Measure
 
 STATUE = rs.Block.asymmetric(left=0.17, right=0.27, height=1.6)
@@ -94,3 +98,40 @@ def test_an_assessment_with_strong_vertical_motion_has_an_answer(vertical: float
     assert 0.0 < float(runs.level[-1]) < 3.0
     assert found.probability is not None
     assert any("falls at g" in note for note in found.describe().notes)
+
+
+def test_the_last_level_is_the_highest_at_which_one_in_a_hundred_may_end_so() -> None:
+    """Counted run by run: of both ways half have the vertical motion."""
+    shaken = suite(0.5)
+    lost = contact_levels(USUAL, [STATUE], shaken)[0]
+    usual = USUAL.levels_for([STATUE])
+    lasts = {}
+    for vertical, part in ((True, 1.0), ("both", 0.5)):
+        ways = rs.risk.Ways(vertical=vertical)  # type: ignore[arg-type]
+        result = levels_in_contact(USUAL, [STATUE], shaken, ways=ways).levels
+        assert isinstance(result, tuple)
+        assert len(result) == 20
+
+        def ended(last: float, part: float = part) -> float:
+            """Return the share of the runs that end without an answer."""
+            span = np.geomspace(min(usual[0], last / 2.0), last, 20)
+            runs = [
+                level > limit * (1.0 - 1e-9) * (1.0 + 1e-12) for level in span for limit in lost
+            ]
+            return part * float(np.mean(runs))
+
+        lasts[vertical] = result[-1]
+        assert ended(result[-1]) <= 0.01
+        higher = sorted(limit for limit in [*lost, usual[-1]] if limit > result[-1] * (1.0 + 1e-6))
+        assert higher
+        assert all(ended(limit * (1.0 - 1e-9)) > 0.01 for limit in higher)
+        assert result[0] == pytest.approx(min(usual[0], result[-1] / 2.0))
+    assert lasts[True] <= lasts["both"]
+    words = words_of_shorter(USUAL, [STATUE], lasts[True])
+    assert len(words) == 1
+    assert words[0].startswith("The levels end at p PGV/(g tan alpha) ")
+    assert (
+        "the vertical motion of stronger records falls at g, and such runs have no an" in words[0]
+    )
+    assert words_of_shorter(USUAL, [STATUE], usual[-1]) == []
+    assert words_of_shorter(rs.risk.Levels(MEASURE, [1.0]), [STATUE], 1.0) == []

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady.errors import RocksteadyError
+from rocksteady.errors import InputError, RocksteadyError
 from rocksteady.risk.facades.elastic_spectrum import SOIL_FACTORS, ElasticSpectrum, Soil
 from tests.every import every
 
@@ -129,3 +129,69 @@ def test_what_is_wrong_is_named(keys: dict[str, Any], line: str) -> None:
 def test_periods_and_dampings_out_of_range_are_refused(period: float, damping: float) -> None:
     with pytest.raises(RocksteadyError):
         ElasticSpectrum(**SITE, soil="A").sa_g(period, damping)
+
+
+def test_numbers_of_a_site_reach_the_ends_of_their_ranges_and_no_further() -> None:
+    usual: dict[str, Any] = {
+        "ag_g": 0.2,
+        "f0": 2.5,
+        "tc_star_s": 0.3,
+        "soil_factor": 1.2,
+        "cc": 1.4,
+    }
+    wrong = []
+    for key, low, high in (
+        *(("ag_g", 0.001, 1.0), ("f0", 1.5, 5.0), ("tc_star_s", 0.05, 1.0)),
+        *(("soil_factor", 0.5, 4.0), ("cc", 0.5, 4.0), ("topography", 1.0, 2.0)),
+    ):
+        step = 1e-6 * (high - low)
+        for value, taken in (
+            *((low - step, False), (low, True), (high, True), (high + step, False)),
+        ):
+            try:
+                ElasticSpectrum(**{**usual, key: value})
+                result = True
+            except InputError:
+                result = False
+            if result != taken:
+                wrong.append((key, value))
+    assert wrong == []
+    site = ElasticSpectrum(**usual)
+    for period, taken in ((-1e-9, False), (0.0, True), (60.0, True), (60.001, False)):
+        if taken:
+            assert site.sa_g(period, 0.05) > 0.0
+        else:
+            with pytest.raises(InputError, match=r"^period_s = "):
+                site.sa_g(period, 0.05)
+    for damping, taken in ((0.0, False), (1e-9, True), (1.0 - 1e-9, True), (1.0, False)):
+        if taken:
+            assert site.displacement_m(1.0, damping) > 0.0
+        else:
+            with pytest.raises(InputError, match=r"^damping = "):
+                site.displacement_m(1.0, damping)
+
+
+def test_grounds_of_the_table() -> None:
+    """Categories by hand at a_g F0 = .5: S_S within its bounds and C_C of Table 3.2.IV."""
+    for soil, factor, cc in (
+        *(("A", 1.0, 1.0), ("B", 1.2, 1.1 * 0.3**-0.2), ("C", 1.7 - 0.6 * 0.5, 1.05 * 0.3**-0.33)),
+        *(("D", 2.4 - 1.5 * 0.5, 1.25 * 0.3**-0.5), ("E", 2.0 - 1.1 * 0.5, 1.15 * 0.3**-0.4)),
+    ):
+        site = ElasticSpectrum(ag_g=0.2, f0=2.5, tc_star_s=0.3, soil=soil)  # type: ignore[arg-type]
+        assert site.ss == pytest.approx(factor), soil
+        assert site.tc_s == pytest.approx(0.3 * cc), soil
+        assert site.td_s == pytest.approx(2.4)
+        weak = ElasticSpectrum(ag_g=0.01, f0=2.5, tc_star_s=0.3, soil=soil)  # type: ignore[arg-type]
+        strong = ElasticSpectrum(ag_g=0.9, f0=2.5, tc_star_s=0.3, soil=soil)  # type: ignore[arg-type]
+        most = {"A": 1.0, "B": 1.2, "C": 1.5, "D": 1.8, "E": 1.6}[soil]
+        assert (weak.ss, strong.ss) == (most, 0.9 if soil == "D" else 1.0), soil
+    for topography, factor in (("T1", 1.0), ("T2", 1.2), ("T3", 1.2), ("T4", 1.4), (1.3, 1.3)):
+        site = ElasticSpectrum(
+            ag_g=0.2,
+            f0=2.5,
+            tc_star_s=0.3,
+            soil="A",
+            topography=topography,  # type: ignore[arg-type]
+        )
+        assert site.st == factor
+        assert site.peak_g == pytest.approx(0.2 * factor)

@@ -140,3 +140,46 @@ def test_a_load_in_newtons_or_centimetres_is_refused() -> None:
         Facade(**SIZES, loads=(Load(name="roof", weight_kn=5000.0, x_m=0.2, z_m=3.0),))
     with pytest.raises(RocksteadyError, match=r"x_m of roof.*twice thickness_m = 0\.5"):
         Facade(**SIZES, loads=(Load(name="roof", weight_kn=5.0, x_m=5.0, z_m=3.0),))
+
+
+def test_numbers_reach_the_ends_of_their_ranges_and_no_further() -> None:
+    """Sizes in metres, weights in kN; an end that does not belong to its range is refused."""
+    held = {**SIZES, "thickness_m": 5.0}
+    things: dict[str, Any] = {
+        "facade": (lambda **given: Facade(**{**held, **given})),
+        "load": (lambda **given: Load(**{**LOAD, **given})),
+        "tie": (lambda **given: Tie(**{**FORCE, **given})),
+        "thrust": (lambda **given: Thrust(**{**FORCE, **given})),
+        "mass": (
+            lambda **given: PushingMass(**{"name": "m", "weight_kn": 1.0, "z_m": 3.0, **given})
+        ),
+    }
+    wrong = []
+    for thing, key, low, high, ends in (
+        ("facade", "thickness_m", 0.05, 5.0, "[]"),
+        ("facade", "height_m", 0.1, 50.0, "[]"),
+        ("facade", "length_m", 0.1, 200.0, "[]"),
+        ("facade", "unit_weight_kn_m3", 8.0, 30.0, "[]"),
+        ("facade", "confidence_factor", 1.0, 2.0, "[]"),
+        ("facade", "base_height_m", 0.0, 300.0, "[]"),
+        ("facade", "elastic_modulus_mpa", 10.0, 1e5, "[]"),
+        ("facade", "elastic_period_s", 0.001, 10.0, "[]"),
+        *(("load", "weight_kn", 0.0, 1e6, "(]"), ("mass", "weight_kn", 0.0, 1e6, "(]")),
+        *(("tie", "force_kn", 0.0, 1e6, "(]"), ("thrust", "force_kn", 0.0, 1e6, "(]")),
+        ("load", "x_m", -5.0, 10.0, "[]"),
+        *((each, "z_m", 0.0, 100.0, "(]") for each in ("load", "tie", "thrust", "mass")),
+        *((each, "lost_at_m", 0.0, 10.0, "(]") for each in ("load", "tie", "thrust")),
+    ):
+        step = 1e-6 * (high - low)
+        for value, taken in (
+            *((low - step, False), (low, ends[0] == "["), (low + step, True)),
+            *((high - step, True), (high, ends[1] == "]"), (high + step, False)),
+        ):
+            try:
+                things[thing](**{key: value})
+                result = True
+            except RocksteadyError:
+                result = False
+            if result != taken:
+                wrong.append((thing, key, value))
+    assert wrong == []

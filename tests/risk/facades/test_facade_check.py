@@ -171,3 +171,25 @@ def test_the_mechanism_is_told_without_what_the_checks_tell() -> None:
     elsewhere = {"name", "d_slv_m", "d_slc_m"}
     assert elsewhere < labels.keys()
     assert told_of == [label for key, label in labels.items() if key not in elsewhere]
+
+
+def test_remarks_are_those_of_the_kind_and_of_what_was_run() -> None:
+    """A gable's top is remarked on where a building stands behind it."""
+    sizes: dict[str, Any] = {"name": "front", "thickness_m": 0.5, "height_m": 3.0}
+    free = {"base_height_m": 5.0, "elastic_period_s": 0.1}
+    tie = Tie(name="rods", force_kn=2.0, z_m=2.8)
+    always = ["standard", "second_conditions"]
+    for given, keys in (
+        ({}, ["e_star", *always]),
+        ({"kind": "gable"}, ["e_star", "gable_top", *always]),
+        ({"kind": "gable", "one_sided": False, **free}, ["e_star_free", *always]),
+        ({"kind": "parapet", **free}, ["e_star_free", *always]),
+        ({"ties": (tie,)}, ["ending", "e_star", *always]),
+    ):
+        facade = Facade(**sizes, **given)
+        result = replace(checked(), facade=facade)
+        assert [each.key for each in result.remarks] == keys, given
+        with_runs = replace(result, runs=runs([[0.1, 0.2]], facade=facade))
+        more = ["uplift"]
+        more += ["rigid_runs"] * facade.free + ["in_line"] * bool(facade.ties)
+        assert [each.key for each in with_runs.remarks] == [*keys, *more], given

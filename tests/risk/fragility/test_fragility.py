@@ -23,7 +23,7 @@ from rocksteady.risk import (
 )
 from rocksteady.risk.fits.two_stages import LEAST_GAIN, TwoStageCurve
 from rocksteady.risk.fragility.efficiency import Efficiency
-from rocksteady.risk.fragility.fragility import _short, _shown_row, _tried, _verb
+from rocksteady.risk.fragility.fragility import _columns, _short, _shown_row, _tried, _verb
 from tests.every import every
 
 AT, TRIALS = [0.2, 0.4, 0.8, 1.6], [40] * 4
@@ -223,3 +223,12 @@ def test_states_and_equations_are_those_of_the_runs() -> None:
     assert isinstance(made.model, Nonlinear)
     linear = fragility(ensemble=ensemble_of("linear"))
     assert isinstance(linear.model, Linear)
+
+
+def test_columns_of_damage_states_name_the_unit_and_have_words_on_the_left() -> None:
+    for unit, median in (("g", "median [g]"), ("m/s", "median [m/s]"), ("", "median")):
+        result = [(column.heading, column.left) for column in _columns(unit)]
+        assert result == [
+            *(("damage state", True), (median, True), ("beta", True)),
+            *(("misfit", False), ("gain", False), ("stages", True)),
+        ]

@@ -13,7 +13,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import free_rocking_peaks, free_rocking_period
 from rocksteady.histories import Release
 from rocksteady.model.equations import Model
-from rocksteady.risk.free_rocking.restitution_fit import decayed
+from rocksteady.risk.free_rocking.restitution_fit import decayed, impacts_until
 from tests.every import every
 from tests.risk.free_rocking.decays import decay
 
@@ -267,3 +267,237 @@ def test_weights_may_vanish_where_a_caller_lets_underflow_raise() -> None:
     with np.errstate(all="raise"):
         raised = fit_restitution(peaks, block)
     assert raised.restitution == fit_restitution(peaks, block).restitution
+
+
+def exact(e: float = 0.95, count: int = 12, block: Block = BLOCK) -> Floats:
+    """Return peaks of a block with one restitution from 0.6 alpha."""
+    return block.alpha * np.array(free_rocking_peaks(0.6, e, count, alpha=block.alpha))
+
+
+def counted(block: Block, start: float, side: int, ratios: tuple[float, float]) -> int:
+    """Return after how many impacts a peak is 5 % of the first, impact by impact."""
+    if side == -1:  # mirrored
+        swapped = (block.negative, block.positive)
+        ratios = ratios[::-1]
+    else:
+        swapped = (block.positive, block.negative)
+    alpha, p = [each.alpha for each in swapped], [each.p for each in swapped]
+    speed = p[0] * math.sqrt(2.0 * (math.cos(alpha[0] - start) - math.cos(alpha[0])))
+    for number in range(1, 100_000):
+        speed *= ratios[(number - 1) % 2]
+        at = number % 2
+        aim = math.cos(alpha[at] - 0.05 * start) - math.cos(alpha[at])
+        if 0.5 * (speed / p[at]) ** 2 <= aim * (1.0 + 1e-11):
+            return number
+    raise AssertionError
+
+
+def test_impacts_until_a_twentieth_are_those_counted_one_by_one() -> None:
+    for block, ratios in (
+        *((BLOCK, (each, each)) for each in (0.2, 0.5, 0.8, 0.9, 0.95, 0.99, 0.999)),
+        *((UNLIKE, each) for each in ((0.87, 0.93), (0.93, 0.87), (0.5, 0.99), (0.3, 1.5))),
+    ):
+        for side in (1, -1):
+            for part in (0.1, 0.5, 0.95):
+                alpha = (block.positive if side == 1 else block.negative).alpha
+                peaks = [part * alpha, 0.9 * part * alpha]
+                sides = [side, -side]
+                if max(peaks) > min(block.positive.alpha, block.negative.alpha):
+                    continue
+                release = Release(peaks_rad=peaks, sides=sides)
+                result = impacts_until(release, block, Nonlinear(), ratios)
+                assert result == counted(block, part * alpha, side, ratios), (ratios, side, part)
+    release = Release(peaks_rad=exact())
+    for never in ((1.0, 1.0), (1.2, 0.9), (0.5, 2.0), (1.0 - 1e-9, 1.0 - 1e-9)):
+        assert impacts_until(release, BLOCK, Nonlinear(), never) is None, never
+
+
+def test_measuring_errors_are_those_of_differences_of_the_ratio() -> None:
+    """Of the ratio of velocities by its peaks: central differences of the textbook's energy."""
+    sigma = 2e-4
+
+    def speed(block: Block, side: int, peak: float) -> float:
+        at = block.positive if side == 1 else block.negative
+        return at.p * math.sqrt(2.0 * (math.cos(at.alpha - peak) - math.cos(at.alpha)))
+
+    for block, ratios in ((BLOCK, (0.95, 0.95)), (UNLIKE, (0.87, 0.93))):
+        peaks = decay(block, 0.6 * block.positive.alpha, np.tile(ratios, 4))
+        fit = fit_restitution(Release(peaks_rad=peaks, sigma_rad=sigma), block)
+        for place, impact in enumerate(fit.impacts):
+            sides = (1, -1) if place % 2 == 0 else (-1, 1)
+            pair = peaks[place], peaks[place + 1]
+            ratio = [
+                speed(block, sides[1], pair[1] + after) / speed(block, sides[0], pair[0] + before)
+                for before, after in (
+                    (0.0, 0.0),
+                    (1e-6, 0.0),
+                    (-1e-6, 0.0),
+                    (0.0, 1e-6),
+                    (0.0, -1e-6),
+                )
+            ]
+            by_peaks = (ratio[1] - ratio[2]) / 2e-6, (ratio[3] - ratio[4]) / 2e-6
+            assert impact.restitution == pytest.approx(ratio[0], rel=1e-9)
+            assert impact.measuring_error == pytest.approx(sigma * math.hypot(*by_peaks), rel=1e-5)
+            assert impact.residual == pytest.approx(0.0, abs=1e-6)
+            assert (impact.number, impact.side) == (place + 1, sides[0])
+            assert (impact.peak_rad, impact.next_rad) == pair
+    # Of two impacts at a time the ratio is a geometric mean.
+    peaks = exact(count=16)
+    fit = fit_restitution(Release(peaks_rad=peaks[::2], sides=1, sigma_rad=sigma), BLOCK)
+    first = fit.impacts[0]
+    ratio = [speed(BLOCK, 1, peaks[2] + d) / speed(BLOCK, 1, peaks[0]) for d in (0.0, 1e-6, -1e-6)]
+    counterpart = [speed(BLOCK, 1, peaks[2]) / speed(BLOCK, 1, peaks[0] + d) for d in (1e-6, -1e-6)]
+    by_peaks = (
+        (math.sqrt(ratio[1]) - math.sqrt(ratio[2])) / 2e-6,
+        (math.sqrt(counterpart[0]) - math.sqrt(counterpart[1])) / 2e-6,
+    )
+    assert first.restitution == pytest.approx(math.sqrt(ratio[0]), rel=1e-9)
+    assert first.measuring_error == pytest.approx(sigma * math.hypot(*by_peaks), rel=1e-5)
+    assert (first.side, first.number) == (0, 1)
+
+
+def test_a_trend_is_the_slope_of_the_restitution_against_the_amplitude() -> None:
+    """With closely measured peaks it is ordinary least squares of ln(e) on theta/alpha."""
+    rng = np.random.default_rng(5)
+    ratios = 0.95 * np.exp(0.02 * rng.standard_normal(14))
+    peaks = decay(BLOCK, 0.7 * BLOCK.alpha, ratios)
+    fit = fit_restitution(Release(peaks_rad=peaks, sigma_rad=1e-9), BLOCK)
+    amplitude = peaks[:-1] / BLOCK.alpha
+    slope, middle = np.polyfit(amplitude, np.log(ratios), 1)
+    mean = math.exp(float(np.log(ratios).mean()))
+    assert fit.trend == pytest.approx(mean * slope, rel=1e-4)
+    spread = float(np.square(amplitude - amplitude.mean()).sum())
+    # Its error has the scatter of the fit without the trend.
+    scatter = float(np.log(ratios).std(ddof=1))
+    assert fit.trend_error == pytest.approx(mean * scatter / math.sqrt(spread), rel=1e-3)
+    assert fit.scatter == pytest.approx(mean * scatter, rel=1e-3)
+    assert middle < 0.0
+    remarked = any("changes with the amplitude" in each for each in fit.warnings)
+    assert remarked == (abs(fit.trend or 0.0) > 2.0 * (fit.trend_error or 0.0))
+
+
+def test_steps_that_a_trend_and_a_measuring_error_need() -> None:
+    for count, trend in ((3, False), (4, True), (5, True)):
+        assert (fit_restitution(exact(count=count), BLOCK).trend is not None) == trend
+        joint = decay(UNLIKE, 0.5 * UNLIKE.positive.alpha, np.resize([0.87, 0.93], count))
+        assert (fit_restitution(joint, UNLIKE).trend is not None) == (count > 4)
+    # Peaks that are all alike have no amplitude to change with.
+    level = fit_restitution(np.full(8, 0.05), BLOCK)
+    assert level.restitution == pytest.approx((1.0, 1.0), abs=1e-12)
+    assert (level.trend, level.trend_error, level.to_small) == (None, None, None)
+    rng = np.random.default_rng(3)
+    for count, short in ((7, True), (8, False)):
+        peaks = exact(count=count) * (1.0 + 0.003 * rng.standard_normal(count + 1))
+        fit = fit_restitution(peaks, BLOCK)
+        words = f"From {count} steps the measuring error cannot be estimated: the scatter holds it "
+        assert (f"{words}too. Give sigma_rad, or more impacts." in fit.warnings) == short
+        assert fit.sigma_estimated
+        assert (
+            fit_restitution(Release(peaks_rad=peaks, sigma_rad=1e-4), BLOCK).sigma_estimated
+            is False
+        )
+
+
+def test_a_peak_of_six_standard_deviations_still_counts() -> None:
+    peaks = exact(count=8)
+    for part, kept in ((6.0001, 8), (5.9999, 7)):
+        fit = fit_restitution(Release(peaks_rad=peaks, sigma_rad=float(peaks[-1]) / part), BLOCK)
+        assert (len(fit.impacts), fit.left_out) == (kept, 8 - kept), part
+        words = "1 peak left out: from the first one below 6 standard deviations of the measuring "
+        assert (f"{words}error on, a release shows nothing of its impacts." in fit.warnings) == (
+            kept == 7
+        )
+    each = np.full(9, 1e-9)
+    each[4] = float(peaks[4])  # what comes behind a lost peak is lost too
+    fit = fit_restitution(Release(peaks_rad=peaks, sigma_rad=each), BLOCK)
+    assert (len(fit.impacts), fit.left_out) == (3, 5)
+    assert fit.sigma_rad is None
+    same = fit_restitution(Release(peaks_rad=peaks, sigma_rad=np.full(9, 1e-6)), BLOCK)
+    assert same.sigma_rad == 1e-6
+
+
+def test_half_periods_are_remarked_on_beyond_a_twentieth() -> None:
+    peaks = exact()
+    quarters = free_rocking_period(peaks / BLOCK.alpha, alpha=BLOCK.alpha) / (4.0 * BLOCK.p)
+    times = np.concatenate([[0.0], np.cumsum(quarters[:-1] + quarters[1:])])
+    for share, remarked in ((1.049, False), (1.051, True), (0.951, False), (0.949, True)):
+        fit = fit_restitution(Release(peaks_rad=peaks, times_s=share * times), BLOCK)
+        assert fit.half_periods == pytest.approx(share, rel=1e-9)
+        assert any("Measured half periods are" in each for each in fit.warnings) == remarked
+        assert "half periods" in fit.summary(more=True)
+    joint = [Release(peaks_rad=peaks), Release(peaks_rad=peaks, times_s=5.0 + 1.02 * times)]
+    assert fit_restitution(joint, BLOCK).half_periods == pytest.approx(1.02, rel=1e-9)
+    assert fit_restitution(joint[:1], BLOCK).half_periods is None
+
+
+def test_peaks_that_grow_are_named_up_to_three() -> None:
+    for grown, more in ((1, ""), (3, ""), (4, " and 1 more"), (5, " and 2 more")):
+        peaks = exact(count=14)
+        for at in range(grown):
+            peaks[2 + 2 * at] = 1.02 * peaks[1 + 2 * at]
+        fit = fit_restitution(Release(peaks_rad=peaks, sigma_rad=1e-6, name="third"), BLOCK)
+        named = ", ".join(f"impact {2 + 2 * at} of third" for at in range(min(grown, 3)))
+        assert fit.warnings[0] == (
+            f"The peaks grow over {named}{more}, more than the measuring error explains: check "
+            "their order and sides, and whether the base was still."
+        )
+    fit = fit_restitution(decay(BLOCK, 0.3 * BLOCK.alpha, np.full(6, 1.02)), BLOCK)
+    assert fit.restitution[0] > 1.0
+    assert "A restitution above 1 is that of no impact: blocks take at most 1." in fit.warnings
+    assert fit.measured.restitution == 1.0
+    assert fit_restitution(exact(), BLOCK).measured.restitution == pytest.approx(0.95)
+
+
+def test_a_fit_in_words_and_in_keys() -> None:
+    housner = 1.0 - 1.5 * math.sin(BLOCK.alpha) ** 2
+    peaks = exact()
+    fit = fit_restitution(Release(peaks_rad=peaks, sigma_rad=1e-7), BLOCK)
+    values = fit.to_dict()
+    assert fit.housner == pytest.approx((housner, housner), rel=1e-12)
+    assert values["factor"] == pytest.approx([0.95 / housner] * 2, rel=1e-6)
+    assert values["impacts_to_5_percent"] == counted(BLOCK, peaks[0], 1, (0.95, 0.95))
+    assert values["impacts_to_5_percent_housner"] == counted(BLOCK, peaks[0], 1, (housner, housner))
+    assert values["standard_error"][0] / values["restitution"][0] == pytest.approx(
+        values["factor_error"][0] / values["factor"][0]
+    )
+    assert (values["sigma_rad"], values["sigma_estimated"], values["model"]) == (
+        *(1e-7, False, "nonlinear"),
+    )
+    assert [row["number"] for row in values["impacts"]] == list(range(1, 13))
+    text = fit.summary(more=True)
+    headline = f"restitution 0.95, {0.95 / housner:.3g} of Housner's, from 12 impacts of 1 release"
+    for words in (
+        *(headline, "e/Housner", "measuring error", "sd 0.0001 mrad", "until 5 % of the peak"),
+        *(f"{values['impacts_to_5_percent']} impacts by the fit and ", "by Housner's value"),
+        *("test", "peak [rad]", "next [rad]", "± measuring", "residual [sd]", "0.9500"),
+    ):
+        assert words in text, (words, text)
+    two = fit_restitution([Release(peaks_rad=peaks, sides=1), Release(peaks_rad=peaks)], BLOCK)
+    assert "from 36 impacts of 2 releases" in two.summary(more=True)
+    sides = decay(UNLIKE, 0.5 * UNLIKE.positive.alpha, np.tile([0.87, 0.93], 6))
+    unlike = fit_restitution(sides, UNLIKE)
+    assert "restitution 0.87 and 0.93, from 12 impacts of 1 release" in unlike.summary(more=True)
+    assert unlike.to_dict()["restitution"] == pytest.approx([0.87, 0.93])
+    single = fit_restitution(sides, UNLIKE, each_side=False)
+    assert single.factor is not None
+    assert single.factor[0] == single.factor[1]
+
+
+def test_peaks_that_a_fit_computes() -> None:
+    fit = fit_restitution(exact(), BLOCK)
+    release = Release(peaks_rad=exact())
+    np.testing.assert_allclose(fit.peaks_of(release), exact(), rtol=1e-8)
+    np.testing.assert_allclose(fit.peaks_of(release, (0.9, 0.9)), exact(e=0.9), rtol=1e-8)
+    assert fit.peaks_of(release, (2.0, 2.0))[1] == pytest.approx(BLOCK.alpha)
+    for wrong in ((0.9,), (0.9, 0.9, 0.9), (0.0, 0.9), (0.9, 2.01), (-0.1, 0.9)):
+        with pytest.raises(InputError, match=r"^ratios = "):
+            fit.peaks_of(release, wrong)
+    with pytest.raises(
+        InputError, match="no impact of one side was measured alone; give the peaks"
+    ):
+        fit_restitution(Release(peaks_rad=exact()[::2], sides=1), BLOCK, each_side=True)
+    with pytest.raises(InputError, match="no impact of one side was measured alone"):
+        fit_restitution(exact(count=1), BLOCK, each_side=True)
+    twice = fit_restitution(exact(), BLOCK, each_side=True)
+    assert twice.restitution == pytest.approx((0.95, 0.95))

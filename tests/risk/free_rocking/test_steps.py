@@ -172,3 +172,80 @@ def test_the_lowest_deviance_is_refined_between_its_neighbours_and_below_the_lea
         value, place = _refined(bowl, trials, [bowl(each) for each in trials])
         assert place == pytest.approx(min(max(least, 0.0), 4.0), abs=1e-3)
         assert value == pytest.approx(bowl(place), rel=1e-9)
+
+
+@every(("count", "kinds"), [(24, 1), (24, 2), (60, 2)])
+def test_groups_without_measuring_errors_have_their_own_means_and_a_common_scatter(
+    count: int, kinds: int
+) -> None:
+    """Posterior of a flat prior of the scatter: chi-square with n - k - 1 degrees of freedom."""
+    made = independent(count, -0.06, 0.05, seed=4)
+    kind = np.arange(count) % kinds
+    design = (kind[:, np.newaxis] == np.arange(kinds)).astype(np.float64)
+    result = estimate(replace(made, design=design), error=1.0)
+    means = np.array([made.change[kind == each].mean() for each in range(kinds)])
+    assert result.factor == pytest.approx(means, rel=1e-9)
+    squares = float(((made.change - means[kind]) ** 2).sum())
+    assert result.scatter == pytest.approx(math.sqrt(squares / (count - kinds)), rel=1e-3)
+    free = count - kinds - 1
+    deviation = math.sqrt(squares / (free - 2) / (count // kinds))
+    assert result.deviation == pytest.approx(np.full(kinds, deviation), rel=0.01)
+    width = math.sqrt(squares / free / (count // kinds))
+    ends = means[:, np.newaxis] + width * stats.t.ppf([0.05, 0.95], free)
+    assert result.interval == pytest.approx(ends, abs=0.02 * width)
+    residuals = (made.change - means[kind]) / result.scatter
+    assert result.residuals == pytest.approx(residuals, rel=1e-6)
+
+
+def test_steps_of_two_impacts_have_twice_the_scatter_squared() -> None:
+    """Equal steps of one impact and of two, beside weighted least squares by hand."""
+    rng = np.random.default_rng(9)
+    impacts = np.where(np.arange(30) % 3 == 0, 2.0, 1.0)
+    change = -0.05 * impacts + 0.04 * np.sqrt(impacts) * rng.standard_normal(30)
+    zero = np.zeros(30)
+    made = Steps(
+        change=change,
+        design=impacts[:, np.newaxis],
+        impacts=impacts,
+        before=zero,
+        after=zero,
+        follows=np.zeros(30, dtype=bool),
+    )
+    result = estimate(made, error=1.0)
+    factor = change.sum() / impacts.sum()
+    squares = float(((change - factor * impacts) ** 2 / impacts).sum())
+    assert result.factor[0] == pytest.approx(factor, rel=1e-9)
+    assert result.scatter == pytest.approx(math.sqrt(squares / 29.0), rel=1e-3)
+    _, covariance = solved(made, result.scatter, 1.0)
+    assert covariance[0, 0] == pytest.approx(result.scatter**2 / impacts.sum(), rel=1e-9)
+
+
+def test_few_steps_leave_the_scatter_without_an_upper_end() -> None:
+    """Of two steps and one mean one degree of freedom is left, of which Student's is known."""
+    made = independent(2, -0.06, 0.05)
+    result = estimate(made, error=1.0)
+    spread = float(made.change.std(ddof=1))
+    assert result.scatter == pytest.approx(spread, rel=1e-3)
+    reach = float(stats.t.ppf(0.95, 1)) * spread / math.sqrt(2.0)
+    assert result.interval[0] == pytest.approx(
+        made.change.mean() + np.array([-reach, reach]), rel=1e-3
+    )
+    alone = estimate(independent(1, -0.06, 0.05), error=1.0)
+    assert np.isinf(alone.interval[0]).all()
+    assert alone.scatter == 0.0
+
+
+def test_errors_of_peaks_alone_have_no_scatter_and_their_own_size() -> None:
+    """Where the errors are known and explain all, the likelihood is largest without a scatter."""
+    rng = np.random.default_rng(21)
+    change = rng.normal(-0.05, 0.01, 12)
+    wide = np.full(12, 0.05)
+    made = replace(independent(12, 0.0, 1.0), change=change, before=wide, after=wide)
+    result = estimate(made, error=1.0)
+    assert result.scatter == 0.0
+    assert result.scatter_interval[0] == 0.0
+    least = _deviance(made, 0.0, 1.0)
+    end = result.scatter_interval[1]
+    assert 0.5 * (_deviance(made, end, 1.0) - least) == pytest.approx(1.3528, abs=2e-3)
+    assert result.factor[0] == pytest.approx(change.mean())
+    assert result.residuals == pytest.approx((change - change.mean()) / (0.05 * math.sqrt(2.0)))

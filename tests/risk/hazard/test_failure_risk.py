@@ -401,3 +401,33 @@ def test_a_tail_of_infinite_risk_is_refused() -> None:
     with pytest.raises(InputError, match="rises faster than the fragility falls"):
         compute_risk(curve, power_law(4.0).extended())
     assert compute_risk(curve, power_law(4.0)).annual_rate > 0.0
+
+
+def test_notes_say_what_is_to_be_known_of_the_figures() -> None:
+    banded = compute_risk((0.4, 0.4), HAZARD)
+    band = "The band is that of the fragility with all intensities at its edge at once"
+    gate = "A curve over PGV has no gate at PGA = g tan alpha"
+    poisson = "Failures are a Poisson process: independent, at a constant rate, the object set up"
+    notes = " ".join(banded.describe().notes)
+    assert (band in notes, gate in notes, poisson in notes) == (False, True, True)
+    with_band = dataclasses.replace(banded, annual_rate_band=(1e-4, 1e-3))
+    assert band in " ".join(with_band.describe().notes)
+    low, high = (100.0 * -math.expm1(-50.0 * rate) for rate in (1e-4, 1e-3))
+    assert f"({low:.3g} to {high:.3g} %)" in " ".join(with_band.summary(more=True).split())
+    ground = HazardCurve(measure="pga_g", levels=LEVELS, rates=3e-4 * LEVELS**-1.8)
+    over_pga = " ".join(compute_risk((0.4, 0.4), ground).describe().notes)
+    assert (gate in over_pga, "tails" in over_pga) == (False, False)
+    tailed = " ".join(compute_risk((0.4, 0.4), ground.extended()).describe().notes)
+    assert "The hazard curve has power-law tails: " in tailed
+    for unsampled, said in ((None, False), (0.0, False), (0.5, True)):
+        some = " ".join(dataclasses.replace(banded, unsampled=unsampled).describe().notes)
+        assert (
+            "% of the risk are from intensities that no run of the fragility has" in some
+        ) == said
+    values = banded.to_dict()
+    assert values["years"] == 50.0
+    assert values["return_period_years"] == pytest.approx(1.0 / banded.annual_rate)
+    rows = values["contributions"]
+    assert sum(row["share"] for row in rows) == pytest.approx(1.0)
+    assert (rows[0]["low"], rows[-1]["high"]) == (None, None)
+    assert [row["high"] for row in rows[:-1]] == [row["low"] for row in rows[1:]]

@@ -331,3 +331,112 @@ def test_any_bytes_are_curves_or_one_clear_line(
 def spoilt(content: bytes, at: int, count: int, instead: bytes) -> bytes:
     """Return bytes of which some are replaced by others."""
     return content[:at] + instead + content[at + count :]
+
+
+def test_what_the_second_column_is_called(file: Any) -> None:
+    """Rates by hand: of a probability p in T years -ln(1 - p)/T, of a return period its inverse."""
+
+    def poe(years: float) -> float:
+        return -math.log1p(-0.01) / years
+
+    for name, options, rate in (
+        *(
+            (each, {}, 0.01)
+            for each in ("annual rate", "MAFE", "mafoe", "afe", "frequency", "lambda")
+        ),
+        *(
+            (each, {}, 0.01)
+            for each in ("1/yr", "H [/year]", "x (/a)", "events per year", "H (1/y)")
+        ),
+        *(("rate per 10 years", {}, 0.001), ("rate/2.5 y", {}, 0.004), ("rate in 5 a", {}, 0.002)),
+        *(("annual probability", {}, poe(1.0)), ("AEP", {}, poe(1.0)), ("apoe", {}, poe(1.0))),
+        *(("PoE in 50 years", {}, poe(50.0)), ("poe in 1 year", {}, poe(1.0))),
+        *(("prob in 475.5 y", {}, poe(475.5)), ("yearly probability", {}, poe(1.0))),
+        *(("PoE", {"poe_years": 30.0}, poe(30.0)), ("P(exceedance)", {"poe_years": 2.0}, poe(2.0))),
+        *(("poe in 30 years", {"poe_years": 30.0}, poe(30.0)), ("H", {"poe_years": 1.0}, poe(1.0))),
+        *(("return period [years]", {}, 100.0), ("recurrence in 10 years", {}, 100.0)),
+    ):
+        first = "0.001" if "re" in name[:3] and rate == 100.0 else "0.2"
+        text = f"PGA [g],{name}\n0.1,{first}\n0.4,0.01\n"
+        (curve,) = read_hazard_curves(file(text), **options)  # type: ignore[arg-type]
+        assert curve.rates[1] == pytest.approx(rate, rel=1e-12), name
+    for name, options, words in (
+        ("rate per 0 years", {}, "is of no time; name the columns"),
+        ("annual rate %", {}, "is in per cent, which is for probabilities"),
+        ("poe in 0 years", {}, "0 years is no time; give poe_years="),
+        ("poe in 1000001 years", {}, "1e.06 years is no time"),
+        ("return period", {"poe_years": 1.0}, "the file states 'return period'; leave it out"),
+        ("H", {}, "'h' is not clear; name the column \"annual rate\", or give poe_years="),
+        ("rate per decade", {}, "is of a time that is not counted in years"),
+    ):
+        with pytest.raises(InputError, match=words):
+            read_hazard_curves(file(f"PGA [g],{name}\n0.1,0.2\n0.4,0.01\n"), **options)  # type: ignore[arg-type]
+    for name, value in (("return period", "0"), ("return period", "-5"), ("rate", "-0.01")):
+        with pytest.raises(
+            InputError, match=r"line 3, .*a rate is not negative, a return period ab"
+        ):
+            read_hazard_curves(file(f"PGA [g],{name}\n0.1,0.2\n0.4,{value}\n"))
+    (ended,) = read_hazard_curves(file("PGA [g],rate\n0.1,0.2\n0.4,0.01\n0.6,0\n"))
+    assert ended.remarks == ("1 level left out: no rate.",)
+
+
+def test_what_the_first_column_is_called(file: Any) -> None:
+    g = 9.80665
+    for name, options, measure, factor in (
+        ("pga (g)", {}, "pga_g", 1.0),
+        ("peak ground acceleration [cm/s2]", {}, "pga_g", 0.01 / g),
+        ("PGA, g", {}, "pga_g", 1.0),
+        ("peak ground velocity (mm/s)", {}, "pgv_m_s", 0.001),
+        ("PGV [in/s]", {}, "pgv_m_s", 0.0254),
+        ("PGV [ft/sec]", {}, "pgv_m_s", 0.3048),
+        ("PGV [kine]", {}, "pgv_m_s", 0.01),
+        ("PGV [mps]", {}, "pgv_m_s", 1.0),
+        ("pgv_m_s", {}, "pgv_m_s", 1.0),
+        ("SA(T=0.5 s) [g]", {}, "sa_g:0.5", 1.0),
+        ("psa[2] (m/s2)", {}, "sa_g:2.0", 1.0 / g),
+        ("spectral acceleration [g]", {"measure": "sa_g:0.7"}, "sa_g:0.7", 1.0),
+        ("PGA", {"level_unit": "m/s2"}, "pga_g", 1.0 / g),
+        ("PGA [g]", {"level_unit": "g"}, "pga_g", 1.0),
+        ("PGA [g]", {"measure": "pga_g"}, "pga_g", 1.0),
+        ("PGA", {"measure": "pga_g"}, "pga_g", 1.0),
+        ("level", {"measure": "pgv_m_s", "level_unit": "cm/s"}, "pgv_m_s", 0.01),
+    ):
+        separator = ";" if "," in name else ","
+        text = f"{name}{separator}rate\n0.1{separator}0.2\n0.4{separator}0.01\n"
+        (curve,) = read_hazard_curves(file(text), **options)  # type: ignore[arg-type]
+        assert of(curve) == measure, name
+        assert curve.levels == pytest.approx([0.1 * factor, 0.4 * factor], rel=1e-12), name
+    for name, options, words in (
+        ("PGA [furlong]", {}, "names no unit of acceleration; give level_unit="),
+        ("PGV [g]", {}, "names no unit of velocity; give level_unit="),
+        ("PGA [furlong]", {"measure": "pga_g"}, "names no unit of acceleration; give level_unit="),
+        ("PGA [g]", {"level_unit": "furlong"}, "level_unit = 'furlong' .*a unit of acceleration"),
+        ("PGV [m/s]", {"level_unit": "cm/s"}, "the file states 'pgv .m/s.'; leave it out"),
+        ("Sa [g]", {}, "'sa .g.' names no period"),
+        ("x", {}, "'x' is not one of PGA, PGV and Sa"),
+        ("PGA [g]", {"measure": "pgv_m_s"}, "the file states 'pga .g.'; leave out measure="),
+    ):
+        with pytest.raises(InputError, match=words):
+            read_hazard_curves(file(f"{name},rate\n0.1,0.2\n0.4,0.01\n"), **options)  # type: ignore[arg-type]
+
+
+def test_bounds_of_a_file_of_a_hazard_curve(file: Any) -> None:
+    head = "PGA [g],rate\n0.1,0.2\n0.4,0.01\n"
+    for length, fits in ((100_000, True), (100_001, False)):
+        text = f"# {'x' * (length - 2)}\n{head}"
+        if fits:
+            assert len(read_hazard_curves(file(text))) == 1
+        else:
+            with pytest.raises(InputError, match="it has lines of 100,000 characters; give an"):
+                read_hazard_curves(file(text))
+    long = "0.5,0.5" + " " * 60 + "x"
+    with pytest.raises(InputError) as refused:
+        read_hazard_curves(file(f"{head}{long}\n"))
+    assert "line 4, '0.5,0.5" in str(refused.value)
+    assert "x'" not in str(refused.value)
+    for forty in ("0.5,0.5" + "y" * 33, "0.5,0.5" + "y" * 34):
+        with pytest.raises(InputError) as refused:
+            read_hazard_curves(file(f"{head}{forty}\n"))
+        assert ("..." in str(refused.value)) == (len(forty) > 40)
+    (equal,) = read_hazard_curves(file("PGA [g],rate\n0.1,0.2\n0.4,0.2\n"))
+    assert equal.rates.tolist() == [0.2, 0.2]

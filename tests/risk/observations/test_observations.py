@@ -107,3 +107,50 @@ def _warned(*, one: bool = False, **changed: Any) -> tuple[str, ...]:
     if not one:
         tests.append(ShakingTest(**(usual | changed | {"name": "other"})))
     return Observations(tests=tests, objects={"column": COLUMN, "vase": VASE}).warnings
+
+
+def test_tests_in_words_and_keys() -> None:
+    shaken = made(gain=1.5, session="day 1", sigma_ln=0.1)
+    values = shaken.to_dict()
+    assert (values["tests"], values["records"], values["groups"]) == (4, 2, 2)
+    assert values["sources"] == {"a": "0"}
+    assert values["objects"] == ["column", "vase"]
+    row = values["rows"][1]
+    for key, value in (
+        *(("test", "t1"), ("object", "column"), ("record", "b"), ("outcome", "stood")),
+        *(("gain", 1.5), ("session", "day 1"), ("sigma_ln", 0.1), ("group", "b")),
+        *(("vertical", None), ("peak_rad", None), ("sigma_rad", None)),
+    ):
+        assert row[key] == value, key
+    text = shaken.summary()
+    assert "2 fell, 1 stood, 1 unknown" in text
+    lines = text.splitlines()
+    (heading,) = (line for line in lines if "outcome" in line and "gain" in line)
+    assert heading.split() == ["test", "object", "record", "gain", "outcome"]
+    first = next(line for line in lines if "t0" in line)
+    for words, name in (("t0", "test"), ("column", "object"), ("fell", "outcome")):
+        assert first.index(words) == heading.index(name)
+    assert first.index("1.5") + 3 == heading.index("gain") + 4
+    only = shaken.subset([0, 3])
+    assert repr(only) == "<Observations: 2 tests of 2 objects on 2 records: 2 fell>"
+    assert repr(only.of("vase")) == "<Observations: 1 test of 1 object on 1 record: 1 fell>"
+
+
+def test_subsets_from_the_first_place_to_the_last() -> None:
+    shaken = made()
+    assert [test.name for test in shaken.subset([-4, 3]).tests] == ["t0", "t3"]
+    for wrong in ([4], [-5], [0, 4], [0.0], [[0]], 0):
+        with pytest.raises(InputError, match="it must be a row of whole numbers from 0 to 3; give"):
+            shaken.subset(wrong)
+    with pytest.raises(InputError, match="there must be one or more"):
+        shaken.subset([])
+    with pytest.raises(InputError, match="objects are column, vase; give one"):
+        shaken.of("unused")
+
+
+def test_numbers_that_objects_leave_to_the_default_are_named() -> None:
+    text = " ".join(made().summary(more=True).split())
+    assert " of 2 objects is not given: default " in text or " of column is not given" in text
+    alone = " ".join(made().of("column").summary(more=True).split())
+    assert " of column is not given: default " in alone
+    assert "2 objects is not given" not in alone

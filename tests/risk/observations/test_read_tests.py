@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.risk.observations.observations import Observations
-from rocksteady.risk.observations.read_tests import read_tests
+from rocksteady.risk.observations.read_tests import _YES, OUTCOMES, read_tests
 
 SHOCK = "time (s),acceleration (g)\n0,0\n0.01,0.2\n0.02,-0.2\n0.03,0\n"
 TWO = "time (s),N (g),E (g)\n0,0,0\n0.01,0.2,0.1\n0.02,-0.2,-0.1\n0.03,0,0\n"
@@ -334,3 +334,14 @@ def test_motions_are_read_as_laboratories_leave_them(folder: Path) -> None:
     words = refusal(folder, table, column="west")
     assert "no such column" in words
     assert len(words.splitlines()) == 1
+
+
+def test_words_of_outcomes_and_of_reversed_tests() -> None:
+    for word, fell in (
+        *((each, True) for each in ("fell", "overturned", "toppled", "1")),
+        *((each, False) for each in ("stood", "standing", "survived", "0")),
+        ("", None),
+    ):
+        assert OUTCOMES[word] is fell
+    assert {word for word, yes in _YES.items() if yes} == {"yes", "true", "1"}
+    assert {word for word, yes in _YES.items() if not yes} == {"no", "false", "0", ""}

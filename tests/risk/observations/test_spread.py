@@ -1,6 +1,7 @@
 """Spreads: SciPy's distributions as the oracle, and texts that say what they mean."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -125,3 +126,73 @@ def test_a_value_without_spread_has_all_its_mass_there() -> None:
 def test_a_share_lies_between_0_and_1(share: float) -> None:
     with pytest.raises(InputError, match="uniforms"):
         PriorRange.between(0.0, 1.0).quantile([0.5, share])
+
+
+def test_texts_of_spreads_and_what_they_say() -> None:
+    for text, spread, middle, fixed in (
+        ("0.3", PriorRange.exactly(0.3), 0.3, True),
+        ("-0.0", PriorRange.exactly(0.0), 0.0, True),
+        ("0.3:0.5", PriorRange.between(0.3, 0.5), 0.4, False),
+        ("0.3:0.3", PriorRange.exactly(0.3), 0.3, True),
+        (" 0.4 +- 0.1 ", PriorRange.around(0.4, 0.1), 0.4, False),
+        ("0.4±0.1", PriorRange.around(0.4, 0.1), 0.4, False),
+        ("0.4+/-0.1", PriorRange.around(0.4, 0.1), 0.4, False),
+        ("1e50", PriorRange.exactly(1e50), 1e50, True),
+        ("1" + "0" * 50 + " " * 149, PriorRange.exactly(1e50), 1e50, True),
+    ):
+        result = PriorRange.parse(text)
+        assert result == spread, text
+        assert result.middle == pytest.approx(middle)
+        assert result.fixed == fixed
+        assert PriorRange.parse(str(result)) == result
+        assert repr(result) == f"<Spread {result}>"
+    for text, words in (
+        ("0,3", "write a point for a decimal comma"),
+        ("0.3 m", "leave units out"),
+        ("0.3:", "leave units out"),
+        ("Housner*0.9", "give a factor of Housner's value as housner_factor, 1 for the value its"),
+        ("0.5:0.3", "low: it must not be above high = 0.3; exchange the two"),
+        ("0.5+-0", "sd: it must be"),
+        ("1.1e50", "give numbers of usual size"),
+        ("1" + "0" * 50 + " " * 150, "leave units out"),
+    ):
+        with pytest.raises(InputError, match=f"^size = .*{re.escape(words)}"):
+            PriorRange.parse(text, name="size")
+    for wrong, words in (
+        ({"low": 0.0, "high": 1.0, "mean": 1.1, "sd": 0.1}, "it must lie in [0, 1], which is wha"),
+        ({"low": 0.0, "high": 1.0, "mean": -0.1, "sd": 0.1}, "it must lie in [0, 1], which is wh"),
+        ({"low": 1.0, "high": 1.0, "mean": 1.0, "sd": 0.1}, "it must lie in [1, 1], which is wha"),
+        ({"low": -math.inf, "high": 1.0}, "low = -inf"),
+        ({"low": 0.0, "high": 1.0, "mean": 0.5}, "sd = None"),
+        ({"low": 0.0, "high": 1.0, "sd": 0.5}, "mean = None"),
+    ):
+        with pytest.raises(InputError, match=re.escape(words)):
+            PriorRange(**wrong)
+    for ends in (0.0, 1.0):
+        assert PriorRange(low=0.0, high=1.0, mean=ends, sd=0.1).middle == ends
+
+
+def test_a_spread_inside_what_is_possible() -> None:
+    for spread, low, high, expected in (
+        (PriorRange.between(0.3, 0.5), 0.3, 0.5, PriorRange.between(0.3, 0.5)),
+        (PriorRange.around(0.4, 0.1), 0.3, 0.5, PriorRange.around(0.4, 0.1, low=0.3, high=0.5)),
+        (
+            PriorRange.around(0.4, 0.1, low=0.35, high=0.9),
+            *(0.3, 0.5, PriorRange.around(0.4, 0.1, low=0.35, high=0.5)),
+        ),
+        (PriorRange.around(0.5, 0.1), 0.3, 0.5, PriorRange.around(0.5, 0.1, low=0.3, high=0.5)),
+    ):
+        assert spread.within("x", low, high) == expected
+    for spread in (
+        *(PriorRange.between(0.29, 0.4), PriorRange.between(0.4, 0.51), PriorRange.exactly(0.6)),
+        PriorRange.around(0.51, 0.1),
+    ):
+        with pytest.raises(InputError, match=r"^x = .*; give a number from 0\.3 to 0\.5"):
+            spread.within("x", 0.3, 0.5)
+    exact = PriorRange.exactly(0.3)
+    at = exact.log_density([0.3, 0.31])
+    assert at.tolist() == [0.0, -math.inf]
+    assert exact.quantile([0.0, 0.5, 1.0]).tolist() == [0.3, 0.3, 0.3]
+    for wrong in (-0.01, 1.01, math.nan):
+        with pytest.raises(InputError, match="uniforms"):
+            exact.quantile([0.5, wrong])

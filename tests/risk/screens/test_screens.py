@@ -451,3 +451,66 @@ def test_the_page_has_the_worked_values_of_its_block() -> None:
         assert all(f"{value:.4f}" in lines[name] for value in values), name
     shares, _, _ = found.row("p PGV/(g tan alpha)").verdict.partition(" of such")
     assert f": {shares} |" in lines["p PGV/(g tan alpha)"]
+
+
+def test_tables_have_words_on_the_left_and_numbers_on_the_right() -> None:
+    result = screen_block(Block.rectangle(width=0.32, height=1.8), Demand(pga_g=0.35, pgv_m_s=0.4))
+    tables = result.describe().tables
+    left = {column.heading: column.left for table in tables for column in table.columns}
+    assert left == {
+        **dict.fromkeys(("screen", "verdict", "equation", "edition", "P-58 row"), True),
+        **dict.fromkeys(("depth x height",), True),
+        **dict.fromkeys(("value", "m/s", "cm/s", "in/s", "p v/(g tan alpha)"), False),
+    }
+    lines = result.summary(more=True).splitlines()
+    first = next(line for line in lines if "E.20.22.102a" in line)
+    assert first.split()[-4:] == ["0.7240", "72.40", "28.50", "0.7257"]
+    assert "12.625 x 29.0 in" in first
+    values = result.to_dict()
+    assert {row["screen"] for row in values["details"]} <= {row.name for row in result.rows}
+    assert len(values["cabinets"]) == 9
+    assert (values["pga_g"], values["pgv_m_s"], values["friction"]) == (0.35, 0.4, None)
+
+
+def test_the_demand_over_the_threshold_of_a_row() -> None:
+    block = Block.rectangle(width=0.32, height=1.8)
+    joint = screen_block(block, Demand(pga_g=0.35, pgv_m_s=0.4))
+    for name, peak in (("uplift", 0.35), ("Circolare rectangle", 0.35), ("Ishiyama bound", 0.4)):
+        row = joint.row(name)
+        assert joint.ratio(row) == pytest.approx(peak / (row.value or math.nan))
+    assert joint.ratio(joint.row("restitution")) is None
+    bare = screen_block(block, Demand(pgv_m_s=0.4))
+    assert bare.ratio(bare.row("uplift")) is None
+    assert bare.ratio(bare.row("Circolare rectangle")) is None
+    with pytest.raises(
+        InputError, match="there is no such row; give one of: uplift, friction to r"
+    ):
+        joint.row("uplifts")
+
+
+def test_what_screens_say_at_once() -> None:
+    block = Block.rectangle(width=0.32, height=1.8)
+    table = [[0.0, 0.3], [0.5, 0.8], [9.0, 0.1]]
+    for demand, friction, words in (
+        (Demand(), None, "No answer yet: none of the published screens has a verdict."),
+        (Demand(pga_g=0.05, pgv_m_s=0.02), None, "published screens at 0.05 g and 0.02 m/s."),
+        (Demand(pga_g=0.35), 0.05, "It slides at 0.35 g: no screen of rocking is an answer."),
+        (Demand(pgv_m_s=9.0), None, "It passes none of "),
+        (
+            Demand(spectrum=table[1:]),
+            None,
+            "No answer yet: a spectrum alone decides ASCE 43-05 rocking, which needs its damping.",
+        ),
+    ):
+        result = screen_block(block, demand, friction=friction)
+        text = " ".join(result.summary().split())
+        assert words in text, text
+        following = "its damping, as 0.05; for the rest a PGA (or its row at period 0) and a PGV, o"
+        assert (following in text) == (demand.spectrum is not None)
+        assert result.negative == (
+            friction == 0.05 or any(row.passes is False for row in result.rows)
+        )
+    damped = screen_block(block, Demand(spectrum=table[1:], spectrum_damping=0.05))
+    text = " ".join(damped.summary().split())
+    assert "for the rest a PGA (or its row at period 0) and a PGV, or a record" in text
+    assert "its damping, as 0.05;" not in text

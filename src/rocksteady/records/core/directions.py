@@ -28,6 +28,7 @@ _SIGNED: Final = re.compile(
 
 _OF_A_STRUCTURE: Final = frozenset(
     {"h", "h1", "h2", "l", "l1", "t", "t1", "long", "tran", "fn", "fp", "radial", "transverse"}
+    | {"hor", "hor1", "hor2"}
 )
 """Horizontal directions of a structure, a fault or a path, whose azimuth is not in their name."""
 
@@ -152,7 +153,7 @@ def pointing_of_name(stem: str) -> Pointing:
     if tail is None or _CERTAIN.fullmatch(tail[0]) is None or re.search(r"\d{3}$", tail[0]):
         return Pointing()
     word = tail[0].strip("-_. ").lower()
-    return Pointing(orientation="horizontal") if word.startswith("h") else pointing(word)
+    return pointing(word)
 
 
 def tells_nothing(component: str | None) -> bool:

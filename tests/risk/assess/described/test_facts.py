@@ -81,3 +81,42 @@ def test_of_an_object_at_a_wall_the_free_side_and_the_wall_count() -> None:
     assert values["sides"][0]["restitution"] == 0.4
     assert any("rocks about its left edge alone" in warning for warning in facts.warnings)
     assert values["uplift_pga_g"] == pytest.approx(0.1 / 0.8)
+
+
+def test_facts_in_words_of_each_kind_of_block() -> None:
+    """A table of both sides stands where they differ, and no wall is behind the object."""
+    off = {"width_m": 0.4, "height_m": 1.2, "offset_m": 0.05}
+    for geometry, keys, sides in (
+        (None, {}, False),
+        (off, {}, True),
+        (off, {"against_wall": True, "restitution": 0.5}, False),
+        (None, {"against_wall": True, "restitution": 0.5}, False),
+    ):
+        facts = facts_of(geometry, **keys)
+        text = facts.summary(more=True)
+        assert ("lifts at [g]" in text) == sides, (geometry, keys)
+        walled = "against_wall" in keys
+        assert ("restitution of the wall" in text) == walled
+        rows = facts.to_dict()["sides"]
+        assert len(rows) == (1 if walled else 2)
+        if walled:
+            assert rows[0]["restitution"] == facts.to_dict()["restitution"] == 0.5
+    (table,) = facts_of(off).describe().tables
+    assert [(column.heading, column.left) for column in table.columns] == [
+        ("edge", True),
+        *(
+            (heading, False)
+            for heading in ("alpha", "p [rad/s]", "R", "restitution", "lifts at [g]")
+        ),
+    ]
+    text = " ".join(
+        facts_of({"width_m": 0.32, "height_m": 1.8, "mass_kg": 90}).summary(more=True).split()
+    )
+    for words in ("mass 90 kg", "lifts at 0.178 g", "more than 0.178", "radius R 914 mm"):
+        assert words in text, (words, text)
+    shaken = {"vertical_g": 0.3, "pga_g": 0.4, "pgv_m_s": 0.4}
+    facts = facts_of(demand=shaken)
+    assert facts.uplift_pga_g == pytest.approx(0.7 * 0.32 / 1.8)
+    assert "with 0.3 g of vertical motion downwards at the peak" in " ".join(
+        facts.summary().split()
+    )

@@ -71,3 +71,33 @@ def test_a_session_that_falls_too_often_is_named() -> None:
     assert sentence.startswith("misfit by session")
     assert "worst Tuesday, 27 of 30 fell" in sentence
     assert _misfits(rows(16)) == []
+
+
+def test_a_line_is_chosen_from_a_hundred_tests_of_ten_groups_on() -> None:
+    """Each bound by itself: tests whose outcome is not known count for neither."""
+    p, fell, _ = outcomes(0.15, count=600)
+    for tests, groups, chosen in (
+        *((100, 20, True), (99, 20, False), (300, 10, True), (300, 9, False), (100, 10, True)),
+    ):
+        some = np.where(np.arange(600) < tests, fell, np.nan)
+        codes = np.arange(600) % groups
+        assert it_helps(p, some, codes) == chosen, (tests, groups)
+        assert it_helps(p[:tests], fell[:tests], codes[:tests]) == chosen
+    line = Platt(intercept=0.3, slope=0.5)
+    at = np.array([0.0, 1e-9, 0.2, 0.5, 1.0])
+    sure = np.clip(at, 1e-6, 1.0 - 1e-6)
+    odds = 0.3 + 0.5 * np.log(sure / (1.0 - sure))
+    assert line.of(at) == pytest.approx(1.0 / (1.0 + np.exp(-odds)), rel=1e-12)
+    assert (Platt(intercept=0.3).of(at) != at).any()
+
+
+def test_groups_whose_outcomes_are_not_known_have_a_line_too() -> None:
+    p, fell, codes = outcomes(0.5)
+    some = np.where(codes == 3, np.nan, fell)
+    first, second = recalibrated(p, some, codes, p)
+    assert (first == second).all()
+    assert (first[codes == 3] != p[codes == 3]).any()
+    line = fit_platt(p[codes != 3], fell[codes != 3])
+    assert first[codes == 3] == pytest.approx(line.of(p[codes == 3]), rel=1e-12)
+    none = recalibrated(p, np.full(len(p), np.nan), codes)[0]
+    assert (none == p).all()

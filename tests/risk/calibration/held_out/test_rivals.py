@@ -78,3 +78,55 @@ def test_outcomes_of_one_kind_have_a_curve() -> None:
     measures = np.random.default_rng(3).normal(size=(12, 4))
     found = rivals.logistic(measures, np.ones(12), np.ones(12, dtype=bool))
     assert ((found > 0.9) & (found < 1.0)).all()
+
+
+def test_a_gain_is_a_record_that_is_so_much_stronger() -> None:
+    """Every measure of a test is that of the scaled record without a gain."""
+    objects = {
+        "a": ObjectPrior(name="a", width_m=0.2, height_m=1.0, base=1.0),
+        "b": ObjectPrior(name="b", alpha_rad=0.3, p_rad_s=4.0),
+    }
+    records = make_records(2)
+    gains = (0.5, 1.0, 3.0)
+    tests: list[ShakingTest] = []
+    scaled: list[ShakingTest] = []
+    for name in objects:
+        for record in records:
+            for gain in gains:
+                usual = {"name": f"{len(tests)}", "object": name, "fell": True}
+                tests.append(ShakingTest(record=record, gain=gain, **usual))  # type: ignore[arg-type]
+                scaled.append(ShakingTest(record=record.scaled(gain), **usual))  # type: ignore[arg-type]
+    result, expected = (rivals.measures_of(each, objects) for each in (tests, scaled))
+    assert result.shape == (12, len(rivals.MEASURES))
+    np.testing.assert_allclose(result, expected, rtol=1e-6, atol=1e-9)
+    # What scales with the square of the gain, with the gain, and what does not change.
+    grown = np.exp(result[2] - result[1])
+    powers = {
+        name: (2.0 if "gain^2" in name else 1.0 if "gain" in name else 0.0)
+        for name in rivals.MEASURES
+    }
+    np.testing.assert_allclose(grown, [3.0**power for power in powers.values()], rtol=1e-6)
+    # The last two are of the object: g tan alpha of its outline and p of its middle.
+    np.testing.assert_allclose(result[0, -2], math.log(9.80665 * 0.2), rtol=1e-9)
+    np.testing.assert_allclose(result[-1, -2:], np.log([9.80665 * math.tan(0.3), 4.0]), rtol=1e-9)
+
+
+def test_a_curve_knows_no_units_of_its_measures() -> None:
+    """Measures are counted in their own deviations: other units and zeros change nothing."""
+    rng = np.random.default_rng(8)
+    measures = rng.normal(size=(60, 3))
+    fell = (measures[:, 0] + 0.5 * rng.normal(size=60) > 0.0).astype(float)
+    fell[::7] = np.nan
+    train = np.arange(60) % 3 != 0
+    result = rivals.logistic(measures, fell, train)
+    counterpart = rivals.logistic(measures * [100.0, 0.01, 3.0] + [5.0, -2.0, 0.1], fell, train)
+    np.testing.assert_allclose(result, counterpart, rtol=1e-7)
+    assert np.corrcoef(result, measures[:, 0])[0, 1] > 0.9
+    nothing = rivals.logistic(measures, fell, np.zeros(60, dtype=bool))
+    assert (nothing == 0.5).all()
+    rates, curves = rivals.out_of_group(measures, fell, np.zeros(60, dtype=int), np.arange(60) % 3)
+    held = np.arange(60) % 3 == 0
+    np.testing.assert_allclose(curves[held], result[held], rtol=1e-12)
+    np.testing.assert_allclose(
+        rates[held], rivals.base_rate(fell, np.zeros(60, dtype=int), ~held)[held]
+    )

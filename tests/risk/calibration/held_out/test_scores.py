@@ -60,3 +60,44 @@ def test_one_group_has_no_interval_and_no_fall_no_f1() -> None:
 def test_what_cannot_be_scored_is_refused(p: list[float], fell: list[int]) -> None:
     with pytest.raises(InputError, match=r"probabilities|fell"):
         compute_scores(p, fell)
+
+
+def test_the_calibration_error_is_that_of_tenths() -> None:
+    """Two tests of one tenth are joined, and neighbours across its end are not."""
+    for p, fell, error in (
+        ([0.005, 0.095], [1, 0], abs(0.005 - 1.0 + 0.095) / 2.0),
+        ([0.095, 0.105], [1, 0], (0.905 + 0.105) / 2.0),
+        ([0.1, 0.199], [1, 0], abs(0.1 - 1.0 + 0.199) / 2.0),
+        ([0.9, 1.0], [1, 0], abs(0.9 - 1.0 + 1.0) / 2.0),
+        ([0.899, 0.9], [1, 0], (0.101 + 0.9) / 2.0),
+    ):
+        result = compute_scores(p, fell, replicates=0)
+        assert result.ece[0] == pytest.approx(error), p
+    assert compute_scores([0.5], [1], replicates=0).accuracy[0] == 1.0
+    assert compute_scores([0.4999], [1], replicates=0).accuracy[0] == 0.0
+    sure = compute_scores([0.0, 1.0], [1, 1], replicates=0)
+    assert sure.log_score[0] == pytest.approx(-0.5 * math.log(1e-12))
+    assert (sure.tests, sure.groups) == (2, 2)
+    assert np.isnan(sure.accuracy[1:]).all()
+    assert compute_scores([0.5, 0.5], [1, 0], groups=["a", "a"], replicates=0).groups == 1
+    none = compute_scores([0.1, 0.2], [0, 0], replicates=0)
+    assert np.isnan(none.f1[0])
+    for wrong, given in (([0.5], [0.5]), ([1.1], [1]), ([-0.1], [1]), ([], []), ([0.5, 0.5], [1])):
+        with pytest.raises(InputError):
+            compute_scores(wrong, given)
+    with pytest.raises(InputError, match="there are 1 tests; name each one's group"):
+        compute_scores([0.5], [1], groups=["a", "b"])
+    with pytest.raises(InputError, match=r"^replicates = "):
+        compute_scores([0.5], [1], replicates=100_001)
+
+
+def test_scores_in_words_and_in_columns() -> None:
+    result = compute_scores([0.9, 0.2, 0.6], [1, 0, 0], replicates=0)
+    (table,) = result.describe().tables
+    assert [(column.heading, column.left) for column in table.columns] == [
+        *(("score", True), ("value", False), ("5 %", False), ("95 %", False)),
+    ]
+    values = result.values()
+    assert list(values) == ["accuracy", "f1", "brier", "log_score", "ece"]
+    assert values["brier"]["value"] == pytest.approx((0.01 + 0.04 + 0.36) / 3.0)
+    assert "Brier score 0.137 of 3 tests" in repr(result)
