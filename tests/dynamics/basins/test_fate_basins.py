@@ -29,7 +29,7 @@ from rocksteady.basins import FateBasins
 from rocksteady.dynamics.history.base_motion import base_acceleration, segment_starts
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError, ModelError
-from rocksteady.motions import add, cut, delay, scale
+from rocksteady.motions import Impulses, add, cut, delay, scale
 
 BARE = DimensionlessBlock(restitution=0.9)
 BLOCK = Block.rectangle(width=0.8, height=3.0, restitution=0.9)
@@ -179,6 +179,15 @@ def test_the_mirrored_motion_mirrors_the_fates(model: object) -> None:
     assert (other.fate[::-1, ::-1] == one.fate).all()
     assert (other.side[::-1, ::-1] == -one.side).all()
     assert (other.peak[::-1, ::-1] == one.peak).all()
+
+
+def test_the_default_window_is_as_wide_for_a_motion_as_for_its_mirror_image() -> None:
+    one, other = (
+        compute_fate_basins(BLOCK, Impulses(velocities=velocities, times=(0.0, 1.0)))
+        for velocities in ((0.9, 0.6), (-0.9, -0.6))
+    )
+    assert (one.angle == other.angle).all()
+    assert (one.velocity == other.velocity).all()
 
 
 def test_a_later_moment_is_a_window_on_the_rest_of_the_motion() -> None:

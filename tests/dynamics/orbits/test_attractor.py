@@ -340,6 +340,21 @@ def test_a_chaotic_motion_has_the_exponent_of_any_start() -> None:
     assert min(exponents) > 0.5
 
 
+def test_rows_of_a_chaotic_motion_are_the_impacts_of_the_second_half_of_its_run() -> None:
+    motion = settled(*CHAOS, max_cycles=100)
+    run, rows = motion.trajectory(), motion.rows()
+    omega = CHAOS[1]
+    late = [k for k, time in enumerate(run.impacts.pt.tolist()) if time >= 0.5 * run.end_time_pt]
+    assert 0 < len(rows) == len(late) < len(run.impacts)
+    for row, k in zip(rows, late, strict=True):
+        phase = omega * run.impacts.pt[k] + run.motion.phase  # type: ignore[union-attr]
+        turns = (row["phase_rad"] - phase) / (2.0 * math.pi)
+        assert turns == pytest.approx(round(turns), abs=1e-9)
+        assert 0.0 <= row["phase_rad"] < 2.0 * math.pi
+        speed = row["side"] * row["speed_per_pivot_time"]
+        assert speed == pytest.approx(run.impacts.velocity_after[k], rel=1e-12)
+
+
 # --------------------------------------------------------------- what rounding may have decided
 
 

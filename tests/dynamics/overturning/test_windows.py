@@ -278,6 +278,7 @@ def test_the_dataset_and_the_table_say_what_was_found() -> None:
         ({"within": ((1.0, 2.0), 3.0)}, "within"),
         ({"within": (1.0, 1e9)}, "within"),
         ({"resolution": 0.0}, "resolution"),
+        ({"resolution": 0.11}, "resolution"),
         ({"block": "stone"}, "Block"),
     ],
 )
