@@ -22,6 +22,15 @@ from tests.public.risk_calls import risk_calls
 from tests.public.things import MANY, fields, square, things
 from tools.namespace import THINGS
 
+ELSEWHERE = {"installation", "check_installation", "Installation", "KernelCheck"}
+"""Things and calls whose answer is the machine's."""
+PICTURES = ("plot_", "animate")
+"""Begin names of calls whose answers are compared as pictures."""
+LONG = {"write_calibration", "write_facade"}
+"""Calls that take seconds."""
+REFUSED_LATER = {"follow_bifurcation"}
+"""Calls that succeed, and whose points are refused: the fold is made up, and no curve leaves it."""
+
 
 class Call(NamedTuple):
     """A call that succeeds."""
@@ -518,6 +527,11 @@ def calls() -> dict[str, Call]:
     for label, (name, arguments) in variants.items():
         found[label] = found[name]._replace(arguments=arguments)
     return found
+
+
+def is_recorded(label: str) -> bool:
+    """Return whether each change of a call compares its answer with a record."""
+    return label.partition(".")[0] not in LONG | ELSEWHERE and not label.startswith(PICTURES)
 
 
 def label_of(function: Any) -> str:

@@ -17,7 +17,7 @@ import matplotlib as mpl
 import rocksteady as rs
 from rocksteady.cli.console import progress
 from rocksteady.show.export.files import figure_bytes
-from tests.public.calls import calls, close_pictures, room
+from tests.public.calls import ELSEWHERE, calls, close_pictures, room
 from tests.public.things import things
 from tests.show.all_pictures import pages, pictures
 from tools.freeze.files import files_of, left
@@ -25,9 +25,6 @@ from tools.freeze.pictures import drawn, written
 from tools.freeze.records import FILE
 from tools.freeze.values import plain, shown, tidy
 from tools.namespace import PLACES, THINGS
-
-ELSEWHERE = {"installation", "check_installation", "Installation", "KernelCheck"}
-"""Things and calls whose answer is the machine's."""
 
 
 def begin() -> None:
