@@ -28,9 +28,9 @@ FLOOR_TESTS := $(addprefix tests/,certify cli/console cli/flags cli/test_app.py 
 	dynamics/continuation/chains kernels/machine_code model public records results risk/assess/described \
 	risk/back_analysis risk/calibration risk/ensemble risk/facades risk/fits risk/fragility risk/free_rocking \
 	risk/hazard risk/observations risk/screens seismic show/export show/figures show/film show/plots show/style sweep)
-CHECKS := lint types layers library pages tests tests-python programs
+CHECKS := lint types layers library pages tests uncompiled programs
 # Seconds that each check may take on two cores, printed beside those that it took.
-BUDGETS := lint=15 types=60 layers=5 library=60 pages=5 docs=240 tests=220 tests-python=40 programs=5 ptx=150 tests-jit=300 tests-floor=200 frozen=120
+BUDGETS := lint=15 types=60 layers=5 library=60 pages=5 docs=240 tests=220 uncompiled=5 tests-python=40 programs=5 ptx=150 tests-jit=300 tests-floor=200 frozen=120
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -83,7 +83,7 @@ test: $(LOWERS) ## run every check, the tests marked slow excepted
 .PHONY: test-all
 test-all: $(LOWERS) ## run every check to its end, the tests marked slow and the lower bounds included
 	@$(call installed-beside-kernels) $(call ahead,library) $(call ahead,warm) \
-		$(call run-in-turn,$(patsubst pages,docs,$(patsubst programs,ptx,$(CHECKS))) tests-jit tests-floor frozen,$(MAKE) MARKS=)
+		$(call run-in-turn,$(patsubst pages,docs,$(patsubst programs,ptx,$(patsubst uncompiled,tests-python,$(CHECKS)))) tests-jit tests-floor frozen,$(MAKE) MARKS=)
 
 ##@ One check at a time
 
@@ -109,6 +109,11 @@ tests: .venv library $(if $(filter not,$(MARKS)),,gpu) ## pytest, kernels from t
 .PHONY: tests-python
 tests-python: .venv ## the kernels' tests once more as plain Python
 	ROCKSTEADY_KERNELS=python $(BIN)/python -m pytest tests/kernels -n $(WORKERS) --dist worksteal
+	@$(BIN)/python -m tools.done uncompiled --write
+
+.PHONY: uncompiled
+uncompiled: .venv ## tests-python, where kernels or their tests have changed since they passed (tests/kernels/.passed)
+	@$(BIN)/python -m tools.done uncompiled || $(MAKE) --no-print-directory tests-python
 
 .PHONY: ptx
 ptx: .venv .venv/.ptxas ## ptxas over the programs for GPUs, where it can be installed [+ ptxas]
@@ -140,7 +145,9 @@ tests-jit: warm ## the kernels' tests, kernels compiled by numba
 tests-floor: $(FLOOR_STAMP) library ## tests that call dependencies, each at its lower bound, the slow tests excepted [+ build/floor]
 	@# numba at its bound compiles the march alone: all entries would take six minutes.
 	ROCKSTEADY_KERNELS=jit $(FLOOR)/$(PROGRAMS)/python -m pytest -o cache_dir=$(FLOOR)/pytest tests/kernels/march
-	$(FLOOR)/$(PROGRAMS)/python -m pytest -n $(WORKERS) --dist worksteal -o cache_dir=$(FLOOR)/pytest $(FLOOR_TESTS)
+	@# Answers are recorded with the versions of constraints.txt, whose words some of them hold.
+	$(FLOOR)/$(PROGRAMS)/python -m pytest -n $(WORKERS) --dist worksteal -o cache_dir=$(FLOOR)/pytest \
+		--ignore tests/public/test_recorded.py $(FLOOR_TESTS)
 
 ##@ Upkeep
 

@@ -1,4 +1,4 @@
-"""``python -m tools.done manual|ptx``: whether a long check was done for the files as they are.
+"""``python -m tools.done CHECK``: whether a long check was done for the files as they are.
 
 Each writes a hash of what it checks into a file that is committed, with ``--write``.  Where that is
 still the hash of the files, `make test` leaves the check out, and `make test-all` does it all the
@@ -7,6 +7,7 @@ same.
 
 import argparse
 import hashlib
+import platform
 import subprocess
 import sys
 from pathlib import Path
@@ -15,21 +16,27 @@ ROOT = Path(__file__).parents[1]
 RECORDS = {
     "manual": ("docs/.built", "docs", "examples", "tools/manual", "constraints.txt"),
     "ptx": ("tools/aot/device/.assembled", "src/rocksteady/kernels", "tools/aot"),
+    "uncompiled": (
+        *("tests/kernels/.passed", "src/rocksteady/kernels", "src/rocksteady/outcomes.py"),
+        *("tests/kernels", "tests/*.py", "constraints.txt"),
+    ),
 }
 """By check: its record, and what it checks, as git names files."""
+HERE = {"uncompiled": f"{platform.system()} {platform.machine()} {sys.version_info[:2]}"}
+"""Where a check was done, of one that another system or Python may fail."""
 WRITTEN = {"docs/benchmarks.md", "docs/images/architecture.png"}
 """Files that other tools write; nothing in them can fail."""
 
 
-def hash_of(record: str, *patterns: str) -> str:
-    """Return the hash of the files that git tracks or would add, by name and content."""
+def hash_of(here: str, record: str, *patterns: str) -> str:
+    """Return the hash of a place and of files that git tracks or would add, by name and content."""
     listed = subprocess.run(
         ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", *patterns],
         cwd=ROOT,
         capture_output=True,
         check=True,
     )
-    digest = hashlib.sha256()
+    digest = hashlib.sha256(here.encode())
     for name in sorted(set(listed.stdout.decode().split("\0")) - {"", record, *WRITTEN}):
         if (ROOT / name).is_file():
             content = hashlib.sha256((ROOT / name).read_bytes()).hexdigest()
@@ -45,7 +52,7 @@ def main(arguments: list[str]) -> int:
     given = parser.parse_args(arguments)
     record, *patterns = RECORDS[given.check]
     try:
-        now = hash_of(record, *patterns)
+        now = hash_of(HERE.get(given.check, ""), record, *patterns)
     except (OSError, subprocess.CalledProcessError):  # no checkout
         return 1
     if given.write:
