@@ -242,6 +242,15 @@ RANGES: list[tuple[Callable[[Any], object], str, float, float, str]] = [
 """What takes a number, its argument, the ends of its range, and which of them belong to it."""
 
 
+def takes(make: Callable[[Any], object], name: str, value: object) -> bool:
+    """Return whether a value is taken, or refused for another argument than its own."""
+    try:
+        make(value)
+    except rs.errors.InputError as error:
+        return not str(error).startswith((f"{name} = ", "harmonics = "))
+    return True
+
+
 def test_ranges_end_where_they_say_to_the_last_digit() -> None:
     wrong = []
     for make, name, low, high, ends in RANGES:
@@ -254,12 +263,7 @@ def test_ranges_end_where_they_say_to_the_last_digit() -> None:
         if low < high:
             rows += [(math.nextafter(low, math.inf), True), (math.nextafter(high, -math.inf), True)]
         for value, belongs in rows:
-            try:
-                make(value)
-                taken = True
-            except rs.errors.InputError as error:
-                taken = not str(error).startswith((f"{name} = ", "harmonics = "))
-            if taken is not belongs:
+            if takes(make, name, value) is not belongs:
                 wrong.append((name, value, belongs))
     assert not wrong, wrong
 
@@ -290,12 +294,7 @@ def test_counts_end_where_they_say_and_are_whole() -> None:
         if name != "frequencies_hz":
             rows += [(True, False), (float(low + 1), False), (None, name == "orders")]
         for value, belongs in rows:
-            try:
-                make(value)
-                taken = True
-            except rs.errors.InputError as error:
-                taken = not str(error).startswith((f"{name} = ", "harmonics = "))
-            if taken is not belongs:
+            if takes(make, name, value) is not belongs:
                 wrong.append((name, value, belongs))
     with pytest.raises(rs.errors.InputError, match=r"^count = 1001"):
         make_synthetic_suite(1001)
