@@ -1,6 +1,7 @@
 """What every class shows and every public call returns is as recorded, except for rounding.
 
-The records are those of the freeze, which compares each bit; here the processor is any.
+The records are those of the freeze, which compares each bit; here the processor is any.  Of a line
+longer than 160 characters what follows these is a hash there, and is not compared here.
 """
 
 import contextlib
