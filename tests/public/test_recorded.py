@@ -1,7 +1,8 @@
 """What every class shows and every public call returns is as recorded, except for rounding.
 
-The records are those of the freeze, which compares each bit; here the processor is any.  Of a line
-longer than 160 characters what follows these is a hash there, and is not compared here.
+The records are those of the freeze, which compares each bit; here the processor is any.  Of what is
+not kept whole there, ends of long lines and arrays of many values, words are compared here by a
+hash, numbers by a sum or a mean.
 """
 
 import contextlib

@@ -71,21 +71,33 @@ def test_what_differs_by_rounding_alone_is_not_apart() -> None:
     assert [pair for pair in another if not records.apart(*pair)] == []
 
 
-def test_what_is_kept_of_a_long_item_is_compared() -> None:
-    values = [1.0 / k for k in range(1, 60)]
-    line = ", ".join(value.hex() for value in values)
-    kept = records.abridged(line)
-    for at in (0, 3, 50):
-        values[at] += 1e-10
-    near = ", ".join(value.hex() for value in values)
-    assert records.apart(kept, near) == ""
-    values[3] += 1e-3
-    assert records.apart(kept, ", ".join(value.hex() for value in values)).endswith(kept)
-    long = "\n".join(f"row {k}" for k in range(1000))
+def test_long_items_are_compared_to_their_ends_except_for_rounding() -> None:
+    values = [(-1.0) ** k / k**4 for k in range(1, 60)]
+
+    def line(**changed: float) -> str:
+        every = dict(enumerate(values)) | {int(k[1:]): value for k, value in changed.items()}
+        return "<f8[59] " + ", ".join(f"side={value.hex()}" for value in every.values())
+
+    kept = records.abridged(line())
+    assert records.apart(kept, line()) == ""
+    assert (
+        records.apart(kept, line(_0=-1.0 + 1e-10, _3=values[3] + 1e-10, _50=values[50] + 1e-10))
+        == ""
+    )
+    for moved in (line(_3=values[3] + 1e-3), line(_50=values[50] + 1e-3), line(_9=-values[9])):
+        assert records.apart(kept, moved).endswith(f"not {kept}")
+    assert records.apart(kept, line(_40=values[41], _41=values[40]))
+    assert records.apart(kept, f"{line()}, side={(0.0).hex()}")
+    assert records.apart(kept, line().replace("side=0x1.5", "size=0x1.5"))
+
+    long = "\n".join(f"row {k}, {0.001 * k:.3f} m" for k in range(1000))
     kept = records.abridged(long)
-    assert records.apart(kept, long) == ""
-    assert records.apart(kept, long.replace("row 999", "row 7")) == ""
-    assert records.apart(kept, long.replace("row 7\n", "row 8\n"))
+    assert records.apart(kept, long) == records.apart(kept, long.replace("0.999", "1.000")) == ""
+    for was, now in (
+        *(("row 999", "row 7"), ("row 7,", "row 8,"), ("0.500", "0.800"), ("0.500", "-0.500")),
+        *(("0.998 m", "0.998 g"), ("row 500, 0.500 m\nrow 501", "row 501"), ("0.500", "nan")),
+    ):
+        assert records.apart(kept, long.replace(was, now)), (was, now)
     assert records.apart(kept, f"{long}\nrow").startswith("1001 lines, not")
 
 

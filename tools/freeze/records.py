@@ -4,7 +4,7 @@ import difflib
 import hashlib
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -24,8 +24,8 @@ TINY = 1e-9
 _HEXADECIMAL, _HASH = r"-?0x[01](?:\.[0-9a-f]+)?p[+-]\d+", r"\b[0-9a-f]{16}\b"
 _NUMBER = re.compile(rf"({_HEXADECIMAL}|{_HASH}|-?\b\d+(?:\.\d*(?:e[+-]?\d+)?|e[+-]?\d+))")
 """Numbers of a record that are not whole, and hashes."""
-_CUT = re.compile(r"… \d+ (?:characters|lines), [0-9a-f]{16}$")
-"""Ends a line, or the lines, of an item that is not kept whole."""
+_CUT = re.compile(rf"… (\d+) (?:characters|lines), {_HASH}, ({_HASH}) (\S+) ± (\S+)$")
+"""Ends a line, or the lines, of an item that is not kept whole: how long it is, and its rest."""
 
 Items = Mapping[str, str]
 """Answers as text, by name."""
@@ -40,15 +40,42 @@ def digest(content: str | bytes) -> str:
 
 def abridged(text: str, longest: int = LONGEST, head: int = HEAD) -> str:
     """Return a text of few, short lines; hashes stand for the rest, so that all of it counts."""
-    lines = text.splitlines()
+    lines = [line.rstrip(" ") for line in text.splitlines()]
     kept = lines if len(lines) <= longest else lines[:head]
     short = [
-        line if len(line) <= WIDEST else f"{line[:WIDEST]}… {len(line)} characters, {digest(line)}"
+        line
+        if len(line) <= WIDEST
+        else f"{line[:WIDEST]}… {len(line)} characters, {digest(line)}, {_rest(_parts(line)[1])}"
         for line in kept
     ]
     if len(kept) < len(lines):
-        short.append(f"… {len(lines)} lines, {digest(text)}")
+        rest = _rest(_NUMBER.split("\n".join(lines[head:])))
+        short.append(f"… {len(lines)} lines, {digest(text)}, {rest}")
     return "\n".join(short)
+
+
+def _parts(line: str, kept: int | None = None) -> tuple[list[str], list[str]]:
+    """Return words and numbers in turn: those of a line that are kept whole, and its rest."""
+    pieces = _NUMBER.split(line)
+    if kept is None:  # what is kept may end inside a word
+        kept = len(_NUMBER.split(line[:WIDEST].rpartition(" ")[0])) - 1
+    return pieces[:kept], pieces[kept:]
+
+
+def _rest(pieces: Sequence[str]) -> str:
+    """Return what stands for words and numbers in turn: a hash of the words, a sum of the numbers.
+
+    Each number counts by its place and by its inverse hyperbolic sine, so that small ones count
+    beside large ones; behind the sum stands by how much independent roundings may change it.
+    """
+    total, allowed = [], []
+    for place, piece in enumerate(pieces[1::2]):
+        value = _value(piece)
+        if value is not None and math.isfinite(value):
+            weight = place % 7 + 1.0
+            total.append(weight * math.asinh(value))
+            allowed.append(weight * _rounding(piece, value) / math.hypot(1.0, value))
+    return f"{digest('#'.join(pieces[::2]))} {math.fsum(total):.12g} ± {math.hypot(*allowed):.2g}"
 
 
 def short(items: Items) -> dict[str, str]:
@@ -102,7 +129,8 @@ def apart(recorded: str, text: str) -> str:
     Parameters
     ----------
     recorded
-        An item as it was recorded, abridged; hashes and what they stand for are not compared.
+        An item as it was recorded, abridged; of what is not kept there, words are compared by a
+        hash and numbers by a sum.
     text
         The item now, whole.
 
@@ -111,36 +139,59 @@ def apart(recorded: str, text: str) -> str:
     str
         The line as it is now and as it was; empty where there is none.
     """
-    before, now = recorded.splitlines(), text.splitlines()
+    before = recorded.splitlines()
+    now = [line.rstrip(" ") for line in text.splitlines()]
     if before and before[-1].startswith("… "):
-        if before[-1].split(",")[0] != f"… {len(now)} lines":
-            return f"{len(now)} lines, not {before[-1]}"
-        before.pop()
+        last = before.pop()
+        if last.split(",")[0] != f"… {len(now)} lines":
+            return f"{len(now)} lines, not {last}"
+        if not _same_rest(last, _NUMBER.split("\n".join(now[len(before) :]))):
+            return f"other lines after the first {len(before)}, not {last}"
         now = now[: len(before)]
     if len(before) != len(now):
         return f"{len(now)} lines, not {len(before)}"
     for was, line in zip(before, now, strict=True):
-        pieces, others = _NUMBER.split(line.rstrip(" ")), _NUMBER.split(was)
-        if _CUT.search(was):  # what is kept may end inside a word
-            others = _NUMBER.split(was[:WIDEST].rpartition(" ")[0])[:-1]
-            pieces = pieces[: len(others)]
-        if len(pieces) != len(others) or not all(map(_same, others, pieces)):
+        kept, rest = _NUMBER.split(was), [""]
+        pieces = _NUMBER.split(line)
+        if _CUT.search(was):
+            kept, _ = _parts(was)
+            pieces, rest = _parts(line, len(kept))
+        if len(pieces) != len(kept) or not all(map(_same, kept, pieces)):
             return f"{line[:WIDEST]}, not {was}"
+        if not _same_rest(was, rest):
+            return f"another end of {line[:WIDEST]}, not {was}"
     return ""
+
+
+def _same_rest(was: str, pieces: Sequence[str]) -> bool:
+    """Return whether words and numbers in turn are those that are recorded, but for rounding."""
+    before, now = _CUT.search(was), _CUT.search(f"… 0 lines, {digest('')}, {_rest(pieces)}")
+    if not before or not now:
+        return True
+    apart = abs(float(before[3]) - float(now[3]))
+    return before[2] == now[2] and apart <= float(before[4])
 
 
 def _same(was: str, piece: str) -> bool:
     """Return whether two pieces of lines are the same words, or numbers but for rounding."""
     if was == piece or (re.fullmatch(_HASH, was) and re.fullmatch(_HASH, piece)):
         return True
-    if re.fullmatch(_HEXADECIMAL, was) and re.fullmatch(_HEXADECIMAL, piece):
-        before, now = float.fromhex(was), float.fromhex(piece)
-        return math.isclose(before, now, rel_tol=ROUNDED, abs_tol=TINY)
-    try:
-        before, now = float(was), float(piece)
-    except ValueError:
+    before, now = _value(was), _value(piece)
+    if before is None or now is None or ("x" in was) != ("x" in piece):
         return False
-    digits, _, power = was.partition("e")
-    last = 10.0 ** (int(power or 0) - len(digits.partition(".")[2]))
-    shown = abs(before) >= 100.0 * last
-    return math.isclose(before, now, rel_tol=ROUNDED, abs_tol=max(TINY, shown * 1.01 * last))
+    return abs(before - now) <= _rounding(was, before)
+
+
+def _value(piece: str) -> float | None:
+    """Return the number that a piece is; none where it is a hash or words."""
+    if re.fullmatch(_HEXADECIMAL, piece):
+        return float.fromhex(piece)
+    return float(piece) if _NUMBER.fullmatch(piece) and not re.fullmatch(_HASH, piece) else None
+
+
+def _rounding(piece: str, value: float) -> float:
+    """Return by how much a number may differ on another processor."""
+    digits, _, power = piece.partition("e")
+    last = 0.0 if "x" in piece else float(f"1e{int(power or 0) - len(digits.partition('.')[2])}")
+    shown = abs(value) >= 100.0 * last
+    return max(ROUNDED * abs(value), TINY, shown * 1.01 * last)

@@ -66,7 +66,11 @@ def of_json(text: str, dropped: AbstractSet[str] = TIMED) -> str:
 
 
 def of_array(array: Any) -> str:
-    """Return type, shape and values of an array; a hash of its bytes where there are many."""
+    """Return type, shape and values of an array.
+
+    Where there are many, a hash of its bytes stands for them, with the least, the largest and a
+    mean in which later values weigh more.
+    """
     array = np.asarray(array)
     head = f"{array.dtype.str}{list(array.shape)}"
     if array.dtype.kind in "OUT":
@@ -80,7 +84,11 @@ def of_array(array: Any) -> str:
     content = np.ascontiguousarray(array).tobytes()
     number = array.dtype.kind in "fiub"
     finite = array[np.isfinite(array)] if number else array[:0]
-    seen = f" {finite.min()!s} to {finite.max()!s}" if number and finite.size else ""
+    seen = ""
+    if number and finite.size:
+        with np.errstate(over="ignore", invalid="ignore"):
+            mean = np.average(finite.astype(float), weights=np.arange(1.0, finite.size + 1.0))
+        seen = f" {finite.min()!s} to {finite.max()!s} mean {mean!s}"
     return f"{head}{seen} {digest(content)}"
 
 
