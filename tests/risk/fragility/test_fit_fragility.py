@@ -4,6 +4,7 @@ import functools
 import math
 from dataclasses import replace
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -443,22 +444,38 @@ def test_the_suite_gives_the_published_curve() -> None:
         assert fell[here].mean() == pytest.approx(share, abs=5e-4), (low, high)
 
 
-def test_the_surface_is_a_fit_to_the_single_runs_that_lift() -> None:
-    runs = ensemble().stack(run=("block", "record", "direction", "vertical", "draw", "level"))
+def fits_by_peaks(ensemble: xarray.Dataset, *names: str) -> Any:
+    """Return the fit of statsmodels to the runs that lift."""
+    runs = ensemble.stack(run=("block", "record", "direction", "vertical", "draw", "level"))
     lifted = runs.isel(run=runs.peak_angle.values > 0.0)
-    peaks = np.stack([lifted[f"im_{name}"] * lifted["scale"] for name in ("pga_g", "pgv_m_s")])
+    peaks = np.stack([lifted[f"im_{name}"] * lifted["scale"] for name in names])
     fell = (lifted.status == Status.OVERTURNED).values
     probit = sm.families.Binomial(sm.families.links.Probit())
-    oracle = sm.GLM(fell, sm.add_constant(np.log(peaks.T)), family=probit).fit(tol=1e-13)
-    surface = fragility().surface
+    return sm.GLM(fell, sm.add_constant(np.log(peaks.T)), family=probit).fit(tol=1e-13)
+
+
+def test_the_surface_is_a_fit_to_the_single_runs_that_lift() -> None:
+    oracle, surface = fits_by_peaks(ensemble(), "pga_g", "pgv_m_s"), fragility().surface
     assert surface is not None
-    assert (surface.names, surface.trials) == (("PGA", "PGV"), fell.size)
+    assert (surface.names, surface.trials) == (("PGA", "PGV"), oracle.nobs)
     assert surface.coefficients == pytest.approx(oracle.params, rel=1e-6)
     share = fragility().by_both_peaks(0.4, 0.5)
     assert share == pytest.approx(oracle.predict([1.0, math.log(0.4), math.log(0.5)])[0])
     assert fragility().by_both_peaks(None, 0.5) is None
     assert fragility().by_both_peaks(0.4, None) is None
-    assert "explain" in fragility().surface_words
+
+
+def test_what_both_peaks_explain_stands_beside_what_one_of_them_does() -> None:
+    levels, draws = Levels("scale", [0.5, 1.0, 2.0, 4.0]), RestitutionBand(draws=1)
+    found = compute_fragility(BLOCK, SUITE, levels=levels, restitution=draws, fitting=PLAIN)
+    for each, measures in (
+        (fragility(), [["pga_g", "pgv_m_s"]]),
+        (found, [["pga_g", "pgv_m_s"], ["pgv_m_s"]]),
+    ):
+        fits = [fits_by_peaks(each.ensemble, *names) for names in measures]
+        explained = [100.0 * (1.0 - fit.deviance / fit.null_deviance) for fit in fits]
+        words = "explain {:.2g} % of the deviance" + ", PGV alone {:.2g} %" * (len(fits) > 1)
+        assert each.surface_words == words.format(*explained)
 
 
 def test_without_two_independent_peaks_or_a_fall_there_is_no_surface() -> None:
