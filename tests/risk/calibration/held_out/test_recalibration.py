@@ -11,7 +11,6 @@ from rocksteady.risk.calibration.held_out.recalibration import (
     it_helps,
     recalibrated,
 )
-from rocksteady.risk.calibration.held_out.validate import _misfits
 
 
 def outcomes(slope: float, count: int = 600) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -55,22 +54,6 @@ def test_a_group_has_the_line_of_the_others() -> None:
     assert (first[own] == second[own]).all()
     assert (first[~own] != second[~own]).all()
     assert Platt().of(p) is p
-
-
-def test_a_session_that_falls_too_often_is_named() -> None:
-    """Ten sessions of 30 tests at p = .5: all but one as predicted, and one at 27 of 30."""
-
-    def rows(fell: int) -> dict[str, list[dict[str, object]]]:
-        z = (fell - 15.0) / 7.5**0.5
-        odd = {"name": "Tuesday", "tests": 30, "fell": fell, "expected": 15.0}
-        usual = {"name": "other", "tests": 30, "fell": 15, "expected": 15.0}
-        deviation = {"deviation": 7.5**0.5}
-        return {"session": [{**usual, **deviation, "z": 0.8}] * 9 + [{**odd, **deviation, "z": z}]}
-
-    (sentence,) = _misfits(rows(27))
-    assert sentence.startswith("misfit by session")
-    assert "worst Tuesday, 27 of 30 fell" in sentence
-    assert _misfits(rows(16)) == []
 
 
 def test_a_line_is_chosen_from_a_hundred_tests_of_ten_groups_on() -> None:
