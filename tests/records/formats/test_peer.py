@@ -49,6 +49,29 @@ def test_every_header(tmp_path: Path, counts: str, count: int) -> None:
     assert found.warnings == found.processing == ()
 
 
+@every(
+    ("line", "event", "station", "component"),
+    [
+        ("Somewhere-01, 1/17/1994, Hut, 090", "Somewhere-01, 1/17/1994", "Hut", "090"),
+        (
+            "Somewhere-01, 1/17/1994, 12:30, Hut, 090",
+            "Somewhere-01, 1/17/1994, 12:30",
+            "Hut",
+            "090",
+        ),
+        ("Somewhere, Hut, 090", "Somewhere", "Hut", "090"),
+        ("Somewhere, else, Hut, 090", "Somewhere, else", "Hut", "090"),
+        ("Somewhere, 090", "Somewhere, 090", None, None),
+    ],
+)
+def test_event_station_and_component_are_apart_with_a_date_or_without(
+    tmp_path: Path, line: str, event: str, station: str | None, component: str | None
+) -> None:
+    text = at2(samples(9)).splitlines(keepends=True)
+    (found,) = read_recordings(written(tmp_path, "".join([text[0], f"{line}\n", *text[2:]])))
+    assert (found.event, found.station, found.component) == (event, station, component)
+
+
 @given(
     values=st.lists(
         st.floats(-5.0, 5.0).map(lambda value: round(value, 9)), min_size=2, max_size=60

@@ -129,6 +129,13 @@ def test_a_period_is_a_number(period: float) -> None:
             ask(period, 0.08)
 
 
+@every("damping", [-0.01, 1.0, 1.5, math.nan])
+def test_damping_is_below_the_critical_one(damping: float) -> None:
+    for ask in (DEMAND.displacement_m, DEMAND.sa_g):
+        with pytest.raises(InputError, match="damping"):
+            ask(1.0, damping)
+
+
 def test_what_is_handed_out_is_a_copy() -> None:
     demand = RecordDemand(records=tuple(motion(seed, 1.0) for seed in range(7)))
     first = demand.displacements_m(1.0, 0.08)

@@ -11,7 +11,8 @@ import xarray
 from rocksteady import Block, Status, compute_rocking_spectrum, simulate_many
 from rocksteady.measures import compute_suite_spectrum
 from rocksteady.results.rendering import as_text
-from rocksteady.seismic.spectra.describe import _severity, describe, shortened
+from rocksteady.seismic.spectra.describe import _course, _severity, describe, shortened
+from tests.every import every
 from tests.seismic.grounds import ground
 
 ALPHA, PERIODS = [0.1, 0.2, 0.3], [1.0, 4.0]
@@ -220,3 +221,45 @@ def test_a_list_has_a_column_for_what_differs() -> None:
     ):
         table = describe(simulate_many(blocks, **given)).tables[-1]
         assert [column.heading for column in table.columns] == [*expected, "peak"], expected
+
+
+@every(
+    ("key", "fates", "words"),
+    [
+        ("scale", {1.0: 0.25, 2.0: 0.5}, "stands; tilts to 0.5 alpha"),
+        ("scale", {4.0: None, 1.0: 0.25, 2.0: None}, "falls from 2 x on; tilts to 0.25 alpha"),
+        (
+            "scale",
+            {1.0: None, 2.0: 0.75, 3.0: None, 4.0: 0.5},
+            "falls from 1 x on, stands at 2 of 4; tilts to 0.75 alpha",
+        ),
+        ("period_s", {1.0: None, 2.0: None, 4.0: 0.25}, "falls up to 2 s; tilts to 0.25 alpha"),
+        (
+            "period_s",
+            {1.0: 0.5, 2.0: None, 4.0: 0.25},
+            "falls up to 2 s, stands at 1 of 2; tilts to 0.5 alpha",
+        ),
+        ("period_s", {1.0: None}, "falls"),
+    ],
+)
+def test_fates_over_sizes_and_scales_are_said_from_the_gentlest_on(
+    key: str, fates: dict[float, float | None], words: str
+) -> None:
+    """Larger scales and smaller blocks fall first."""
+    rows = [
+        {key: at, "peak": math.inf if peak is None else peak, "status": "overturned"}
+        | ({} if peak is None else {"status": "rocking"})
+        for at, peak in fates.items()
+    ]
+    assert _course(rows, key, 1) == words
+
+
+def test_fates_of_a_suite_count_records() -> None:
+    rows = [
+        {"period_s": at, "overturned": share, "peaks": [0.25, peak]}
+        for at, share, peak in ((1.0, 0.75, math.inf), (2.0, 0.25, 0.5), (4.0, 0.0, 0.375))
+    ]
+    words = "falls up to 2 s, in at most 3 of 4 records; tilts to 0.375 alpha"
+    assert _course(rows, "period_s", 4) == words
+    assert _course(rows[1:2], "period_s", 4) == "falls in 1 of 4 records"
+    assert _course(rows[2:], "period_s", 4) == "stands; tilts to 0.375 alpha"
