@@ -9,14 +9,17 @@ from matplotlib.figure import Figure
 from rocksteady import (
     DimensionlessBlock,
     Harmonic,
+    State,
     compute_basins,
     find_edge_state,
     find_orbits,
     plots,
+    simulate,
 )
 from rocksteady.basins import Manifold, compute_manifold, find_hilltop_saddles
 from rocksteady.errors import ModelError
 from rocksteady.orbits import Orbit
+from rocksteady.show.plots.portraits.manifolds import saddle_at
 
 BARE = DimensionlessBlock(restitution=0.9)
 MOTION = Harmonic(amplitude=0.2, frequency_ratio=2.0)
@@ -111,3 +114,20 @@ def test_axes_of_another_section_are_refused() -> None:
     over = compute_manifold(SADDLE, "stable", over="impacts", spacing=0.1)
     with pytest.raises(ModelError, match="axes over states at a phase"):
         plots.manifolds(over, states)
+
+
+def test_states_of_an_orbit_of_three_periods_follow_each_other_by_one_period() -> None:
+    block, shaking = (
+        DimensionlessBlock(restitution=0.9),
+        Harmonic(amplitude=3.0, frequency_ratio=4.0),
+    )
+    orbits = find_orbits(block, shaking, max_period=3, seeds=12)
+    orbit = next(each for each in orbits if each.period == 3)
+    for phase in (0.4, 2.0):
+        states = saddle_at(orbit, phase)
+        assert states.shape == (3, 2)
+        for (angle, velocity), after in zip(states, np.roll(states, -1, axis=0), strict=True):
+            start = State(angle=angle, velocity=velocity, phase=phase)
+            end = simulate(block, shaking, start=start, cycles=1)
+            assert end(end.end_time_pt).angle == pytest.approx(after[0], abs=1e-9)
+            assert end(end.end_time_pt).velocity == pytest.approx(after[1], abs=1e-9)
