@@ -259,3 +259,19 @@ def test_windows_of_one_way_that_touch_are_one_piece() -> None:
     (piece,) = pieces
     heights = np.asarray(piece.vertices)[:, 1]
     assert (heights.min(), heights.max()) == (2.0, 4.0)
+
+
+@every(("low", "point"), [(4.0, 6.0), (0.25, 1.5)])
+def test_a_window_that_ends_comes_to_a_point_at_the_middle_of_its_amplitudes(
+    low: float, point: float
+) -> None:
+    """The middle is that of the logarithm.  The next window is far away."""
+    axes = drawn((low, 9.0, 0, 900.0, 1000.0, 1))
+    vertices = [
+        tuple(vertex)
+        for collection in axes.collections
+        if isinstance(collection, PolyCollection)
+        for path in collection.get_paths()
+        for vertex in np.round(np.asarray(path.vertices), 12).tolist()
+    ]
+    assert (2.5, point) in vertices
