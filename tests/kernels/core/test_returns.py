@@ -46,6 +46,7 @@ def test_a_reference_that_is_not_met_again_is_replaced_later_each_time(
         ([0.04, 0.04, 0.06], [1.0, 1.0, 0.0]),
         ([0.04, 5e-12], [1.0, PERIODIC]),
         ([0.04, 2e-11], [1.0, 1.0]),  # not the same yet
+        ([5.25e-11, 5e-12], [1.0, PERIODIC]),
         ([5e-12, 2e-12, 1e-12], [1.0, 1.0, 1.0]),  # not ten times as close
         ([9e-13, 8e-14], [1.0, 1.0]),  # both are rounding
     ],
