@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from rocksteady.kernels.core.forcing import (
@@ -162,6 +162,8 @@ def test_turns_of_a_slope_with_a_sinusoid(
 
 
 @given(constants, slopes, amplitudes, frequencies, phases, st.floats(0.0, 30.0))
+@example(-0.5, 0.0, 1.0, 2.0, 1.0, 0.0)
+@example(-0.5, 0.0, 1.0, 2.0, 4.0, 30.0)
 def test_the_largest_forcing_bounds_the_forcing(
     constant: float, slope: float, amplitude: float, frequency: float, phase: float, span: float
 ) -> None:

@@ -3,14 +3,23 @@
 import math
 
 import numpy as np
+import pytest
 
 from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.core.tables import FOUND
 from rocksteady.kernels.core.typed import FALSE
 from rocksteady.kernels.linear.extrema import flight_peaks
 from rocksteady.kernels.linear.flight import make_flight
-from rocksteady.kernels.linear.short import DOUBT, LANDS, LONGEST, first_landing, inner_peaks
+from rocksteady.kernels.linear.short import (
+    DOUBT,
+    LANDS,
+    LONGEST,
+    NO_LANDING,
+    first_landing,
+    inner_peaks,
+)
 from rocksteady.kernels.linear.zeros import next_zero
+from tests.every import every
 from tests.strategies import sample_size
 
 
@@ -45,6 +54,21 @@ def test_landings_are_those_of_the_search() -> None:
             assert abs(found.angle - truth.angle) <= 1e-14 * scale
     assert doubts < 0.05 * cases
     assert landings > 0.2 * cases
+
+
+@every("span", [LONGEST, 1e-2, 1e-4])
+@every("slope", [1e-3, 1.0, 1e3])
+def test_a_block_lifts_off_at_rest_where_the_forcing_is_zero_but_for_rounding(
+    span: float, slope: float
+) -> None:
+    rise = slope * span
+    lifted = first_landing(0.0, 0.0, -0.5e-9 * rise, slope, span)
+    assert lifted.event == NO_LANDING
+    cubic = slope * span**3 / 6.0  # of slope * (sinh(span) - span)
+    assert lifted.angle == pytest.approx(cubic * (1.0 + span**2 / 20.0 + span**4 / 840.0), rel=1e-7)
+    for start, end in [(-2e-9 * rise, rise), (-rise, 0.0), (0.0, -rise), (-0.1 * rise, 0.9 * rise)]:
+        assert first_landing(0.0, 0.0, start, (end - start) / span, span).event == DOUBT
+    assert first_landing(0.0, -1e-300, 0.0, slope, span).event != NO_LANDING
 
 
 def test_peaks_within_a_sample_are_those_of_any_flight() -> None:

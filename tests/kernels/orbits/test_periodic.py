@@ -14,6 +14,7 @@ from rocksteady.kernels.orbits.periodic import (
     LANDING,
     ORBIT_COLUMNS,
     PEAK,
+    PHASE_ERROR,
     SPEED,
     TIME,
     Fixed,
@@ -26,6 +27,7 @@ from rocksteady.kernels.orbits.periodic import (
     loss,
     measured,
     mirror,
+    moved,
     multipliers,
     polish,
     primitive,
@@ -247,6 +249,25 @@ def test_an_orbit_with_rest_is_found_from_each_of_its_states_and_forgets_everyth
 
 
 # --------------------------------------------------------------------------- what it is made of
+
+
+def test_a_step_too_long_for_any_number_moves_nothing() -> None:
+    table = room(1)
+    put(table, 0, Section(1, 0, 1.0, 2.0))
+    table[0, PHASE_ERROR] = 1e308
+    before = table.copy()
+    with np.errstate(over="ignore"):
+        assert not moved(table, 1, Jacobian(0.0, 0.0, 0.0, 0.0))
+    assert np.array_equal(table, before)
+
+
+@every("away", [1e-13, 5e-13])
+def test_an_orbit_is_polished_until_rounding_stops_it(away: float) -> None:
+    system = even_system(2.0, 4.0, 0.8)
+    state, _ = closed_form(2.0, 4.0, 0.8)
+    found = polish(system, shifted(state, away, 0.0), 2, 1, room(2))
+    assert found.found
+    assert found.residual < 2e-15
 
 
 def test_what_states_miss_of_an_orbit_is_their_distance_from_where_the_map_leads() -> None:

@@ -44,7 +44,7 @@ from rocksteady.kernels.orbits.return_map import (
     product,
     shifted,
 )
-from rocksteady.kernels.orbits.systems import make_system
+from rocksteady.kernels.orbits.systems import for_system, make_series_system, make_system
 from tests.every import every
 from tests.kernels.passages import (
     LOPSIDED,
@@ -364,6 +364,11 @@ def test_without_uplift_chatter_ends_in_rest_for_ever(amplitude: float) -> None:
     step = next_passage(system, state, -1.0)
     assert (step.kind, step.time) == (STAY, math.inf)
     assert first_passage(system, AnyState(0, 0, 0.0, 0.0, 0.0)).kind == STAY
+    # So it does where the same amplitude bounds two waves.
+    shares = np.array([0.6, 0.0, 0.0, -0.4])
+    series = make_series_system(amplitude, 4.0, both_sides(0.8), shares, np.empty((2, 2)))
+    step = for_system(next_passage, series)(series, state, -1.0)
+    assert (step.kind, step.time, step.state.side) == (STAY, math.inf, 0)
 
 
 @every("speed", [1e-12, 5e-10, 1.2e-9, 1e-8])
