@@ -1,19 +1,23 @@
 """Inputs: everything that a result follows from is written down, and differences are named."""
 
 import functools
+import hashlib
 import json
 import math
 from enum import Enum
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+import rocksteady
 from rocksteady import DimensionlessBlock, Harmonic, Steady
 from rocksteady.errors import InputError
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.inputs import (
+    PACKAGE,
     as_text,
     differences,
     inputs_of,
@@ -186,3 +190,19 @@ def test_a_constant_may_be_a_function_and_is_told_by_what_it_does() -> None:
     one, same, other = (inputs(functools.partial(cases, f=f)) for f in (cases, cases, lambda: 0))
     assert one == same
     assert any(said.startswith("f code ") for said in differences(one, other))
+
+
+def test_the_sources_of_the_package_are_all_of_its_modules() -> None:
+    assert Path(PACKAGE) == Path(rocksteady.__file__)
+    files = sorted(Path(rocksteady.__file__).parent.rglob("*.py"))
+    digest = hashlib.sha256()
+    for file in files:
+        name = file.relative_to(files[0].parent).as_posix()
+        digest.update(name.encode() + b"\0" + file.read_bytes())
+    assert sources_of(json.dumps)["rocksteady"] == digest.hexdigest()[:16]
+
+
+def test_names_in_any_script_stay_readable_in_a_store() -> None:
+    assert as_text({"record": "Ōtsuchi", "axis": "größe"}) == (
+        '{"axis": "größe", "record": "Ōtsuchi"}'
+    )

@@ -3,6 +3,8 @@
 import functools
 import gc
 import importlib
+import io
+import logging
 import os
 import re
 import signal
@@ -378,3 +380,20 @@ def test_a_cluster_that_is_lost_says_so(monkeypatch: pytest.MonkeyPatch) -> None
             evaluate(slow, GRID, OUTPUTS, run=Execution(executor=executor, progress=kill), batch=5)
     assert str(caught.value).startswith(f"executor = '{executor}' is not finished: the connection")
     assert "\n" not in str(caught.value)
+
+
+def test_messages_of_dask_alone_are_kept_from_the_terminal() -> None:
+    dask, ours = logging.getLogger("distributed.nanny"), logging.getLogger("laboratory.distributed")
+    streams = [logging.StreamHandler(io.StringIO()) for _ in range(2)]
+    try:
+        for logger, handler in zip((dask, ours), streams, strict=True):
+            logger.addHandler(handler)
+        with _dask.quiet():
+            dask.error("lost a worker")
+            ours.error("lost a table")
+        dask.error("lost another")
+    finally:
+        for logger, handler in zip((dask, ours), streams, strict=True):
+            logger.removeHandler(handler)
+    written = [handler.stream.getvalue() for handler in streams]
+    assert written == ["lost another\n", "lost a table\n"]
