@@ -80,7 +80,29 @@ def test_equations_name_what_they_need_of_a_block(
     assert {fact.key for fact in beside} == {"model", *left}
 
 
+@every(
+    ("block", "restitution", "harmonics", "text"),
+    [
+        (BARE, 0.8, (), "restitution 0.8, linear model"),
+        (BARE, 0.7, (), "restitution 0.7, linear model"),
+        (SIDES, 0.85, (), "restitution 0.85/0.8, linear model"),
+        (UNLIKE, 0.8, (), "restitution 0.8, linear model"),
+        (BARE, 0.8, ((3, 0.2, 0.0),), "restitution 0.8, orders 3, linear model"),
+    ],
+)
+def test_a_point_has_both_restitutions_where_its_impacts_differ(
+    block: AnyBlock, restitution: float, harmonics: Any, text: str
+) -> None:
+    chain = SimpleNamespace(harmonics=harmonics)
+    point = point_of(block=block, restitution=restitution, chain=chain, model=LINEAR)
+    assert branch_facts.point_case(point) == text
+
+
 def test_a_restitution_that_moves_is_none_of_a_block() -> None:
+    unlike = SIDES.dimensionless()
+    for moving, keys in ((["amplitude"], {"negative_restitution"}), (["restitution"], set())):
+        facts = branch_facts.model_facts_over(unlike, LINEAR, moving)
+        assert {fact.key for fact in facts} == {"alpha_ratio", "p_ratio", "model", *keys}
     kept, moving = (branch_facts.block_fact(SIDES, names) for names in ([], ["restitution"]))
     assert (kept.value["restitution"], kept.value["negative"]["restitution"]) == (0.85, 0.8)
     assert moving.value["restitution"] is moving.value["negative"]["restitution"] is None
@@ -204,6 +226,9 @@ def test_a_branch_lists_where_it_is_stable_from_low_to_high() -> None:
     values = branch_facts.branch_values(branch)
     assert list(map(list, values["stable_ranges"])) == [[2.0, 2.5], [3.0, 5.0]]
     assert (values["within"], values["points"]) == ([2.0, 5.0], 5)
+    table = branch_facts.branches_table([{"branch": 1, **values}], "amplitude")
+    assert cells(table) == [["1", "1", "2", "symmetric", "fold", "fold", "2 to 2.5 +1"]]
+    assert [column.left for column in table.columns] == 3 * [False] + 4 * [True]
     assert (values["begin"]["amplitude"], values["end"]["amplitude"]) == (5.0, 2.5)
 
 
@@ -225,6 +250,8 @@ def test_a_bifurcation_is_listed_with_degrees_and_a_unit_where_a_block_has_a_siz
             beside = f"{value * scale[parameter]:.6g}"
             heading = {"amplitude": "g", "frequency_ratio": "Hz"}[parameter]
     assert row == ["2", "fold", f"{value:.8f}", beside, "3", "4", *ends]
+    lefts = ["bifurcation", "kind"] if heading == "kind" else ["bifurcation"]
+    assert [column.heading for column in table.columns if column.left] == lefts
     assert headings[3] == heading
 
 
