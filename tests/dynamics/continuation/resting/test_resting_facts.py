@@ -93,7 +93,7 @@ def test_a_branch_and_its_ends_are_described_in_words(
     rests = ", ".join(number(each) for each in branch.end.rests.tolist())
     assert (words["A"], words["rests for"]) == (f"{high:.10g}", f"{rests} rad")
     assert words["comes to rest"] == "2 times in a period"
-    assert words["multipliers"] == "0, 0"
+    assert (words["multipliers"], words["stable"]) == ("0, 0", "yes")
     peaks = ", ".join(number(each) for each in (branch.end.highest, branch.end.lowest))
     assert words["highest, lowest"] == f"{peaks} alpha"
 
@@ -107,7 +107,11 @@ def test_tables_list_branches_and_their_events_from_one_on() -> None:
     expected = ["1", "2", "symmetric", f"{low:.8f}", f"{high:.8f}", "uplift", "rest end"]
     assert rows == [[str(place), *expected, f"{highest:.4f}"] for place in (1, 2)]
     assert table.title == "orbits that come to rest, all stable"
+    lefts = [column.heading for column in table.columns if column.left]
+    assert lefts == ["kind", "begin", "end"]
+    assert resting_facts.resting_table([branch]).columns[4].heading == "from A"
     events = resting_facts.events_table([branch, branch], key="events")
+    assert [column.heading for column in events.columns if column.left] == ["event"]
     assert [row["branch"] for row in events.rows] == [1] * len(branch.events) + [2] * len(
         branch.events
     )
