@@ -126,6 +126,8 @@ def test_a_result_stands_for_its_start() -> None:
         *(orbit, find_attractor(BLOCK, shaking, start=orbit), points[0], points[-1]),
         *(resting.points[0], simulate(BLOCK, shaking, start=orbit, cycles=1), rocking),
     ]
+    for point in (points[0], points[-1]):
+        assert point.start == point.orbit.states[0] != point.orbit.states[1]
     for result in results:
         assert result.start is not None
         plain, taken = (

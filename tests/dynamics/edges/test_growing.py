@@ -1,6 +1,8 @@
 """Manifolds: invariance, borders of basins, the heteroclinic tangency in closed form."""
 
 import math
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -29,7 +31,7 @@ from rocksteady.basins import (
 from rocksteady.dynamics.edges._flow import Flow
 from rocksteady.dynamics.edges._leaving import FromHilltop, FromOrbit, Images
 from rocksteady.dynamics.edges._sampling import Plane, Sampled
-from rocksteady.dynamics.edges.growing import _branch
+from rocksteady.dynamics.edges.growing import _branch, _end_of
 from rocksteady.dynamics.orbits.return_map import harmonic
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from rocksteady.errors import ModelError
@@ -297,15 +299,141 @@ def test_a_longer_branch_contains_a_shorter_one() -> None:
     assert (other.first[:count] == one.first[:count]).all()
 
 
+def placed(first: Floats, second: Floats | float = 0.0) -> Images:
+    none = np.zeros(len(first), dtype=np.int64)
+    return Images(first, np.broadcast_to(second, first.shape).copy(), none, none + 1, none > 0)
+
+
 def test_a_branch_is_broken_where_its_samples_are() -> None:
     plane = Plane(np.zeros(2), np.ones(2), 0.0)
-    first, none = np.linspace(0.0, 0.8, 5), np.zeros(5, dtype=np.int64)
-    images = Images(first, np.zeros(5), none, none + 1, none > 0)
-    for breaks in ([], [0], [2], [3], [0, 3]):
-        part = Sampled(first, images, np.isin(np.arange(4), breaks), True)
+    for count, breaks in ((5, []), (5, [0]), (5, [2]), (5, [3]), (5, [0, 3]), (2, []), (1, [])):
+        first = 0.2 * np.arange(count)
+        part = Sampled(first, placed(first), np.isin(np.arange(count - 1), breaks), True)
         found = _branch(part, plane, 1, 0, "length")
         assert found.breaks.tolist() == breaks
-        assert found.arclength[-1] == pytest.approx(0.2 * (4 - len(breaks)))
+        assert found.length == pytest.approx(0.2 * (count - 1 - len(breaks)))
+        assert len(found.arclength) == count
+
+
+def test_a_branch_over_impacts_is_as_long_as_the_shortest_way_round() -> None:
+    plane = Plane(np.zeros(2), np.ones(2), TURN)
+    first = np.array([6.0, 6.2, 0.1, 0.3, 6.1])
+    part = Sampled(first, placed(first), np.zeros(4, bool), True)
+    found = _branch(part, plane, -1, 2, "whole")
+    ahead = TURN - 6.2 + 0.1
+    expected = np.cumsum([0.0, 0.2, ahead, 0.2, TURN - 6.1 + 0.3])
+    np.testing.assert_allclose(found.arclength, expected, rtol=1e-12)
+    assert (found.sign, found.place, found.ended) == (-1, 2, "whole")
+
+
+def test_points_beyond_one_and_a_fifth_of_the_window_are_left_out_and_break_a_branch() -> None:
+    plane = Plane(np.array([0.5, 0.0]), np.array([1.0, 2.0]), 0.0)
+    first = np.array([-0.8, -0.6, 0.0, 1.6, 1.8, 1.6, 1.5, 1.5])
+    second = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.3, 2.5])
+    part = Sampled(first, placed(first, second), np.zeros(7, bool), True)
+    found = _branch(part, plane, 1, 0, "far")
+    assert found.first.tolist() == [-0.6, 0.0, 1.6, 1.6, 1.5]
+    assert found.label.tolist() == found.first.tolist()
+    assert found.breaks.tolist() == [2]
+    assert found.length == pytest.approx(0.6 + 1.6 + math.hypot(0.1, 2.3))
+
+
+def test_a_branch_ends_by_its_length_or_where_its_last_period_is_nothing_new() -> None:
+    plane = Plane(np.zeros(2), np.ones(2), 0.0)
+    labels = np.linspace(0.0, 3.0, 31)
+    whole = np.ones(30, bool)
+
+    def ended(
+        first: Floats,
+        *,
+        label: float = 3.0,
+        length: float = 9.0,
+        fallen: bool = False,
+        broken: NDArray[np.bool_] = ~whole,
+    ) -> str:
+        images = placed(first)._replace(fallen=np.full(31, fallen))
+        return _end_of(Sampled(labels, images, broken, True), plane, label, length, 0.1)
+
+    even = 0.3 * labels
+    assert ended(even) == ""
+    assert ended(even, length=0.9 - 1e-12) == "length"
+    assert ended(even, length=0.9 + 1e-12) == ""
+    assert ended(even, length=0.5, broken=whole) == ""
+    out = np.where(labels > 1.95, 3.0, 0.1 * labels)
+    assert (ended(out, fallen=True), ended(out)) == ("far", "rest")
+    assert ended(out, label=1.9, fallen=True) == ""
+    stays = np.where(labels > 1.95, 0.2, 0.1 * labels)
+    assert ended(stays) == "rest"
+    # Each period is 1/20, or 1/200, of the one before: below 0.001 nothing is left to come.
+    for share, word in ((20.0, ""), (200.0, "settled")):
+        assert ended(0.5 * share**-labels) == word
+    assert ended(1e-8 * share**labels, length=1.0) == ""
+    # A piece that leaves the window and comes back counts inside alone.
+    aside = np.where((labels > 0.95) & (labels < 1.15), 1.5, even)
+    kept_steps = 0.9 - 0.03 * 3
+    assert ended(aside, length=kept_steps - 1e-9) == "length"
+    assert ended(aside, length=kept_steps + 1e-9) == ""
+    gone = np.full(31, 3.0)
+    assert (ended(gone, label=1.95, fallen=True), ended(gone, label=2.0, fallen=True)) == (
+        "",
+        "far",
+    )
+    assert ended(np.where(labels > 2.0, 3.0, 0.1 * labels), fallen=True) != "far"
+
+
+@every(
+    ("steps", "word"),
+    [
+        ({5: 5e-4, 15: 1e-4, 25: 2e-4}, ""),
+        ({10: 5e-4, 15: 1e-4, 25: 2e-4}, ""),
+        ({5: 1e-4, 20: 3e-4, 25: 2e-4}, "settled"),
+        ({5: 1e-4, 11: 3e-4, 21: 2e-4}, "settled"),
+        ({15: 3e-4, 25: 3e-4}, ""),
+        ({15: 3e-2, 25: 9e-4}, "settled"),
+        ({15: 3e-2, 25: 1.1e-3}, ""),
+    ],
+)
+def test_a_branch_has_settled_where_a_period_is_short_and_shorter_than_the_one_before(
+    steps: dict[int, float], word: str
+) -> None:
+    # Step k ends at the label k/10; periods are those up to 1, up to 2 and up to 3.
+    first = np.cumsum([steps.get(k, 0.0) for k in range(31)])
+    part = Sampled(np.linspace(0.0, 3.0, 31), placed(first), np.zeros(30, bool), True)
+    assert _end_of(part, Plane(np.zeros(2), np.ones(2), 0.0), 3.0, 9.0, 0.1) == word
+
+
+def test_the_nearest_point_of_a_manifold_is_that_of_a_fine_polyline() -> None:
+    rng = np.random.default_rng(4)
+    x, y = rng.uniform(-1.0, 1.0, (2, 12))
+    x[6], y[6] = x[5], y[5]
+    plane = Plane(np.zeros(2), np.full(2, 4.0), 0.0)
+    # Pieces of one point, of six with one that stands twice, of two, and of three.
+    broken = np.isin(np.arange(11), [0, 6, 8])
+    part = Sampled(np.arange(12.0), placed(x, y), broken, True)
+    lone = Sampled(np.zeros(1), placed(x[:1], y[:1] + 2.0), np.zeros(0, bool), True)
+    saddle = hilltop(BARE, SHAKEN, Linear())
+    branches = tuple(_branch(each, plane, 1, 0, "length") for each in (part, lone))
+    found = Manifold(
+        saddle=saddle, kind="stable", over="phase", phase=0.0,
+        branches=branches, window=(4.0, 4.0), spacing=0.1,
+    )  # fmt: skip
+    share = np.linspace(0.0, 1.0, 2001)[:, np.newaxis]
+    chords = [np.column_stack([x, y])[k] * (1.0 - share) + share * np.column_stack([x, y])[k + 1]
+              for k in np.flatnonzero(~broken)]  # fmt: skip
+    fine = np.concatenate([*chords, [[x[0], y[0]], [x[0], y[0] + 2.0]]])
+    assert found.points == 13
+    for u, v in [*rng.uniform(-1.5, 3.0, (40, 2)).tolist(), (x[0] + 0.01, y[0]), (x[5], y[5])]:
+        nearest = math.dist(found.nearest(u, v), (u, v))
+        least = np.hypot(*(fine - (u, v)).T).min()
+        assert nearest <= least + 1e-12
+        assert nearest == pytest.approx(least, abs=1e-3)
+    refused: list[tuple[dict[str, Any], str]] = [
+        ({"over": "impacts"}, "over impacts"),
+        ({"branches": ()}, "no points"),
+    ]
+    for changed, words in refused:
+        with pytest.raises(ModelError, match=words):
+            replace(found, **changed).nearest(0.0, 0.0)
 
 
 def test_what_has_no_manifolds_is_refused() -> None:

@@ -29,3 +29,31 @@ def test_a_circle_is_sampled_within_a_part_of_the_spacing(radius: float) -> None
     assert steps.max() < 0.31  # of what turns, however small
     assert 2.0 * radius * np.sin(0.5 * steps.max()) <= SPACING
     assert len(steps) <= 2.0 * max(2.0 * math.pi / 0.3, 2.0 * math.pi * radius / (0.1 * SPACING))
+
+
+def test_a_window_has_its_border_and_what_turns_only_the_border_of_the_other() -> None:
+    x = np.array([0.5, 0.0, 1.0, 1.0, 1.0 + 1e-15, np.nan, 0.5, 0.5, np.inf])
+    y = np.array([0.0, -2.0, 2.0, 0.0, 0.0, 0.0, np.nan, 2.0 + 1e-15, 0.0])
+    none = np.zeros(len(x), dtype=np.int64)
+    images = Images(x, y, none, none, none > 0)
+    plane = Plane(np.array([0.5, 0.0]), np.array([0.5, 2.0]), 0.0)
+    assert plane.inside(images).tolist() == [True] * 4 + [False] * 5
+    round_about = plane._replace(turn=2.0 * math.pi)
+    assert round_about.inside(images).tolist() == [True] * 5 + [False] * 4
+
+
+def test_what_is_beyond_a_window_is_drawn_between_one_and_two_half_widths() -> None:
+    x = np.array([1.0, 3.0, 5.0, -1.0, -7.0, np.inf])
+    none = np.zeros(len(x), dtype=np.int64)
+    images = Images(x, x, none, none, none > 0)
+    plane = Plane(np.array([1.0, 0.0]), np.array([2.0, 1.0]), 0.0)
+    across = [0.0, 1.0, 1.5, -1.0, -1.75, 2.0]  # 2 - 1/z where z > 1
+    up = [1.0, 2.0 - 1.0 / 3.0, 1.8, -1.0, -2.0 + 1.0 / 7.0, 2.0]
+    np.testing.assert_allclose(plane.seen(images), np.column_stack([across, up]), rtol=1e-15)
+    turning = plane._replace(turn=3.0)
+    seen = turning.seen(images)
+    np.testing.assert_allclose(seen, np.column_stack([(x - 1.0) / 2.0, up]), rtol=1e-15)
+    # Once round is 3, which is 1.5 half widths.
+    steps = turning.chords(seen[:5])
+    np.testing.assert_allclose(steps[:, 0], [-0.5, -0.5, 0.0, 0.0], atol=1e-15)
+    np.testing.assert_allclose(steps[:, 1], np.diff(up[:5]), rtol=1e-15)

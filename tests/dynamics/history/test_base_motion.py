@@ -28,9 +28,40 @@ PIECES = (
     Segment(duration=1.5, constant=1.0, slope=-0.8, amplitude=0.4, frequency=20.0),
     Segment(duration=2.0, constant=0.3, amplitude=0.5, frequency=4.0, phase=2.0),
 )
+MIXED = Piecewise(
+    pieces=(
+        PIECES[1],
+        Segment(duration=1.1, amplitude=0.7, frequency=3.0, phase=0.4, harmonics=WAVES.harmonics),
+        PIECES[2],
+        Segment(
+            duration=1.3, amplitude=0.5, frequency=2.0, harmonics=((2, 0.4, 0.2), (3, 0.3, 1.0))
+        ),
+    )
+)
 
 
-@every("motion", [Piecewise(pieces=PIECES), WAVES])
+def acceleration_at(pieces: tuple[Segment, ...], time: float) -> float:
+    """Return the base acceleration of segments, one sine after another; 0 behind them."""
+    for piece in pieces:
+        if time < piece.duration:
+            turned = piece.frequency * time + piece.phase
+            waves = piece.harmonics or ((1, 1.0, 0.0),)
+            swing = sum(size * math.sin(order * turned + lag) for order, size, lag in waves)
+            return piece.constant + piece.slope * time + piece.amplitude * swing
+        time -= piece.duration
+    return 0.0
+
+
+@every("motion", [Piecewise(pieces=PIECES), MIXED])
+def test_an_acceleration_is_the_sum_of_its_sines_on_a_line(motion: Piecewise) -> None:
+    at = np.linspace(0.003, 6.5, 400)
+    expected = [acceleration_at(motion.pieces, time) for time in at.tolist()]
+    table = segment_table(motion)
+    np.testing.assert_allclose(base_acceleration(table, at), expected, atol=1e-13)
+    assert peak_acceleration(table) == pytest.approx(np.abs(expected).max(), rel=0.01)
+
+
+@every("motion", [Piecewise(pieces=PIECES), MIXED, WAVES])
 def test_velocity_and_displacement_are_integrals_of_the_acceleration(motion: Motion) -> None:
     table = segment_table(motion)
     at = np.linspace(0.0, 4.0, 8001)

@@ -1,10 +1,14 @@
 """Events on branches: hidden in one step, next to another branch, at merging impacts, and none."""
 
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
 
 from rocksteady import find_orbits
 from rocksteady.branches import BranchPoint, follow_branch
+from rocksteady.dynamics.continuation.chains import events as chain_events
 from tests.dynamics.continuation.branches import (
     PARAMETERS,
     RANGES,
@@ -215,3 +219,43 @@ def test_a_closed_branch_is_run_through_once_from_its_fold(direction: int) -> No
     assert kinds == ["closed", "fold", "fold", "period-doubling", "period-doubling"]
     assert around[-1].type == "closed"
     assert around[-1].restitution == pytest.approx(fold.restitution, abs=1e-9)
+
+
+def test_a_parabola_that_comes_near_zero_within_half_a_step_is_looked_at(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    rng = np.random.default_rng(3)
+    seen = {True: 0, False: 0}
+    for _ in range(60):
+        begin, back, ahead = rng.uniform([-2.0, 0.1, 0.1], [2.0, 1.0, 1.0])
+        bend = rng.choice([-1.0, 1.0], 20) * rng.uniform(0.2, 2.0, 20)
+        middle = begin + ahead * rng.uniform(-1.2, 2.2, 20)
+        least = rng.uniform(-0.3, 0.5, 20) * ahead**2
+
+        def values(s: float, bend: Any = bend, middle: Any = middle, least: Any = least) -> Any:
+            return bend * (s - middle) ** 2 + least
+
+        one, two = values(begin), values(begin + ahead)
+        inside = (begin - 0.5 * ahead < middle) & (middle < begin + 1.5 * ahead)
+        alike = (one * two > 0.0) & (bend * one > 0.0)
+        near = (least / one < 0.3) | (least / two < 0.3)
+        monkeypatch.setattr(chain_events, "_tests", lambda spot, f=values: tuple(f(spot.arclength)))
+        spots: list[Any] = [
+            SimpleNamespace(arclength=at) for at in (begin - back, begin, begin + ahead)
+        ]
+        expected = np.flatnonzero(inside & alike & near).tolist()
+        assert list(chain_events._suspicious(*spots)) == expected
+        assert not list(chain_events._suspicious(spots[1], *spots[1:]))
+        seen[True] += len(expected)
+        seen[False] += 20 - len(expected)
+    assert min(seen.values()) > 100
+
+
+@every(("before", "after"), [(1.0, 0.0), (0.0, 1.0), (1.0, -1.0), (np.inf, 1.0), (1.0, np.nan)])
+def test_a_test_that_changes_its_sign_or_is_not_finite_hides_nothing(
+    before: float, after: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    values = {0.0: 4.0, 1.0: before, 2.0: after}
+    monkeypatch.setattr(chain_events, "_tests", lambda spot: (values[spot.arclength],))
+    spots: list[Any] = [SimpleNamespace(arclength=at) for at in values]
+    assert not list(chain_events._suspicious(*spots))

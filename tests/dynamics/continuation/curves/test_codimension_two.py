@@ -1,6 +1,8 @@
 """Points of codimension two: each kind in 50 digits, and why there are no others."""
 
 from functools import cache
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,8 +13,13 @@ from scipy.optimize import root
 from rocksteady import DimensionlessBlock, Harmonic, find_bifurcation_curves
 from rocksteady.branches import BifurcationCurves, BranchPoint, CurveOptions
 from rocksteady.dynamics.continuation.chains.chain import Chain
+from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.continuation.curves import _curve_starts
-from rocksteady.dynamics.continuation.curves._codimension_two import flip_type, graze_type
+from rocksteady.dynamics.continuation.curves._codimension_two import (
+    flip_type,
+    free,
+    graze_type,
+)
 from rocksteady.dynamics.continuation.curves._curve_starts import departures
 from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.kernels.orbits.chains import LANDING
@@ -299,3 +306,46 @@ def test_no_point_is_false_and_nothing_listed_twice(
     least: int,
 ) -> None:
     assert len(held_to_their_conditions(restitution, within, search).points) >= least
+
+
+@every(
+    ("dips", "kind", "expected"),
+    [
+        # Arc, the height of its dip, and when that is: arc 1 has no duration, all others 2.
+        ({}, PointType.GRAZING, 1.0),
+        ({2: (0.3, 1.0)}, PointType.GRAZING, 0.3),
+        ({3: (-0.4, 0.0)}, PointType.GRAZING, -0.4),
+        ({1: (-0.5, 0.0)}, PointType.GRAZING, 1.0),
+        ({0: (-0.2, 2.0), 2: (-0.3, 0.0), 3: (0.1, 1.0)}, PointType.GRAZING, 0.1),
+        ({0: (-0.2, 0.0)}, PointType.GRAZING, 1.0),
+        ({0: (-0.2, 2.0 - 2e-6)}, PointType.GRAZING, -0.2),
+        ({2: (-0.3, 2e-6)}, PointType.GRAZING, -0.3),
+        ({0: (-0.2, 1.0), 2: (-0.3, 0.0)}, PointType.GRAZING, -0.2),
+        ({2: (0.3, 1.0)}, PointType.FOLD, 0.0),
+        ({2: (-0.3, 0.0)}, PointType.FOLD, -0.3),
+    ],
+)
+def test_what_is_free_beside_two_merged_impacts_is_all_but_their_own_touch(
+    dips: dict[int, tuple[float, float]], kind: PointType, expected: float
+) -> None:
+    durations, shape = np.array([2.0, 0.0, 2.0, 2.0]), np.full((4, 3), np.nan)
+    for arc, dip in dips.items():
+        shape[arc, 1:] = dip
+    # Turned by any number of arcs it is the same orbit.
+    for shift in range(4):
+        chain: Any = SimpleNamespace(
+            impacts=4, durations=np.roll(durations, shift), shape=np.roll(shape, shift, axis=0)
+        )
+        solution: Any = SimpleNamespace(chain=chain)
+        assert free(kind, chain)(solution) == expected
+
+
+def test_what_is_free_beside_a_touch_is_each_other_arc_and_every_duration() -> None:
+    shape = np.full((3, 3), np.nan)
+    shape[0, 1:], shape[2, 1:] = (0.2, 0.5), (1e-12, 0.5)
+    chain: Any = SimpleNamespace(impacts=3, durations=np.array([2.0, 0.7, 0.6]), shape=shape)
+    solution: Any = SimpleNamespace(chain=chain)
+    assert free(PointType.GRAZING, chain)(solution) == 0.2
+    assert free(PointType.FOLD, chain)(solution) == 1e-12
+    shape[0, 1] = 0.9
+    assert free(PointType.GRAZING, chain)(solution) == 0.6

@@ -1,6 +1,8 @@
 """Planes of the nonlinear model and of unlike sides: shooting, limits, mirror images."""
 
 import math
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +16,10 @@ from rocksteady import (
     find_bifurcation_curves,
     find_orbits,
 )
-from rocksteady.branches import BifurcationCurves, CurveOptions
+from rocksteady.branches import BifurcationCurves, BranchPoint, CurveOptions
+from rocksteady.dynamics.continuation.chains.chain import Chain
+from rocksteady.dynamics.continuation.chains.point_types import PointType
+from rocksteady.dynamics.continuation.curves import search_plane
 from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.errors import ModelError
 from rocksteady.formulas import symmetry_breaking_frequencies
@@ -273,3 +278,164 @@ def test_a_region_ends_where_symmetry_breaks_and_a_narrow_one_is_left_out(
     breaking = symmetry_breaking_frequencies(2.0, 0.8)
     assert np.abs(found.regions[0].extent[2] - breaking).min() < 1e-11
     assert found.regions[-1].extent[2] in (highest, found.regions[0].extent[2])
+
+
+def chain_through(
+    place: tuple[float, float], phases: tuple[float, ...] = (1.0, 2.0), *, later: int = 0
+) -> Chain:
+    """Return an unsymmetric chain at a frequency ratio and an amplitude."""
+    ratio, amplitude = place
+    turns = np.arange(len(phases), dtype=np.int64) + later
+    parameters = np.array([amplitude, ratio, 0.8])
+    return Chain(
+        parameters=parameters,
+        turns=turns,
+        phases=np.array(phases) - later * math.pi,
+        half_cycles=len(phases),
+    )
+
+
+def plane_search(**asked: Any) -> Any:
+    """Return a search in a plane 4 wide and 20 high, which does not begin at 0."""
+    return search_plane._Found(SHAKEN, ((2.0, 6.0), (10.0, 30.0)), CurveOptions(**asked))
+
+
+@every(
+    ("place", "share"),
+    [
+        ((3.0, 15.0), 0.5),
+        ((2.5, 12.5), 0.25),
+        ((2.5 + 0.0079, 12.5), 0.25 + 0.5 * 0.0079 / 2.0),
+        ((2.0 - 0.0079, 10.0 - 0.0395), 0.0),
+        ((4.0 + 0.0079, 20.0 + 0.0395), 1.0),
+        ((2.0 - 0.0081, 10.0 - 0.0405), None),
+        ((4.0 + 0.0081, 20.0 + 0.0405), None),
+        ((3.0, 15.0 + 0.082), None),
+        ((3.0 + 0.0165, 15.0), None),
+    ],
+)
+@every("later", [0, 2])
+def test_a_motion_beside_a_chord_is_held_to_the_one_between_its_ends(
+    place: tuple[float, float], share: float | None, later: int
+) -> None:
+    one = chain_through((2.0, 10.0), (1.0, 2.0))
+    other = chain_through((4.0, 20.0), (1.4, 1.8), later=later)
+    search, chain = plane_search(), chain_through(place)
+    near = search._between(one, other, chain, search._place(chain))
+    if share is None:
+        assert near is None
+    else:
+        assert near.phases == pytest.approx([1.0 + 0.4 * share, 2.0 - 0.2 * share])
+        assert (near.parameters == chain.parameters).all()
+        assert (near.turns == one.turns).all()
+
+
+def test_a_chord_has_motions_of_one_shape_and_may_be_a_point() -> None:
+    search = plane_search()
+    ends = chain_through((2.0, 10.0)), chain_through((4.0, 20.0))
+    four = chain_through((3.0, 15.0), (1.0, 1.2, 1.4, 1.6))
+    assert search._between(*ends, four, search._place(four)) is None
+    assert search._between(ends[0], four, ends[1], search._place(ends[1])) is None
+    near = search._between(ends[0], ends[0], ends[0], search._place(ends[0]))
+    assert (near.phases == ends[0].phases).all()
+
+
+@every(
+    ("phases", "kind", "known"),
+    [
+        ((1.0, 2.0), PointType.FOLD, True),
+        ((1.019, 2.019), PointType.FOLD, True),
+        ((1.021, 2.0), PointType.FOLD, False),
+        ((1.0, 2.0), PointType.PERIOD_DOUBLING, False),
+        # The mirror image sets off to the other side, half a period later.
+        ((2.0, 1.0 + 1e-9), PointType.FOLD, True),
+    ],
+)
+def test_a_curve_is_known_where_a_motion_on_it_or_its_mirror_image_is(
+    phases: tuple[float, float], kind: PointType, *, known: bool
+) -> None:
+    search = plane_search()
+    ends = [chain_through((2.0, 10.0)), chain_through((4.0, 20.0))]
+    curve = SimpleNamespace(type=PointType.FOLD, points=[SimpleNamespace(chain=e) for e in ends])
+    other = SimpleNamespace(type=PointType.GRAZING, points=curve.points)
+    search.curves += [other, curve]
+    assert search._known(kind, chain_through((3.0, 15.0), phases)) is known
+
+
+def point_at(kind: PointType, place: tuple[float, float]) -> BranchPoint:
+    return BranchPoint(type=kind, arclength=0.0, chain=chain_through(place))
+
+
+def test_a_meeting_is_listed_once_with_the_curves_that_come_there() -> None:
+    cusp, graze = PointType.CUSP, PointType.FOLD_GRAZE
+    fold = point_at(PointType.FOLD, (3.0, 15.0))
+    beside = (3.0 + 0.9 * 4e-6, 15.0 - 0.9 * 2e-5)
+    above, right = (3.0, 15.0 + 1.1 * 2e-5), (3.0 + 1.1 * 4e-6, 15.0)
+    search = plane_search()
+    search.curves += [
+        SimpleNamespace(points=points)
+        for points in (
+            [fold, point_at(cusp, (3.0, 15.0)), point_at(cusp, (3.0, 15.0))],
+            [point_at(graze, (3.0, 15.0)), point_at(cusp, above)],
+            [point_at(cusp, beside), point_at(cusp, right), fold],
+            [fold],
+        )
+    ]
+    found = [(each.point.type, *search._place(each.point.chain), each.curves)
+             for each in search.meetings()]  # fmt: skip
+    assert found == [
+        (cusp, 0.75, 0.75, (1, 3)),
+        (graze, 0.75, 0.75, (2,)),
+        (cusp, 0.75, pytest.approx(0.75 + 1.1e-6, abs=1e-12), (2,)),
+        (cusp, pytest.approx(0.75 + 1.1e-6, abs=1e-12), 0.75, (3,)),
+    ]
+
+
+def test_short_motions_are_followed_first_and_long_ones_not_at_all() -> None:
+    search = plane_search(max_period=2)
+    order = []
+    for period, impacts in ((2, 4), (1, 4), (3, 2), (2, 2), (1, 2), (1, 2)):
+        search.add(SimpleNamespace(period=period, impacts=impacts))
+    while search.waiting:
+        *_, point = search_plane.heapq.heappop(search.waiting)
+        order.append((point.period, point.impacts))
+    assert order == [(1, 2), (1, 2), (1, 4), (2, 2), (2, 4)]
+
+
+def branch_over(values: list[float], stable: list[tuple[int, int, bool]], **kind: Any) -> Any:
+    stretches = [SimpleNamespace(first=a, last=b, stable=stays) for a, b, stays in stable]
+    words = {"symmetric": True, "period": 1, **kind}
+    return SimpleNamespace(values=np.array(values), stretches=stretches, **words)
+
+
+@every("axis", [0, 1])
+def test_regions_are_where_one_set_of_motions_is_stable(axis: int) -> None:
+    ends = [(0.0, 1.0), (0.0, 1.0)]
+    ends[axis] = (10.0, 20.0)
+    one = branch_over([10.0, 12.0, 14.0, 20.0], [(0, 1, False), (1, 2, True), (2, 3, False)])
+    two = branch_over([16.0, 13.0], [(0, 1, True)], symmetric=False, period=3)
+    twin = branch_over([14.0, 15.0], [(0, 1, True)], symmetric=False, period=3)
+    late = branch_over([19.0, 19.05], [(0, 1, True)])
+    last = branch_over([19.1, 19.25], [(0, 1, True)])
+    lines = [
+        SimpleNamespace(axis=axis, value=0.5, branches=branches)
+        for branches in ((one,), (two, twin), (late, last))
+    ]
+    lines.append(SimpleNamespace(axis=axis, value=0.7, branches=(one,)))
+    found = [
+        (each.place, each.motions, each.extent)
+        for each in search_plane._regions(lines, (ends[0], ends[1]))  # type: ignore[arg-type]
+    ]
+
+    def region(value: float, low: float, high: float, *motions: str) -> Any:
+        middle = 0.5 * (low + high)
+        place = (middle, value) if axis == 0 else (value, middle)
+        return pytest.approx(place), motions, pytest.approx((axis, low, high))
+
+    assert found == [
+        region(0.5, 12.0, 13.0, "symmetric"),
+        region(0.5, 13.0, 14.0, "symmetric", "unsymmetric, 3 periods"),
+        region(0.5, 14.0, 16.0, "unsymmetric, 3 periods"),
+        region(0.5, 19.1, 19.25, "symmetric"),
+        region(0.7, 12.0, 14.0, "symmetric"),
+    ]

@@ -1,0 +1,287 @@
+"""Facts of branches: what stays fixed, in SI too, ranges, rows of points and cascades in words."""
+
+import math
+from itertools import pairwise
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rocksteady import Block, DimensionlessBlock, Harmonic, Linear, Nonlinear
+from rocksteady.dynamics.continuation import branch_facts
+from rocksteady.dynamics.continuation.chains.point_types import PointType
+from rocksteady.model.equations import Model
+from rocksteady.model.facts import AnyBlock
+from rocksteady.motions import FourierSeries
+from rocksteady.results.description import Fact, Table
+from rocksteady.results.numbers import number
+from tests.every import every
+
+BARE = DimensionlessBlock(restitution=0.8)
+UNLIKE = DimensionlessBlock(restitution=0.8, alpha_ratio=1.2, p_ratio=0.9)
+SIZED = Block.rectangle(width=0.4, height=1.2, restitution=0.8)
+SIDES = Block.asymmetric(left=0.15, right=0.2, height=1.2, restitution=(0.85, 0.8))
+LINEAR, NONLINEAR = Linear(), Nonlinear()
+SHAKEN = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+LEANS = math.atan2(0.15, 0.6), math.atan2(0.2, 0.6)
+
+
+def words_of(facts: list[Fact]) -> dict[str, str]:
+    return {fact.label: fact.words for fact in facts if fact.label}
+
+
+def cells(table: Table) -> list[list[str]]:
+    return [[column.words(row) for column in table.columns] for row in table.rows]
+
+
+def pull(foot: float) -> float:
+    """Return p squared over g about a foot beside the middle of mass: R over the inertia."""
+    square = foot**2 + 0.6**2
+    return math.sqrt(square) / ((0.35**2 + 1.2**2) / 12.0 + square)
+
+
+UNEQUAL = {
+    "negative_restitution": 0.8,
+    "alpha_ratio": LEANS[1] / LEANS[0],
+    "p_ratio": math.sqrt(pull(0.2) / pull(0.15)),
+}
+
+
+@every(
+    ("block", "model", "text", "expected"),
+    [
+        (BARE, LINEAR, "linear model", {}),
+        (BARE, NONLINEAR, "nonlinear model", {}),
+        (SIZED, LINEAR, "linear model", {}),
+        (SIZED, NONLINEAR, "nonlinear model, alpha 0.321751 rad", {"alpha_rad": SIZED.alpha}),
+        (UNLIKE, LINEAR, "linear model", {"alpha_ratio": 1.2, "p_ratio": 0.9}),
+        (SIDES, LINEAR, "linear model", UNEQUAL),
+        (
+            SIDES,
+            NONLINEAR,
+            "nonlinear model, alpha 0.244979/0.321751 rad",
+            {"alpha_rad": list(LEANS), **UNEQUAL},
+        ),
+    ],
+)
+def test_equations_name_what_they_need_of_a_block(
+    block: AnyBlock, model: Model, text: str, expected: dict[str, Any]
+) -> None:
+    assert branch_facts.model_text(block, model) == text
+    facts = branch_facts.model_facts(block, model)
+    values = {fact.key: fact.value for fact in facts}
+    assert values.pop("model") == model.name
+    assert values.keys() == expected.keys()
+    for key, value in expected.items():
+        assert values[key] == pytest.approx(value, rel=1e-12)
+    beside = branch_facts.model_facts_over(block, model, ["restitution"])
+    left = {"alpha_ratio", "p_ratio"} if block is UNLIKE else set()
+    assert {fact.key for fact in beside} == {"model", *left}
+
+
+@every(
+    ("block", "restitution", "harmonics", "text"),
+    [
+        (BARE, 0.8, (), "restitution 0.8, linear model"),
+        (BARE, 0.7, (), "restitution 0.7, linear model"),
+        (SIDES, 0.85, (), "restitution 0.85/0.8, linear model"),
+        (UNLIKE, 0.8, (), "restitution 0.8, linear model"),
+        (BARE, 0.8, ((3, 0.2, 0.0),), "restitution 0.8, orders 3, linear model"),
+    ],
+)
+def test_a_point_has_both_restitutions_where_its_impacts_differ(
+    block: AnyBlock, restitution: float, harmonics: Any, text: str
+) -> None:
+    chain = SimpleNamespace(harmonics=harmonics)
+    point = point_of(block=block, restitution=restitution, chain=chain, model=LINEAR)
+    assert branch_facts.point_case(point) == text
+
+
+def test_a_restitution_that_moves_is_none_of_a_block() -> None:
+    unlike = SIDES.dimensionless()
+    for moving, keys in ((["amplitude"], {"negative_restitution"}), (["restitution"], set())):
+        facts = branch_facts.model_facts_over(unlike, LINEAR, moving)
+        assert {fact.key for fact in facts} == {"alpha_ratio", "p_ratio", "model", *keys}
+    kept, moving = (branch_facts.block_fact(SIDES, names) for names in ([], ["restitution"]))
+    assert (kept.value["restitution"], kept.value["negative"]["restitution"]) == (0.85, 0.8)
+    assert moving.value["restitution"] is moving.value["negative"]["restitution"] is None
+    assert kept.text == moving.text + ", restitution 0.85/0.8"
+    assert "negative" not in branch_facts.block_fact(SIZED, ["restitution"]).value
+    assert [branch_facts.kept_text(block) for block in (SIDES, SIZED)] == ["0.85/0.8", "0.8"]
+
+
+@every(
+    ("parameter", "text"),
+    [
+        ("amplitude", "A from 0.5 to 1, Ω = 4, restitution 0.85/0.8"),
+        ("frequency_ratio", "A = 2, Ω from 0.5 to 1, restitution 0.85/0.8"),
+        ("restitution", "A = 2, Ω = 4, restitution from 0.5 to 1"),
+    ],
+)
+def test_a_diagram_has_its_range_and_what_is_fixed_in_the_units_of_its_block(
+    parameter: str, text: str
+) -> None:
+    within = (0.5, 1.0)
+    assert branch_facts.case_text(SIDES, SHAKEN, parameter, within) == text
+    series = FourierSeries(
+        amplitude=2.0, frequency_ratio=4.0, harmonics=((3, 0.2, 0.0), (5, 0.1, 0.2))
+    )
+    assert branch_facts.case_text(SIDES, series, parameter, within) == f"{text}, orders 3, 5"
+    units = {"amplitude": (SIZED.alpha, "g"), "frequency_ratio": (SIZED.p / (2 * math.pi), "Hz")}
+    symbol = branch_facts.SYMBOLS[parameter]
+    for block in (BARE, SIZED):
+        facts = branch_facts.case_facts(block, SHAKEN, parameter, within, LINEAR)
+        values = {fact.key: fact.value for fact in facts}
+        shown = words_of(facts)
+        over = f"{symbol} from 0.5 to 1"
+        if block is SIZED and parameter in units:
+            scale, unit = units[parameter]
+            low, high = (number(scale * end) for end in within)
+            over = f"{low} to {high} {unit} ({over})"
+        assert shown["over"] == over
+        fixed = {"amplitude": 2.0, "frequency_ratio": 4.0, "restitution": 0.8, parameter: None}
+        assert {name: values[name] for name in fixed} == fixed
+        si = {"amplitude": ("accel_g", 2.0), "frequency_ratio": ("freq_hz", 4.0)}
+        for name, (key, value) in si.items():
+            if block is BARE:
+                assert key not in values
+                continue
+            scale, unit = units[name]
+            expected = None if name == parameter else pytest.approx(scale * value)
+            assert values[key] == expected
+            label = {"g": "amplitude", "Hz": "frequency"}[unit]
+            if name == parameter:
+                assert label not in shown
+            else:
+                assert shown[label] == f"{number(scale * value)} {unit}"
+        assert "harmonics" not in values
+    facts = branch_facts.case_facts(BARE, series, parameter, within, LINEAR)
+    (waves,) = (fact.value for fact in facts if fact.key == "harmonics")
+    assert waves == [[3, 0.2, 0.0], [5, 0.1, 0.2]]
+
+
+@every(
+    ("low", "high", "text"),
+    [
+        (1.0, 2.5, "1 to 2.5"),
+        (1.23456, 1.23466, "1.2346 to 1.2347"),
+        (1.23456, 1.234562, "1.23456 + 2e-06"),
+    ],
+)
+def test_a_range_has_the_digits_that_tell_its_ends_apart(
+    low: float, high: float, text: str
+) -> None:
+    assert branch_facts.range_text(low, high) == text
+    assert branch_facts.stable_text([(low, high)]) == text
+    assert branch_facts.stable_text([(low, high), (3.0, 4.0)]) == f"{text} +1"
+    assert branch_facts.stable_text([(low, high)] * 3) == f"{text} +2"
+    assert branch_facts.stable_text([]) == "—"
+
+
+def point_of(**changed: Any) -> Any:
+    values = {
+        "type": PointType.FOLD, "amplitude": 2.0, "frequency_ratio": 4.0, "restitution": 0.8,
+        "period": 3, "impacts": 4, "symmetric": False, "stable": False, "admissible": True,
+        "peaks": np.array([0.5, -0.25, 0.4]), "arclength": 1.5,
+        "multipliers": np.array([2.0 + 0.5j, 0.25 - 0.125j]),
+    }  # fmt: skip
+    return SimpleNamespace(**{**values, **changed})
+
+
+@every(("lean", "high", "low"), [(1.0, 0.5, -0.25), (-1.0, 0.25, -0.5)])
+@every("block", [BARE, SIZED])
+def test_a_point_has_the_extremes_and_multipliers_of_its_orbit_or_its_mirror_image(
+    lean: float, high: float, low: float, block: AnyBlock
+) -> None:
+    row = branch_facts.point_row(7, point_of(), lean, block)
+    values = branch_facts.point_values(point_of(), lean, block)
+    assert (row["highest"], row["lowest"]) == tuple(values["peaks"]) == (high, low)
+    assert [row[f"multiplier_{name}"] for name in ("1_re", "1_im", "2_re", "2_im")] == [
+        2.0, 0.5, 0.25, -0.125
+    ]  # fmt: skip
+    assert (row["branch"], row["type"], row["period"], row["impacts"]) == (7, "fold", 3, 4)
+    assert (row["stable"], row["admissible"], row["arclength"]) == (False, True, 1.5)
+    assert values["multipliers"] == [2.0 + 0.5j, 0.25 - 0.125j]
+    if isinstance(block, Block):
+        scaled = [high * block.alpha, low * block.alpha]
+        assert [row["highest_rad"], row["lowest_rad"]] == values["peaks_rad"] == scaled
+        for each in (row, values):
+            assert each["accel_g"] == pytest.approx(2.0 * block.alpha)
+            assert each["freq_hz"] == pytest.approx(4.0 * block.p / (2.0 * math.pi))
+    else:
+        assert not any(key.endswith(("_rad", "_g", "_hz")) for key in (*row, *values))
+
+
+def test_a_branch_lists_where_it_is_stable_from_low_to_high() -> None:
+    stretches = [
+        SimpleNamespace(first=first, last=last, stable=stable)
+        for first, last, stable in ((0, 2, True), (2, 3, False), (3, 4, True))
+    ]
+    branch = SimpleNamespace(
+        parameter="amplitude", values=np.array([5.0, 4.0, 3.0, 2.0, 2.5]), stretches=stretches,
+        points=[point_of(amplitude=5.0), *3 * [None], point_of(amplitude=2.5)],
+        period=1, impacts=2, symmetric=True,
+    )  # fmt: skip
+    values = branch_facts.branch_values(branch)
+    assert list(map(list, values["stable_ranges"])) == [[2.0, 2.5], [3.0, 5.0]]
+    assert (values["within"], values["points"]) == ([2.0, 5.0], 5)
+    table = branch_facts.branches_table([{"branch": 1, **values}], "amplitude")
+    assert cells(table) == [["1", "1", "2", "symmetric", "fold", "fold", "2 to 2.5 +1"]]
+    assert [column.left for column in table.columns] == 3 * [False] + 4 * [True]
+    assert (values["begin"]["amplitude"], values["end"]["amplitude"]) == (5.0, 2.5)
+
+
+@every("block", [BARE, SIZED])
+@every("parameter", ["amplitude", "frequency_ratio", "restitution"])
+def test_a_bifurcation_is_listed_with_degrees_and_a_unit_where_a_block_has_a_size(
+    block: AnyBlock, parameter: str
+) -> None:
+    rows = [{"branch": 2, **branch_facts.point_values(point_of(), 1.0, block)}]
+    table = branch_facts.bifurcations_table(rows, parameter, block)
+    (row,) = cells(table)
+    headings = [column.heading for column in table.columns]
+    value = {"amplitude": 2.0, "frequency_ratio": 4.0, "restitution": 0.8}[parameter]
+    scale = {"amplitude": SIZED.alpha, "frequency_ratio": SIZED.p / (2.0 * math.pi)}
+    beside, heading, ends = "unsymmetric", "kind", ["0.5000", "-0.2500"]
+    if block is SIZED:
+        ends = [f"{math.degrees(u * SIZED.alpha):.2f}°" for u in (0.5, -0.25)]
+        if parameter in scale:
+            beside = f"{value * scale[parameter]:.6g}"
+            heading = {"amplitude": "g", "frequency_ratio": "Hz"}[parameter]
+    assert row == ["2", "fold", f"{value:.8f}", beside, "3", "4", *ends]
+    lefts = ["bifurcation", "kind"] if heading == "kind" else ["bifurcation"]
+    assert [column.heading for column in table.columns if column.left] == lefts
+    assert headings[3] == heading
+
+
+@every(
+    ("values", "title"),
+    [
+        ([2.0], "cascade of 1 period doubling"),
+        ([2.0, 1.5], "cascade of 2 period doublings"),
+        ([2.0, 1.5, 1.4, 1.375], "cascade of 4 period doublings"),
+    ],
+)
+def test_a_doubling_stands_with_the_distance_to_the_next_and_the_ratio_of_both_its_distances(
+    values: list[float], title: str
+) -> None:
+    distances = np.diff(values).tolist()
+    ratios = [a / b for a, b in pairwise(distances)]
+    cascade = {
+        "periods": [2**k for k in range(len(values))], "values": values,
+        "distances": distances, "ratios": ratios, "limit": 1.25,
+    }  # fmt: skip
+    table = branch_facts.cascade_table(cascade, "amplitude")
+    assert table.title == title
+    expected = []
+    for k, value in enumerate(values):
+        apart = f"{abs(distances[k]):.3e}" if k < len(distances) else ""
+        ratio = f"{ratios[k - 1]:.4f}" if 1 <= k <= len(ratios) else ""
+        expected.append([f"{2**k} -> {2 ** (k + 1)}", f"{value:.12f}", apart, ratio])
+    assert cells(table) == expected
+    (note,) = branch_facts.cascade_notes(cascade)
+    if len(values) < 3:
+        assert note == "fewer than three doublings have no ratio"
+    else:
+        assert note.startswith("limit 1.250000000000, ")

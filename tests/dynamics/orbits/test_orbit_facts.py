@@ -1,0 +1,63 @@
+"""Facts of orbits: kinds in words, rows of files and what is said of the period."""
+
+import math
+
+import numpy as np
+
+from rocksteady import Block, DimensionlessBlock, Harmonic, find_orbits
+from rocksteady.dynamics.orbits import orbit_facts
+from tests.every import every
+
+BARE = DimensionlessBlock(restitution=0.8)
+SIZED = Block.rectangle(width=0.4, height=1.2, restitution=0.8)
+MOTION = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+
+
+@every(
+    ("period", "text"),
+    [(None, "rocking"), (1, "rocking"), (2, "rocking, period 2"), (3, "rocking, period 3")],
+)
+def test_a_period_is_named_above_one(period: int | None, text: str) -> None:
+    assert orbit_facts.kind_text("rocking", period) == text
+
+
+@every("block", [BARE, SIZED])
+def test_a_row_of_an_orbit_has_its_first_state_extremes_and_multipliers(
+    block: Block | DimensionlessBlock,
+) -> None:
+    orbits = find_orbits(block, MOTION, max_period=2, max_impacts=4, seeds=12)
+    assert {orbit.admissible for orbit in orbits} == {True, False}
+    table = orbit_facts.orbits_table(orbits)
+    for place, (orbit, row) in enumerate(zip(orbits, table.rows, strict=True), start=1):
+        assert (row["number"], row["period"]) == (place, orbit.period)
+        assert (row["impacts_per_period"], row["branch"]) == (orbit.impacts, orbit.branch)
+        first, second = np.asarray(orbit.multipliers)
+        assert (row["multiplier_1_re"], row["multiplier_1_im"]) == (first.real, first.imag)
+        assert (row["multiplier_2_re"], row["multiplier_2_im"]) == (second.real, second.imag)
+        state = orbit.states[0]
+        assert (row["side"], row["phase_rad"]) == (state.side, state.phase)
+        assert row["speed_per_pivot_time"] == state.speed
+        ends = (orbit.highest, orbit.lowest) if orbit.admissible else (None, None)
+        assert (row["highest"], row["lowest"]) == ends
+        assert row["stable"] is (orbit.stable if orbit.admissible else None)
+        shown = [
+            column.words(row) for column in table.columns if column.key in ("highest", "lowest")
+        ]
+        if isinstance(block, Block):
+            radians = [None if end is None else end * block.alpha for end in ends]
+            assert [row["highest_rad"], row["lowest_rad"]] == radians
+            expected = ["—" if u is None else f"{math.degrees(u):.2f}°" for u in radians]
+        else:
+            assert "highest_rad" not in row
+            expected = ["—" if u is None else f"{u:.4f}" for u in ends]
+        assert shown == expected
+        words = {fact.label: fact.words for fact in orbit_facts.orbit_facts(orbit)}
+        many = orbit.period > 1
+        period = f"{orbit.period} forcing periods, subharmonic" if many else "1 forcing period"
+        if isinstance(block, Block):
+            seconds = orbit.period * 2.0 * math.pi / (1.9 * block.p)
+            assert words["period"] == f"{period}, {seconds:.3g} s"
+        else:
+            assert words["period"] == period
+        assert words["impacts"] == f"{orbit.impacts} in a period"
+        assert ("highest" in words) is ("lowest" in words) is orbit.admissible
