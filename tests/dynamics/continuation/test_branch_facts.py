@@ -11,6 +11,7 @@ import pytest
 from rocksteady import Block, DimensionlessBlock, Harmonic, Linear, Nonlinear
 from rocksteady.dynamics.continuation import branch_facts
 from rocksteady.dynamics.continuation.chains.point_types import PointType
+from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import AnyBlock
 from rocksteady.motions import FourierSeries
@@ -103,10 +104,10 @@ def test_a_restitution_that_moves_is_none_of_a_block() -> None:
     for moving, keys in ((["amplitude"], {"negative_restitution"}), (["restitution"], set())):
         facts = branch_facts.model_facts_over(unlike, LINEAR, moving)
         assert {fact.key for fact in facts} == {"alpha_ratio", "p_ratio", "model", *keys}
-    kept, moving = (branch_facts.block_fact(SIDES, names) for names in ([], ["restitution"]))
-    assert (kept.value["restitution"], kept.value["negative"]["restitution"]) == (0.85, 0.8)
-    assert moving.value["restitution"] is moving.value["negative"]["restitution"] is None
-    assert kept.text == moving.text + ", restitution 0.85/0.8"
+    fixed, free = (branch_facts.block_fact(SIDES, names) for names in ([], ["restitution"]))
+    assert (fixed.value["restitution"], fixed.value["negative"]["restitution"]) == (0.85, 0.8)
+    assert free.value["restitution"] is free.value["negative"]["restitution"] is None
+    assert fixed.text == free.text + ", restitution 0.85/0.8"
     assert "negative" not in branch_facts.block_fact(SIZED, ["restitution"]).value
     assert [branch_facts.kept_text(block) for block in (SIDES, SIZED)] == ["0.85/0.8", "0.8"]
 
@@ -129,7 +130,7 @@ def test_a_diagram_has_its_range_and_what_is_fixed_in_the_units_of_its_block(
     )
     assert branch_facts.case_text(SIDES, series, parameter, within) == f"{text}, orders 3, 5"
     units = {"amplitude": (SIZED.alpha, "g"), "frequency_ratio": (SIZED.p / (2 * math.pi), "Hz")}
-    symbol = branch_facts.SYMBOLS[parameter]
+    symbol = SYMBOLS[parameter]
     for block in (BARE, SIZED):
         facts = branch_facts.case_facts(block, SHAKEN, parameter, within, LINEAR)
         values = {fact.key: fact.value for fact in facts}

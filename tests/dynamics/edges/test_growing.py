@@ -307,7 +307,7 @@ def placed(first: Floats, second: Floats | float = 0.0) -> Images:
 def test_a_branch_is_broken_where_its_samples_are() -> None:
     plane = Plane(np.zeros(2), np.ones(2), 0.0)
     for count, breaks in ((5, []), (5, [0]), (5, [2]), (5, [3]), (5, [0, 3]), (2, []), (1, [])):
-        first = 0.2 * np.arange(count)
+        first = 0.2 * np.arange(float(count), dtype=np.float64)
         part = Sampled(first, placed(first), np.isin(np.arange(count - 1), breaks), True)
         found = _branch(part, plane, 1, 0, "length")
         assert found.breaks.tolist() == breaks

@@ -1,6 +1,7 @@
 """Answers on symmetric steady states: counts of a grid from its arrays, one point in words."""
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -14,7 +15,7 @@ BARE = DimensionlessBlock(restitution=0.8)
 SIZED = Block.rectangle(width=0.4, height=2.0)
 
 
-def answer_of(answer: Answer | None) -> tuple[str, dict[str, str]]:
+def answer_of(answer: Answer | None) -> tuple[str, dict[str, Any]]:
     assert answer is not None
     return answer.sentence, dict(answer.facts)
 

@@ -179,7 +179,7 @@ def fixed_values(
     }
 
 
-def extremes(point: Any, lean: float = 1.0) -> list[float]:
+def extremes(point: Any, lean: float) -> list[float]:
     """Return the highest and the lowest u of an orbit, or of its mirror image for a lean of -1."""
     peaks = lean * point.peaks
     return [float(peaks.max()), float(peaks.min())]

@@ -1,5 +1,6 @@
 """Planes of the nonlinear model and of unlike sides: shooting, limits, mirror images."""
 
+import heapq
 import math
 from types import SimpleNamespace
 from typing import Any
@@ -397,7 +398,7 @@ def test_short_motions_are_followed_first_and_long_ones_not_at_all() -> None:
     for period, impacts in ((2, 4), (1, 4), (3, 2), (2, 2), (1, 2), (1, 2)):
         search.add(SimpleNamespace(period=period, impacts=impacts))
     while search.waiting:
-        *_, point = search_plane.heapq.heappop(search.waiting)
+        *_, point = heapq.heappop(search.waiting)
         order.append((point.period, point.impacts))
     assert order == [(1, 2), (1, 2), (1, 4), (2, 2), (2, 4)]
 
