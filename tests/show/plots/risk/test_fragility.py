@@ -224,6 +224,20 @@ def test_data_without_a_curve_have_their_points_and_say_so(failures: list[int], 
     assert "nan" not in shown
 
 
+@pytest.mark.parametrize(
+    ("failures", "left"), [([0, 0, 0, 0], True), ([10, 10, 10, 10], False), ([9, 6, 4, 1], True)]
+)
+def test_without_a_curve_the_legend_leaves_the_points_free(failures: list[int], left: bool) -> None:
+    curve = fit_curve([0.1, 0.2, 0.3, 0.4], failures, [10] * 4, measure=("PGV", "m/s"))
+    figure = Figure()
+    drawn = plots.fragility(curve, figure.add_subplot(), legend="inside")
+    figure.draw_without_rendering()
+    legend = drawn.get_legend()
+    assert legend is not None
+    box = drawn.transAxes.inverted().transform_bbox(legend.get_window_extent())
+    assert (box.x1 < 0.6, box.y0 > 0.5) == (left, left), box
+
+
 NAMES = ["uplift", "theta/alpha > 0.5", "over$turned_"]
 
 
