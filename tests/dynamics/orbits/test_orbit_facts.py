@@ -1,6 +1,7 @@
 """Facts of orbits: kinds in words, rows of files and what is said of the period."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from tests.every import every
 BARE = DimensionlessBlock(restitution=0.8)
 SIZED = Block.rectangle(width=0.4, height=1.2, restitution=0.8)
 MOTION = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+STRONG = Harmonic(amplitude=2.0, frequency_ratio=4.0)
 
 
 @every(
@@ -61,3 +63,35 @@ def test_a_row_of_an_orbit_has_its_first_state_extremes_and_multipliers(
             assert words["period"] == period
         assert words["impacts"] == f"{orbit.impacts} in a period"
         assert ("highest" in words) is ("lowest" in words) is orbit.admissible
+
+
+def test_a_symmetric_orbit_is_named_by_the_branch_of_its_closed_form() -> None:
+    orbits = find_orbits(BARE, STRONG, max_period=1, seeds=6)
+    table = orbit_facts.orbits_table(orbits)
+    by_label = {column.heading: column for column in table.columns}
+    kinds = [by_label["kind"].words(row) for row in table.rows]
+    assert kinds == ["symmetric 1", "symmetric 2"]
+    assert [by_label[""].words(row) for row in table.rows] == ["stable", "inadmissible"]
+    facts = orbit_facts.orbit_facts(orbits[0])
+    assert next(fact.words for fact in facts if fact.label == "branch") == "1"
+    labels = [fact.label for fact in facts if fact.label]
+    assert labels == ["period", "impacts", "highest", "lowest", "multipliers of a period", "branch"]
+
+
+def test_an_orbit_that_rests_has_infinitely_many_impacts_and_its_rests_are_counted() -> None:
+    orbit = find_orbits(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), max_period=1, seeds=6)[
+        0
+    ]
+    for rests, words in ((1, "1 time in a period"), (2, "2 times in a period")):
+        resting = replace(orbit, rest_phases=rests, branch=None)
+        said = {fact.label: fact.words for fact in orbit_facts.orbit_facts(resting)}
+        assert said["impacts"] == "infinitely many in a period"
+        assert said["comes to rest"] == words
+        assert "branch" not in said
+        table = orbit_facts.orbits_table([resting])
+        impacts, kind = (
+            next(column for column in table.columns if column.heading == label)
+            for label in ("impacts", "kind")
+        )
+        assert (impacts.words(table.rows[0]), kind.words(table.rows[0])) == ("inf", "symmetric")
+    assert len(orbit_facts.orbits_table([]).rows) == 0
