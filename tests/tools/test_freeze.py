@@ -99,6 +99,8 @@ def test_long_items_are_compared_to_their_ends_except_for_rounding() -> None:
     ):
         assert records.apart(kept, long.replace(was, now)), (was, now)
     assert records.apart(kept, f"{long}\nrow").startswith("1001 lines, not")
+    without = kept.rpartition(", ")[0]
+    assert records.apart(without, long), "a record without what stands for its rest"
 
 
 @pytest.mark.parametrize("text", ["\n".join(map(str, range(1000))), "7" * 1000])

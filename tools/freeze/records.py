@@ -24,8 +24,8 @@ TINY = 1e-9
 _HEXADECIMAL, _HASH = r"-?0x[01](?:\.[0-9a-f]+)?p[+-]\d+", r"\b[0-9a-f]{16}\b"
 _NUMBER = re.compile(rf"({_HEXADECIMAL}|{_HASH}|-?\b\d+(?:\.\d*(?:e[+-]?\d+)?|e[+-]?\d+))")
 """Numbers of a record that are not whole, and hashes."""
-_CUT = re.compile(rf"… (\d+) (?:characters|lines), {_HASH}, ({_HASH}) (\S+) ± (\S+)$")
-"""Ends a line, or the lines, of an item that is not kept whole: how long it is, and its rest."""
+_CUT = re.compile(rf"… \d+ (?:characters|lines), {_HASH}, ({_HASH}) (\S+) ± (\S+)$")
+"""Ends a line, or the lines, of an item that is not kept whole: with what stands for its rest."""
 
 Items = Mapping[str, str]
 """Answers as text, by name."""
@@ -165,11 +165,11 @@ def apart(recorded: str, text: str) -> str:
 
 def _same_rest(was: str, pieces: Sequence[str]) -> bool:
     """Return whether words and numbers in turn are those that are recorded, but for rounding."""
-    before, now = _CUT.search(was), _CUT.search(f"… 0 lines, {digest('')}, {_rest(pieces)}")
-    if not before or not now:
-        return True
-    apart = abs(float(before[3]) - float(now[3]))
-    return before[2] == now[2] and apart <= float(before[4])
+    before = _CUT.search(was)
+    if before is None:
+        return list(pieces) == [""]
+    words, total, *_ = _rest(pieces).split(" ")
+    return before[1] == words and abs(float(before[2]) - float(total)) <= float(before[3])
 
 
 def _same(was: str, piece: str) -> bool:
