@@ -30,7 +30,7 @@ FLOOR_TESTS := $(addprefix tests/,certify cli/console cli/flags cli/test_app.py 
 	risk/hazard risk/observations risk/screens seismic show/export show/figures show/film show/plots show/style sweep)
 CHECKS := lint types layers library pages tests uncompiled programs
 # Seconds that each check may take on two cores, printed beside those that it took.
-BUDGETS := lint=15 types=60 layers=5 library=60 pages=5 docs=240 tests=220 uncompiled=5 tests-python=40 programs=5 ptx=150 tests-jit=300 tests-floor=200 frozen=120
+BUDGETS := lint=15 types=60 layers=5 library=60 pages=5 docs=240 tests=220 uncompiled=5 tests-python=70 programs=5 ptx=150 tests-jit=300 tests-floor=200 frozen=120
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:

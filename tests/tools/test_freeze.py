@@ -1,6 +1,8 @@
 """The freeze of answers: what has moved is seen, and what differs from run to run is left out."""
 
+import itertools
 import json
+import math
 import re
 import tempfile
 from pathlib import Path
@@ -89,6 +91,13 @@ def test_long_items_are_compared_to_their_ends_except_for_rounding() -> None:
     assert records.apart(kept, line(_40=values[41], _41=values[40]))
     assert records.apart(kept, f"{line()}, side={(0.0).hex()}")
     assert records.apart(kept, line().replace("side=0x1.5", "size=0x1.5"))
+
+    waves = [f"{math.sin(k):.9f}" for k in range(60)]
+    kept = records.abridged(", ".join(waves))
+    for one, other in itertools.combinations(range(20, 60), 2):
+        swapped = list(waves)
+        swapped[one], swapped[other] = waves[other], waves[one]
+        assert records.apart(kept, ", ".join(swapped)), (one, other)
 
     long = "\n".join(f"row {k}, {0.001 * k:.3f} m" for k in range(1000))
     kept = records.abridged(long)

@@ -49,6 +49,11 @@ def test_each_place_is_changed_once_and_named_with_its_function() -> None:
     assert found[4].source == f"{whole.rstrip()})\n"
 
 
+def test_texts_types_and_what_zip_refuses_are_left_as_they_are(tree: Path) -> None:
+    (tree / FILE).write_text('pairs: "list[2]" = [*zip("1", "2", strict=True)]\n', encoding="utf-8")
+    assert tool.mutants(FILE) == []
+
+
 @pytest.mark.usefixtures("tree")
 def test_a_seed_draws_the_same_mutants_of_each_package() -> None:
     drawn = tool.draw(["made"], 4, 7)

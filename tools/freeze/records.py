@@ -21,6 +21,7 @@ ROUNDED = 1e-6
 """Relative difference of numbers that count as the same on two processors."""
 TINY = 1e-9
 """Likewise in absolute terms. Of a number of three digits or more the last may be another by 1."""
+GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 _HEXADECIMAL, _HASH = r"-?0x[01](?:\.[0-9a-f]+)?p[+-]\d+", r"\b[0-9a-f]{16}\b"
 _NUMBER = re.compile(rf"({_HEXADECIMAL}|{_HASH}|-?\b\d+(?:\.\d*(?:e[+-]?\d+)?|e[+-]?\d+))")
 """Numbers of a record that are not whole, and hashes."""
@@ -72,7 +73,7 @@ def _rest(pieces: Sequence[str]) -> str:
     for place, piece in enumerate(pieces[1::2]):
         value = _value(piece)
         if value is not None and math.isfinite(value):
-            weight = place % 7 + 1.0
+            weight = 1.0 + place * GOLDEN % 1.0  # no two places weigh the same
             total.append(weight * math.asinh(value))
             allowed.append(weight * _rounding(piece, value) / math.hypot(1.0, value))
     return f"{digest('#'.join(pieces[::2]))} {math.fsum(total):.12g} ± {math.hypot(*allowed):.2g}"

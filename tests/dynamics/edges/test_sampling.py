@@ -6,7 +6,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.edges._leaving import Images
-from rocksteady.dynamics.edges._sampling import Plane, sampled
+from rocksteady.dynamics.edges._sampling import Plane, _coarse, sampled
 from tests.every import every
 
 SPACING = 0.1
@@ -57,3 +57,15 @@ def test_what_is_beyond_a_window_is_drawn_between_one_and_two_half_widths() -> N
     steps = turning.chords(seen[:5])
     np.testing.assert_allclose(steps[:, 0], [-0.5, -0.5, 0.0, 0.0], atol=1e-15)
     np.testing.assert_allclose(steps[:, 1], np.diff(up[:5]), rtol=1e-15)
+
+
+def test_both_arms_of_a_bend_are_refined_wherever_it_is() -> None:
+    # Straight on, and two right angles far from the first point.
+    x = np.array([0.0, 0.05, 0.1, 0.15, 0.15, 0.15, 0.1])
+    y = np.array([0.0, 0.0, 0.0, 0.0, 0.05, 0.1, 0.1])
+    none = np.zeros(len(x), dtype=np.int64)
+    flagged, apart = _coarse(
+        Plane(np.zeros(2), np.ones(2), 0.0), Images(x, y, none, none, none > 0), SPACING
+    )
+    assert flagged.tolist() == [False, False, True, True, True, True]
+    assert not apart.any()

@@ -57,6 +57,18 @@ def test_the_linear_closed_forms_on_a_still_base(u: float, v: float) -> None:
     assert mirrored.signed[0] == pytest.approx([back, -onwards], rel=1e-11)
 
 
+def test_an_answer_has_the_least_kick_the_other_way_with_its_sign() -> None:
+    kicks = find_fatal_kicks(BARE, start=State(angle=-0.6, velocity=0.0))
+    mirrored = find_fatal_kicks(BARE, start=State(angle=0.6, velocity=0.0))
+    for found, least, sign in ((kicks, "-0.4", "+"), (mirrored, "0.4", "-")):
+        answer = found.describe().answer
+        assert answer is not None
+        facts = dict(answer.facts)
+        # Both ways a kick of 0.4 and one of the square root of 1/0.81 - 0.84 are the least.
+        assert answer.sentence.startswith(f"The least kick that fells it is {least} ")
+        assert facts["the other way"].startswith(f"{sign}{math.sqrt(1.0 / 0.81 - 0.84):.3f}"[:5])
+
+
 @every("u", [0.1, 0.5, 0.9])
 def test_the_nonlinear_one_is_the_barrier_of_energy(u: float) -> None:
     alpha = BLOCK.alpha

@@ -67,6 +67,8 @@ def test_a_tail_is_fitted_to_three_points_through_the_end() -> None:
         ({"levels": [0.1, 0.1, 0.2, 0.3]}, "it follows 0.1, and levels must rise"),
         ({"levels": [0.1, 0.3, 0.2, 0.4]}, "levels = 0.2 is not valid"),
         ({"rates": [0.1, 0.2, 0.01, 0.001]}, "rates of exceedance, which never rise"),
+        ({"rates": [0.1, 0.2, 0.01, 0.001]}, "0.2 is not valid: it is more than the rate 0.1 of"),
+        ({"rates": [0.1, 0.02, 0.03, 0.001]}, "rates = 0.03 is not valid"),
         ({"rates": [0.1, 0.02, 0.01, 0.0]}, "leave out levels and rates of 0"),
         ({"rates": [0.1, 0.02]}, "give as many rates as levels"),
         ({"levels": [0.1], "rates": [0.1]}, "a row of two or more"),

@@ -32,6 +32,12 @@ def test_an_axis_is_refused_in_one_line(name: Any, values: Any, valid: str) -> N
         Axis(name=name, values=values)
 
 
+@every("count", [1, 2**24 + 1, 3**24, 2.5])
+def test_a_rule_makes_two_values_at_least_and_no_more_than_fit(count: Any) -> None:
+    with pytest.raises(InputError, match=r"count = .*2 to 16777216|count = .*\[2, 16777216\]"):
+        Axis.logarithmic("a", 1.0, 2.0, count)
+
+
 @every("description", [{"long_name": 3}, {"units": b"m"}])
 def test_a_description_is_a_text(description: Any) -> None:
     with pytest.raises(InputError, match="must be a text"):

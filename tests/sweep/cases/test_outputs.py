@@ -26,6 +26,12 @@ def test_a_float_has_no_flags() -> None:
         Output(name="kind", flags={0: "rest"})
 
 
+@every("flags", [{0: "rest", 1.5: "falls"}, {"0": "rest"}, {0: 1}, {0: None}])
+def test_each_whole_number_has_its_meaning_in_words(flags: Any) -> None:
+    with pytest.raises(InputError, match="each value of an integer has a meaning in words"):
+        Output(name="kind", dtype=np.int8, flags=flags)
+
+
 @every("dtype", [np.complex128, "U3", object, "datetime64[s]"])
 def test_an_output_is_a_number_or_a_truth(dtype: Any) -> None:
     with pytest.raises(InputError, match="boolean, integer or float"):

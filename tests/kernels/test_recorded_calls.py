@@ -1,0 +1,21 @@
+"""Kernels that run as plain Python repeat the shipped calls bit for bit.
+
+Compiled ones are compared with the same calls in `tests/installation/test_check.py`.
+"""
+
+import pytest
+
+from rocksteady.installation._recorded import Call, loaded
+from rocksteady.installation.check import RECORDED, replay
+from rocksteady.kernels.entries import ENTRIES
+from tests.strategies import PLAIN
+
+CALLS = loaded(RECORDED.read_bytes()) if PLAIN else []
+NAMES = [f"{number}-{call.entry}" for number, call in enumerate(CALLS)]
+
+
+@pytest.mark.parametrize("call", CALLS, ids=NAMES)
+def test_each_shipped_call_is_repeated_bit_for_bit(call: Call) -> None:
+    (found,) = replay([call], ENTRIES)
+    assert found.first_difference is None
+    assert found.values > 0
