@@ -49,5 +49,5 @@ PARTS = {
     "views": Part(lambda: list(TABS), explorer.freeze_view),
 }
 """All parts, those that take longest first."""
-LARGE = {"pictures", "long-commands", "targets", "physics", "views"}
+LARGE = {"pictures", "long-commands", "targets"}
 """Parts of the large set alone."""
