@@ -6,8 +6,9 @@ import time
 import numpy as np
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, Piecewise, Record
-from rocksteady.dynamics.history.lowering import record_table, segment_table
+from rocksteady import Block, DimensionlessBlock, Harmonic, Linear, Piecewise, Record
+from rocksteady.dynamics.history.lowering import only_side, record_table, segment_table
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.tables import ALIKE, DURATION
 from rocksteady.motions import Segment
@@ -84,3 +85,11 @@ def test_samples_beyond_what_the_block_can_be_asked_for_are_refused() -> None:
         segment_table(Record(acceleration_m_s2=VALUES, dt_s=1e6), BLOCK)
     with pytest.raises(InputError, match=r"^acceleration_m_s2 = 1e\+60 "):
         segment_table(Record(acceleration_m_s2=np.array([0.0, 1e60]), dt_s=0.01), BLOCK)
+
+
+def test_the_one_side_of_a_block_against_a_wall_is_named_by_its_sign() -> None:
+    free, leaning = (
+        sides_of(DimensionlessBlock(restitution=0.6, one_sided=wall), Linear())
+        for wall in (False, True)
+    )
+    assert (only_side(free), only_side(leaning), only_side(leaning[::-1])) == (0, 1, -1)

@@ -12,6 +12,7 @@ from rocksteady.dynamics.maps.cell_classes import (
     BLANK,
     MEANINGS,
     CellClass,
+    classes_of,
     counts_of,
     map_counts,
 )
@@ -61,6 +62,22 @@ def test_legend_table_and_json_have_the_same_shares(fates: bool, whole: bool) ->
 def test_every_cell_is_counted_once(classes: list[CellClass]) -> None:
     counts = counts_of(np.array(classes, dtype=np.int8))
     assert counts == {one: classes.count(one) for one in CellClass}
+
+
+def test_steady_motions_of_more_than_one_period_are_subharmonic_and_no_others_are() -> None:
+    kinds = list(MEANINGS.values())
+    kind = np.repeat(np.arange(len(kinds)), 3)
+    period = np.tile([-1, 1, 2], len(kinds))
+    flags = dict(enumerate(kinds))
+    alone = classes_of(kind, None, flags)
+    assert alone.tolist() == np.repeat(kinds, 3).tolist()
+    steady = (CellClass.SYMMETRIC, CellClass.UNSYMMETRIC)
+    again = [
+        CellClass.SUBHARMONIC if cell in steady and count == 2 else cell
+        for cell, count in zip(alone.tolist(), period.tolist(), strict=True)
+    ]
+    assert again.count(CellClass.SUBHARMONIC) == 2
+    assert classes_of(kind, period, flags).tolist() == again
 
 
 def test_a_kind_without_a_flag_is_refused() -> None:
