@@ -11,7 +11,7 @@ import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, find_attractor, find_bifurcations
 from rocksteady.branches import BifurcationDiagram, BranchOptions
-from rocksteady.dynamics.continuation.branch_answers import counts_of
+from rocksteady.dynamics.continuation.branch_answers import counts_of, diagram_answer
 from rocksteady.dynamics.continuation.find_bifurcations import _range_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import symmetry_breaking_frequencies
@@ -102,6 +102,32 @@ def test_answer_and_description_count_the_same_branches() -> None:
     )
     words = "2 branches up to 1 period and 2 impacts, 1 bifurcation"
     assert words in " ".join(diagram.summary(more=True).split())
+
+
+@every(
+    ("ranges", "sentence"),
+    [
+        ([], "No steady motion was found to be stable for W = 1.9 to 2."),
+        ([(1.9, 2.0)], "A steady motion is stable throughout, for W = 1.9 to 2."),
+        ([(1.9, 1.95), (1.94, 2.0)], "A steady motion is stable throughout, for W = 1.9 to 2."),
+        ([(1.95, 2.0)], "No steady motion was found to be stable below W = 1.95."),
+        ([(1.9, 1.95)], "No steady motion was found to be stable above W = 1.95."),
+        ([(1.92, 1.95)], "A steady motion is stable for W = 1.92 to 1.95."),
+        (
+            [(1.92, 1.95), (1.97, 2.0)],
+            "A steady motion is stable for W = 1.92 to 1.95 and in 1 other range.",
+        ),
+    ],
+)
+def test_an_answer_joins_the_ranges_of_branches_that_come_to_rest(
+    ranges: list[tuple[float, float]], sentence: str
+) -> None:
+    diagram = diagram_of(BARE, "frequency_ratio")
+    names = ("block", "parameter", "within", "model", "search", "complete", "points", "sweeps")
+    resting = tuple(SimpleNamespace(within=within) for within in ranges)
+    parts = {name: getattr(diagram, name) for name in names}
+    found = SimpleNamespace(**parts, branches=(), cascade=None, resting=resting)
+    assert diagram_answer(found).sentence == sentence
 
 
 def test_of_mirror_images_the_one_that_leans_to_the_positive_side_is_listed() -> None:
