@@ -61,7 +61,7 @@ def test_what_is_beyond_a_window_is_drawn_between_one_and_two_half_widths() -> N
 
 def test_both_arms_of_a_bend_are_refined_wherever_it_is() -> None:
     # Straight on, and two right angles far from the first point.
-    x = np.array([0.0, 0.05, 0.1, 0.15, 0.15, 0.15, 0.1])
+    x = np.array([0.0, 0.09, 0.14, 0.19, 0.19, 0.19, 0.14])
     y = np.array([0.0, 0.0, 0.0, 0.0, 0.05, 0.1, 0.1])
     none = np.zeros(len(x), dtype=np.int64)
     flagged, apart = _coarse(
@@ -69,3 +69,13 @@ def test_both_arms_of_a_bend_are_refined_wherever_it_is() -> None:
     )
     assert flagged.tolist() == [False, False, True, True, True, True]
     assert not apart.any()
+
+
+def test_between_two_points_that_are_nowhere_there_is_a_gap_and_nothing_to_refine() -> None:
+    x = np.array([0.0, np.nan, np.nan, 0.0, 0.05, np.nan])
+    none = np.zeros(len(x), dtype=np.int64)
+    flagged, apart = _coarse(
+        Plane(np.zeros(2), np.ones(2), 0.0), Images(x, 0.0 * x, none, none, none > 0), SPACING
+    )
+    assert flagged.tolist() == [True, False, True, False, True]
+    assert apart.tolist() == [True, True, True, False, True]
