@@ -18,7 +18,7 @@ RECORDS = {
     "ptx": ("tools/aot/device/.assembled", "src/rocksteady/kernels", "tools/aot"),
     "uncompiled": (
         *("tests/kernels/.passed", "src/rocksteady/kernels", "src/rocksteady/outcomes.py"),
-        *("tests/kernels", ":(glob)tests/*.py", "constraints.txt"),
+        *("src/rocksteady/installation", "tests/kernels", ":(glob)tests/*.py", "constraints.txt"),
     ),
 }
 """By check: its record, and what it checks, as git names files."""

@@ -52,6 +52,10 @@ def test_each_place_is_changed_once_and_named_with_its_function() -> None:
 def test_texts_types_and_what_zip_refuses_are_left_as_they_are(tree: Path) -> None:
     (tree / FILE).write_text('pairs: "list[2]" = [*zip("1", "2", strict=True)]\n', encoding="utf-8")
     assert tool.mutants(FILE) == []
+    # Of others, and where lengths may differ, it can be seen.
+    for call in ('zip("1", "2", strict=False)', 'reader("1", strict=True)'):
+        (tree / FILE).write_text(f"rows = [*{call}]\n", encoding="utf-8")
+        assert len(tool.mutants(FILE)) == 1
 
 
 @pytest.mark.usefixtures("tree")

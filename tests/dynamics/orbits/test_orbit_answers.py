@@ -77,13 +77,11 @@ def test_rows_of_an_answer_are_the_best_motions_by_their_numbers_in_the_table(
     assert [row[1] for row in rows] == [worth(orbit) for orbit in listed] == ["stable", "unstable"]
     for orbit, row in zip(listed, rows, strict=True):
         assert row[2:5] == [orbit.kind, str(orbit.period), str(orbit.impacts)]
-        tilts = [f"{end:.3f}" for end in (orbit.highest, orbit.lowest)]
-        if isinstance(block, Block):
-            tilts = [
-                f"{math.degrees(end * block.alpha):.2f}°" for end in (orbit.highest, orbit.lowest)
-            ]
-        assert row[5:7] == tilts
+        for end, tilt in zip((orbit.highest, orbit.lowest), row[5:7], strict=True):
+            if isinstance(block, Block):
+                assert tilt == f"{math.degrees(end * block.alpha):.2f}°"
+            else:
+                assert tilt == f"{end:.3f}"
     left = len(orbits) - len(listed)
-    assert str(dict(answer.facts)["not listed"]).startswith(
-        f"{left} more with --more: {left} inadmiss"
-    )
+    words = str(dict(answer.facts)["not listed"])
+    assert words == f"{left} more with --more: {left} inadmissible"
