@@ -13,7 +13,7 @@ from pathlib import Path
 
 from bench.report import GPU_PROGRAMS, ROOT, write_section
 from rocksteady.kernels.machine_code.gpu import BLOCK
-from rocksteady.kernels.machine_code.library import built_folder
+from rocksteady.kernels.machine_code.sources import libraries_folder
 from tools.aot.device.resources import ToolError, table
 
 INTRODUCTION = """\
@@ -69,7 +69,7 @@ def wrapped(text: str) -> str:
 
 
 if __name__ == "__main__":
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else built_folder()
+    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else libraries_folder()
     programs = sorted(folder.glob("rocksteady-sm_*-queued_*.ptx"))
     if not programs:
         sys.exit(f"python -m bench.gpu.resources: no programs in {folder}; run 'make gpu' first")

@@ -10,7 +10,7 @@ The tree::
     │   └── RecordFileError a ground-motion file cannot be read
     ├── ModelError      arguments valid alone are refused together (also a ValueError)
     ├── OutputError     a file or a folder cannot be written
-    ├── MissingKernelsError nothing that runs compiled code is installed
+    ├── MissingKernelsError compiled kernels cannot be used
     └── UnfinishedError a long computation was stopped; what is finished is kept, and can be resumed
 
 This module is in the lowest layer: it imports nothing from the package, and nothing heavy.
@@ -186,9 +186,9 @@ class ModelError(RocksteadyError, ValueError):
 
 
 class MissingKernelsError(RocksteadyError):
-    """Nothing that runs compiled code is installed: neither a library for the platform nor numba.
+    """Compiled kernels are missing, damaged, or of other sources or another processor.
 
-    The message reads ``compiled code IS MISSING: VALID; HINT``.
+    The message reads ``NAME FAULT: VALID; HINT``.
     """
 
 

@@ -6,9 +6,9 @@ from dataclasses import fields
 import pytest
 
 from rocksteady.dynamics.maps.cell_classes import CellClass
-from rocksteady.explorer._bundle import PARTS
 from rocksteady.explorer._page import SHEETS
 from rocksteady.explorer._palette import page_theme, style_variables
+from rocksteady.explorer._program import PARTS
 from rocksteady.outcomes import Status
 from rocksteady.show.style.tokens import DARK, LIGHT, Inks, contrast
 

@@ -1,9 +1,6 @@
 """The shipped calls: of every kernel, up to date, and each bit of a wrong kernel is noticed."""
 
 import functools
-import os
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -59,19 +56,6 @@ def test_the_shipped_calls_are_those_of_the_kernels_as_they_are() -> None:
     assert (found.library is not None) == (found.kernels == LIBRARY)
 
 
-@pytest.mark.slow
-def test_kernels_that_are_compiled_here_give_the_same_bits() -> None:
-    ran = subprocess.run(
-        [sys.executable, "-m", "rocksteady", "doctor", "--check"],
-        env={**os.environ, "ROCKSTEADY_KERNELS": "jit"},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert ran.returncode == 0, ran.stdout + ran.stderr
-    assert "recorded values agree bit for bit" in ran.stdout
-
-
 def test_the_calls_reach_every_end_of_a_motion_in_both_models() -> None:
     ends = {(columns(call.before[1]) > SIDE_COLUMNS, call.results[0]) for call in calls_of("march")}
     both = (Status.ROCKING, Status.AT_REST, Status.OVERTURNED)
@@ -115,14 +99,6 @@ def test_one_wrong_bit_is_found_and_named(entry: str, where: str) -> None:
     assert wrong.values == right.values
     assert wrong.first_difference is not None
     assert wrong.first_difference.startswith(f"call 1 of {wrong.calls}, {where}: ")
-
-
-@pytest.mark.skipif(PLAIN or runner() != LIBRARY, reason="numba compiles the kernels here")
-def test_with_a_library_numba_is_not_imported() -> None:
-    check = "import sys; import rocksteady as rs; rs.installation.check_installation()"
-    code = f"{check}; print('numba' in sys.modules)"
-    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert ran.stdout == "False\n"
 
 
 def test_a_gpu_that_can_run_is_named(tmp_path: Path) -> None:

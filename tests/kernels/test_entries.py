@@ -1,4 +1,4 @@
-"""The entries are what Python calls: nothing else is compiled on first use, or runs as Python."""
+"""The entries are what Python calls: nothing else runs as Python."""
 
 import inspect
 import json
@@ -18,8 +18,8 @@ import pytest
 
 import rocksteady as rs
 import rocksteady.kernels
-from rocksteady.kernels.entries import ENTRIES, warm
-from rocksteady.kernels.machine_code.compilation import JIT, LIBRARY, Kernel, runner
+from rocksteady.kernels.entries import ENTRIES
+from rocksteady.kernels.machine_code.compilation import Kernel
 from rocksteady.kernels.machine_code.types import signature_of
 from tests.public.calls import calls
 from tests.strategies import PLAIN
@@ -42,47 +42,21 @@ def test_no_other_kernel_has_the_name_of_an_entry() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not PLAIN and runner() != LIBRARY, reason="there is no library")
-def test_public_calls_run_no_kernel_as_python_where_there_is_a_library(tmp_path: Path) -> None:
-    found = in_a_process("print_kernels_that_run_as_python", tmp_path, ROCKSTEADY_KERNELS="library")
-    assert found == []
+def test_public_calls_run_no_kernel_as_python(tmp_path: Path) -> None:
+    assert in_a_process("print_kernels_that_run_as_python", tmp_path) == []
 
 
 @pytest.mark.slow
-def test_public_calls_import_no_numba_where_there_is_a_library(tmp_path: Path) -> None:
-    if runner() != LIBRARY:
-        pytest.skip("there is no library")
+def test_public_calls_import_no_numba(tmp_path: Path) -> None:
     assert in_a_process("print_imports_of_numba", tmp_path) == []
 
 
-@pytest.mark.slow
-@pytest.mark.skipif(runner() != JIT, reason="`make tests-jit` runs it")
-def test_public_calls_compile_no_kernel_but_entries(tmp_path: Path) -> None:
-    # In a process of its own: other tests call kernels with types that nothing else does.
-    found = in_a_process("print_new_signatures", tmp_path, ROCKSTEADY_KERNELS="jit")
-    assert found == []
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(runner() != JIT, reason="`make tests-jit` begins with it")
-def test_warming_up_compiles_each_function_once(tmp_path: Path) -> None:
-    """What is compiled is compiled once: all of it after an edit of a kernel, else nothing."""
-    # A literal is a type of its own to numba; so are layouts, and arrays that are read-only.
-    compiled = in_a_process("print_compilations", tmp_path)
-    names = [name for name, _ in compiled]
-    assert not names or "rocksteady.kernels.march.march.march" in names
-    assert sorted({name for name in names if names.count(name) > 1}) == []
-    assert [found for found in compiled if "iteral" in found[1] or "omitted" in found[1]] == []
-    # The next process finds all of it on disk.
-    assert in_a_process("print_compilations", tmp_path) == []
-
-
-def in_a_process(name: str, folder: Path, **environment: str) -> list[list[str]]:
+def in_a_process(name: str, folder: Path) -> list[list[str]]:
     """Return what a function of this file prints, called in a process and a folder of its own."""
     done = subprocess.run(
         [sys.executable, "-W", "ignore", "-c", f"from {__name__} import {name}; {name}()"],
         cwd=folder,
-        env={**os.environ, "PYTHONPATH": str(ROOT), **environment},
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
         capture_output=True,
         text=True,
         check=False,
@@ -90,42 +64,6 @@ def in_a_process(name: str, folder: Path, **environment: str) -> list[list[str]]
     assert done.returncode == 0, done.stderr
     found: list[list[str]] = json.loads(done.stdout)
     return found
-
-
-def print_compilations() -> None:
-    """Print which kernels `warm` compiles, each with its types."""
-    from numba.core import event
-
-    with event.install_recorder("numba:compile") as recorder:
-        warm()
-    found = [item.data for _, item in recorder.buffer if item.is_start]
-    kernels = [(name_of(data["dispatcher"]), str(data["args"])) for data in found]
-    json.dump([pair for pair in kernels if pair[0].startswith("rocksteady.")], sys.stdout)
-
-
-def print_new_signatures() -> None:
-    """Print the kernels, with their types, that public calls use and `warm` does not."""
-    mpl.use("Agg")
-    warm()
-    before = signatures()
-    for call in all_calls():
-        call()
-    json.dump(sorted(signatures() - before), sys.stdout)
-
-
-def name_of(dispatcher: Any) -> str:
-    function = dispatcher.py_func
-    return f"{function.__module__}.{function.__qualname__}"
-
-
-def signatures() -> set[tuple[str, str]]:
-    """Return every kernel that numba has compiled in this process for Python, with its types."""
-    compiled = [kernel for kernel in all_kernels() if "dispatcher" in vars(kernel)]
-    return {
-        (name_of(kernel), str(types))
-        for kernel in compiled
-        for types in kernel.dispatcher.overloads
-    }
 
 
 def all_kernels() -> list[Kernel]:
@@ -145,17 +83,17 @@ def print_kernels_that_run_as_python() -> None:
     """Print the kernels that public calls run as Python, called from outside the kernels."""
     mpl.use("Agg")
     found = set()
-    resolved = Kernel._resolved
+    first_call = Kernel._first_call
 
-    def watched(kernel: Kernel) -> Callable[..., Any]:
-        run = resolved(kernel)
-        caller = sys._getframe(3).f_globals["__name__"]
-        if run is kernel.py_func and not caller.startswith("rocksteady.kernels."):
-            found.add(f"{name_of(kernel)} by {caller}")
-        return run
+    def watched(kernel: Kernel, *arguments: Any) -> Any:
+        caller = sys._getframe(2).f_globals["__name__"]
+        result = first_call(kernel, *arguments)
+        if kernel._call is kernel.py_func and not caller.startswith("rocksteady.kernels."):
+            found.add(f"{kernel.py_func.__module__}.{kernel.py_func.__qualname__} by {caller}")
+        return result
 
     watch: Any = Kernel
-    watch._resolved = watched
+    watch._first_call = watched
     for call in all_calls():
         call()
     json.dump(sorted(found), sys.stdout)

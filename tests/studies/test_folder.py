@@ -9,27 +9,19 @@ import pytest
 import rocksteady as rs
 from rocksteady.installation import check_installation
 from rocksteady.studies import folder
+from tests.every import every
 
 
-def environment_with(runs: str, monkeypatch: pytest.MonkeyPatch, target: str | None = None) -> str:
-    here = replace(check_installation(repeat_calls=False), kernels=runs, target=target)
-    monkeypatch.setattr(rs.installation, "check_installation", lambda **_: here)
-    return folder.environment()
-
-
-def test_a_study_says_what_it_runs_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    said = environment_with("jit", monkeypatch).split(", ")
+@every("target", [None, "linux-aarch64"])
+def test_a_study_says_what_it_runs_on(target: str | None) -> None:
+    here = replace(check_installation(repeat_calls=False), target=target)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(rs.installation, "check_installation", lambda **_: here)
+        said = folder.environment().split(", ")
     assert said == [
         f"Python {platform.python_version()}",
         f"numpy {version('numpy')}",
-        f"numba {version('numba')}",
+        "kernels compiled for linux-aarch64" if target else "kernels not compiled",
         f"matplotlib {version('matplotlib')}",
         f"{platform.system()} on {platform.machine()}",
     ]
-
-
-def test_a_study_that_runs_without_numba_names_none(monkeypatch: pytest.MonkeyPatch) -> None:
-    said = environment_with("library", monkeypatch, "linux-aarch64")
-    assert "kernels compiled for linux-aarch64" in said
-    assert "numba" not in said
-    assert "kernels not compiled" in environment_with("python", monkeypatch)

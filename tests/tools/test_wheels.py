@@ -5,14 +5,11 @@ import csv
 import hashlib
 import io
 import json
-import lzma
 import shutil
 import struct
 import subprocess
 import sys
 import zipfile
-import zlib
-from collections.abc import Iterator
 from pathlib import Path, PurePath
 
 import pytest
@@ -21,21 +18,25 @@ from packaging.metadata import Metadata
 from packaging.tags import sys_tags
 
 from rocksteady.explorer import _program as program
-from rocksteady.explorer._bundle import script
 from rocksteady.explorer.module import BEGINS, NAME
 from rocksteady.kernels.entries import ENTRIES
+from rocksteady.kernels.machine_code import sources
+from rocksteady.kernels.machine_code.compilation import PURE as PURE_FILE
+from rocksteady.kernels.machine_code.library import checksum_file
 from rocksteady.kernels.machine_code.programs import BROUGHT
 from rocksteady.kernels.machine_code.sources import sources_hash
 from tests.every import every
 from tests.strategies import rest_slow
 from tools.wheels import building
-from tools.wheels.building import INSIDE, PARTS, ROOT, build, build_programs, deflated, programs
+from tools.wheels.building import INSIDE, ROOT, build, build_programs, programs
 from tools.wheels.first_start import sizes, wheel_of_this_machine
 from tools.wheels.needs import faults
 from tools.wheels.platforms import PLATFORMS, PURE, Platform
 
-BESIDE = (NAME, program.NAME)
-"""What every wheel has of the explorer, beside the libraries."""
+BESIDE = (NAME, f"{NAME}.sha256", program.NAME, sources.NAME)
+"""What every wheel has of the explorer and of the hash of kernels, beside the libraries."""
+PARTS = ("*.mjs", "*.mts")
+"""Modules of the page, which stand in a wheel bundled."""
 SQUARE = "double g(double x) { return x * x; }"
 KERNELS = SQUARE + "".join(f"int rs_{name}(void) {{ return 0; }}" for name in ENTRIES)
 TRIPLES = {
@@ -64,17 +65,28 @@ def libraries(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Every library of every wheel, small ones, and what is made for the explorer."""
     folder = tmp_path_factory.mktemp("libraries")
     (folder / NAME).write_bytes(BEGINS + sources_hash().encode())
-    shorts = {
-        name: program.heading(script(program.entry_of(name))) + "start();"
-        for name in program.SCRIPTS
-    }
-    (folder / program.NAME).write_bytes(lzma.compress(json.dumps(shorts).encode()))
+    made = {"parts": program.parts_hash(), **dict.fromkeys(program.SCRIPTS, "start();")}
+    (folder / program.NAME).write_text(json.dumps(made), "utf-8")
     for file in programs(folder):
         file.write_text(f"// rocksteady kernels {sources_hash()}\n.version 7.0\n", "ascii")
     for platform in PLATFORMS:
         for file in platform.libraries(folder):
             library(file, TRIPLES[platform.tag], code=KERNELS)
+            sum_up(file)
+    sum_up(folder / NAME)
+    (folder / sources.NAME).write_text("0 1\n", "ascii")
     return folder
+
+
+def sum_up(file: Path) -> None:
+    """Write the checksum of a compiled file beside it."""
+    checksum_file(file).write_text(hashlib.sha256(file.read_bytes()).hexdigest(), "ascii")
+
+
+def files_of(platform: Platform, folder: Path) -> list[Path]:
+    """Return all files beside the package that a platform's wheel holds."""
+    compiled = platform.libraries(folder)
+    return [*compiled, *map(checksum_file, compiled), *(folder / name for name in BESIDE)]
 
 
 class Wheels(dict[Platform, Path]):
@@ -87,14 +99,6 @@ class Wheels(dict[Platform, Path]):
     def __missing__(self, platform: Platform) -> Path:
         self[platform] = build(platform, self._libraries, self._out)
         return self[platform]
-
-
-@pytest.fixture(scope="module", autouse=True)
-def quickly_deflated() -> Iterator[None]:
-    """Zopfli takes half a minute for the files of a wheel."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(building, "deflated", lambda data: zlib.compress(data)[2:-4])
-        yield
 
 
 @pytest.fixture(scope="module")
@@ -125,8 +129,9 @@ def test_a_wheel_holds_the_module_and_the_libraries_of_its_platform_beside_the_p
     inside = {name: found.pop(name) for name in list(found) if name.startswith(INSIDE)}
     for name in BESIDE:
         del plain[f"{INSIDE}/{name}"]
-    files = [*platform.libraries(libraries), *(libraries / name for name in BESIDE)]
-    assert inside == {f"{INSIDE}/{file.name}": file.read_bytes() for file in files}
+    assert inside == {
+        f"{INSIDE}/{file.name}": file.read_bytes() for file in files_of(platform, libraries)
+    }
     assert set(found) == set(plain)
     differ = {name.rpartition("/")[2] for name in found if found[name] != plain[name]}
     assert differ == (set() if platform == PURE else {"RECORD", "WHEEL"})
@@ -177,7 +182,7 @@ def test_the_metadata_are_valid_and_ask_for_no_compiler(wheels: Wheels) -> None:
     }
     assert {str(each.name) for each in needed if each.marker is None} >= {"numpy", "scipy"}
     asking = {str(each.marker) for each in needed if each.name in {"numba", "llvmlite"}}
-    assert 'extra == "jit"' in asking
+    assert 'extra == "build"' in asking
     assert all(marker.startswith("extra == ") for marker in asking)
 
 
@@ -193,13 +198,14 @@ def test_the_wheel_for_gpus_holds_the_programs_and_asks_for_the_package(
 
 
 def test_what_pip_builds_of_the_sources_is_the_wheel_without_what_is_compiled(
-    wheels: Wheels, tmp_path: Path
+    wheels: Wheels, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setenv("ROCKSTEADY_BUILD", "pure")
     (built,) = WheelBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
     assert Path(built).name == wheels[PURE].name
     ours, theirs = content(Path(built)), content(wheels[PURE])
     assert theirs.keys() - ours.keys() == {f"{INSIDE}/{name}" for name in BESIDE}
-    assert all(any(map(PurePath(name).match, PARTS)) for name in ours.keys() - theirs.keys())
+    assert ours.keys() - theirs.keys() == {f"{INSIDE}/{PURE_FILE}"}
     differ = {name for name in ours.keys() & theirs.keys() if ours[name] != theirs[name]}
     assert {name.rpartition("/")[2] for name in differ} == {"METADATA", "RECORD"}
 
@@ -208,25 +214,10 @@ def test_the_same_libraries_give_the_same_bytes(
     libraries: Path, wheels: Wheels, tmp_path: Path
 ) -> None:
     platform = PLATFORMS[0]
-    for file in (*platform.libraries(libraries), *(libraries / name for name in BESIDE)):
+    for file in files_of(platform, libraries):
         shutil.copy(file, tmp_path)  # which gives it another time stamp
     again = build(platform, tmp_path, tmp_path)
     assert again.read_bytes() == wheels[platform].read_bytes()
-
-
-def test_files_are_deflated_by_zopfli_and_read_by_any_zip(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(building, "deflated", deflated)
-    license_text = (ROOT / "LICENSE").read_bytes()
-    assert zlib.decompress(deflated(license_text), wbits=-15) == license_text
-    assert len(deflated(license_text)) < len(zlib.compress(license_text, 9)) - 6
-    for file in programs(tmp_path):
-        file.write_text(f"// rocksteady kernels {sources_hash()}\n", "ascii")
-    wheel = build_programs(tmp_path, tmp_path)
-    with zipfile.ZipFile(wheel) as archive:
-        assert archive.testzip() is None
-        assert {each.compress_type for each in archive.infolist()} == {zipfile.ZIP_DEFLATED}
 
 
 def test_no_wheel_is_built_without_a_library_of_its_platform(
@@ -244,7 +235,7 @@ def test_no_wheel_is_built_without_a_library_of_its_platform(
 @every(
     ("damage", "reason"),
     [
-        (None, "cannot be read"),
+        (None, "it is not there"),
         (b"", "is no WebAssembly module"),
         (BEGINS + b"0123456789abcdef", "was made from other sources"),
     ],
@@ -254,7 +245,8 @@ def test_no_wheel_is_built_without_a_module_of_these_sources(
 ) -> None:
     if damage is not None:
         (tmp_path / NAME).write_bytes(damage)
-    with pytest.raises(SystemExit, match=f"{NAME} {reason}") as refusal:
+        sum_up(tmp_path / NAME)
+    with pytest.raises(SystemExit, match=reason) as refusal:
         build(PURE, tmp_path, tmp_path)
     assert f"{program.NAME} is missing" in str(refusal.value)
     assert list(tmp_path.glob("*.whl")) == []
@@ -277,15 +269,11 @@ def test_no_wheel_is_built_without_the_programs_of_these_sources(
 
 
 def test_no_wheel_is_built_with_a_script_of_other_parts(libraries: Path, tmp_path: Path) -> None:
-    shutil.copy(libraries / NAME, tmp_path)
-    shorts = program.shortened_scripts(libraries / program.NAME)
-    shorts["push"] = program.heading("other") + "start();"
-    del shorts["swing"]
-    (tmp_path / program.NAME).write_bytes(lzma.compress(json.dumps(shorts).encode()))
-    with pytest.raises(SystemExit) as refusal:
+    for name in (NAME, f"{NAME}.sha256"):
+        shutil.copy(libraries / name, tmp_path)
+    (tmp_path / program.NAME).write_text('{"parts": "other"}', "utf-8")
+    with pytest.raises(SystemExit, match="was made from other parts"):
         build(PURE, tmp_path, tmp_path)
-    said = [line.partition(": ")[2] for line in str(refusal.value).splitlines()]
-    assert said == [f"{name} was made from other parts" for name in ("push", "swing")]
 
 
 def test_no_wheel_is_built_of_a_library_that_does_not_fit(tmp_path: Path) -> None:

@@ -1,161 +1,114 @@
 """``python -m tools.aot``: build libraries of the kernels.
 
-``host`` builds the one that this machine runs, and with ``--page`` the module of the explorer's
-page in a second process, into the folder in which the package looks for them, unless they are
-there; ``build`` builds those of any targets into a folder.
+``host`` builds into the package what this machine needs, unless it is there: the library of
+kernels, and the module and the scripts of the explorer's page. ``build`` builds the libraries of
+any targets into a folder.
 """
 
 import argparse
 import os
+import shutil
+import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from contextlib import ExitStack
 from pathlib import Path
 
 from filelock import FileLock
 
 from rocksteady.errors import MissingKernelsError
-from rocksteady.explorer.module import page_module, prune
-from rocksteady.kernels.machine_code.library import (
-    built_folder,
-    checksum_file,
-    library,
-    make_built_folder,
-    targets,
-)
+from rocksteady.kernels.machine_code import sources
+from rocksteady.kernels.machine_code.library import checksum_file, is_whole, targets
+from rocksteady.kernels.machine_code.sources import sources_hash
 from tools.aot.build import LOWERED, ChangedError, build, lowered, tools_hash
-from tools.aot.link import LinkError, compilers
+from tools.aot.inputs import LIBRARIES, MADE, inputs_hash, is_made
+from tools.aot.link import LinkError
 from tools.aot.targets import PAGE, TARGETS
+from tools.aot.web.program import write_scripts
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run a command; return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m tools.aot", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
-    host = commands.add_parser("host", help="build the library of this machine")
-    host.add_argument("--page", action="store_true", help="and the module of the explorer's page")
-    commands.add_parser("page", help="build the module of the explorer's page")
+    commands.add_parser("host", help="build what this machine needs")
     many = commands.add_parser("build", help="build the libraries of targets")
     many.add_argument("--out", type=Path, required=True, help="folder to write them into")
     many.add_argument("--targets", nargs="+", choices=TARGETS, default=list(TARGETS))
+    one = commands.add_parser("one", help="build the file of one target for this machine")
+    one.add_argument("target", choices=TARGETS)
     lowering = commands.add_parser("lower", help="write the lowered kernels alone")
     lowering.add_argument("file", type=Path)
     given = parser.parse_args(arguments)
-    if given.command == "lower":
-        return _lower(given.file)
-    if given.command == "build":
-        try:
-            build(given.targets, given.out, elsewhere=True)
-        except (ChangedError, LinkError, OSError) as error:
-            print(f"python -m tools.aot: {error}", file=sys.stderr)
-            return 1
-        return 0
-    if given.command == "page":
-        return _ready([MODULE])
-    LOWERED.mkdir(parents=True, exist_ok=True)
-    with FileLock(LOWERED / "lock"):  # who comes second finds what the first has built
-        return _ready([LIBRARY, MODULE] if given.page else [LIBRARY])
-
-
-def _ready(kinds: Sequence["Kind"]) -> int:
-    """Build what is not there; two of them in two processes."""
-    missing = [kind for kind in kinds if not kind.is_there()]
-    if len(missing) == 2 and _obstacle(MODULE.targets()) is None:
-        lowered()  # once, for both
-        with subprocess.Popen([sys.executable, "-m", "tools.aot", "page"]) as other:
-            _make(LIBRARY)
-            return other.wait()
-    for kind in missing:
-        _make(kind)
+    LIBRARIES.mkdir(exist_ok=True)
+    try:
+        match given.command:
+            case "lower":
+                _lower(given.file)
+            case "build":
+                build(given.targets, given.out, elsewhere=True)
+                sources_hash()  # kept beside the libraries, for the wheels too
+                shutil.copy(LIBRARIES / sources.NAME, given.out)
+            case "one":
+                build([given.target], LIBRARIES)
+            case _:
+                LOWERED.mkdir(parents=True, exist_ok=True)
+                with FileLock(LOWERED / "lock"):  # the second of two finds what the first built
+                    _make_all()
+    except (ChangedError, LinkError, MissingKernelsError, OSError) as error:
+        print(f"python -m tools.aot: {error}", file=sys.stderr)
+        return 1
+    except subprocess.CalledProcessError:  # it has said why
+        return 1
+    except KeyboardInterrupt:
+        return 130
     return 0
 
 
-@dataclass(frozen=True)
-class Kind:
-    """What is built for this machine.
-
-    Attributes
-    ----------
-    what
-        Its name.
-    find
-        Returns its file.
-    targets
-        Returns the names of its targets.
-    without
-        What happens where it cannot be built: no failure.
-    """
-
-    what: str
-    find: Callable[[], Path | None]
-    targets: Callable[[], Sequence[str]]
-    without: str
-
-    def is_there(self) -> bool:
-        """Return whether it is there, made by these tools or brought by a wheel; print where."""
-        try:
-            file = self.find()
-        except MissingKernelsError:
-            file = None
-        if file is None or not _is_current(file):
-            return False
-        print(f"{self.what}: {file}")
-        return True
+def _make_all() -> None:
+    """Build what is missing, the module of the page in a process of its own."""
+    if is_made() and all(map(_is_current, _needed())):
+        return
+    inputs = inputs_hash()
+    if not targets():
+        raise LinkError("no library is made for this platform")
+    missing = [name for name in _needed() if not _is_current(name)]
+    with ExitStack() as others:
+        if missing:
+            print("Compiling the kernels for this machine (about a minute)", flush=True)
+            lowered()  # once, for all
+            command = [sys.executable, "-m", "tools.aot", "one"]
+            started = [others.enter_context(subprocess.Popen([*command, n])) for n in missing[1:]]
+            build(missing[:1], LIBRARIES)
+            for process in started:
+                if process.wait():
+                    raise subprocess.CalledProcessError(process.returncode, process.args)
+        write_scripts(LIBRARIES)
+    sources_hash()  # kept beside them
+    MADE.write_text(inputs, "ascii")
 
 
-LIBRARY = Kind(
-    "library of kernels",
-    lambda: getattr(library(), "path", None),
-    lambda: targets()[:1],
-    "numba compiles on first use",
-)
-MODULE = Kind(
-    "module of the explorer", page_module, lambda: (PAGE,), "`rocksteady explore` cannot run here"
-)
+def _needed() -> tuple[str, ...]:
+    """Return the targets of this machine: its fastest library, and the page."""
+    return (*targets()[:1], PAGE)
 
 
-def _make(kind: Kind) -> None:
-    """Build one into the folder of this machine, or print why not and what it means."""
-    reason = _obstacle(kind.targets())
-    if reason is None:
-        print(
-            f"Compiling the {kind.what}, once for each version of the kernels' sources (about a\n"
-            f"minute)\n  into {built_folder()}",
-            flush=True,
-        )
-        try:
-            build(kind.targets(), built_folder())
-            prune()
-        except (ChangedError, LinkError, OSError) as error:
-            reason = str(error)
-    if reason is not None:
-        print(f"no {kind.what}: {reason}; {kind.without}", file=sys.stderr)
+def _is_current(name: str) -> bool:
+    """Return whether the file of a target is whole, of these sources, and made by these tools."""
+    file = LIBRARIES / TARGETS[name].file
+    if not is_whole(file):
+        return False
+    made = checksum_file(file).read_text("ascii").split()[1:]
+    return made == [tools_hash()] and sources_hash().encode() in file.read_bytes()
 
 
-def _is_current(library: Path) -> bool:
-    """Return whether a library was built by these tools, or came with a wheel."""
-    if library.parent != built_folder():
-        return True
-    return checksum_file(library).read_text("ascii").split()[1:] == [tools_hash()]
-
-
-def _obstacle(names: Sequence[str]) -> str | None:
-    """Return why targets cannot be built here; None where they can."""
-    if not names:
-        return "none is made for this platform"
-    if not all(compilers(TARGETS[name]) for name in names):
-        needed = "the package ziglang" if PAGE in names else "gcc, clang or the package ziglang"
-        return f"it needs a C compiler: {needed}"
-    return make_built_folder()
-
-
-def _lower(file: Path) -> int:
+def _lower(file: Path) -> None:
     """Lower the kernels into a file."""
     from rocksteady.kernels.entries import ENTRIES
     from tools.aot.lower import lower, write
 
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # nothing to tidy, here and in its own children
     began = time.perf_counter()
     seen = 0
 
@@ -172,7 +125,6 @@ def _lower(file: Path) -> int:
     print(
         f"{chr(13) * sys.stdout.isatty()}  {len(ENTRIES)} kernels lowered, {took:.0f} s", flush=True
     )
-    return 0
 
 
 if __name__ == "__main__":

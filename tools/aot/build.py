@@ -10,9 +10,11 @@ from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
 
+from rocksteady.kernels.machine_code.compilation import CHOICE
 from rocksteady.kernels.machine_code.library import checksum_file
 from rocksteady.kernels.machine_code.sources import sources_hash, unchanged
 from tools.aot.emit import emit
+from tools.aot.inputs import tool_files
 from tools.aot.link import link
 from tools.aot.targets import TARGETS
 
@@ -37,7 +39,7 @@ def build(names: Sequence[str], folder: Path, *, elsewhere: bool = False) -> lis
     LinkError
         If no compiler in reach links one.
     """
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    folder.mkdir(parents=True, exist_ok=True)
     bitcode = lowered()
     emitted: dict[tuple[str, str, str], bytes] = {}
     made = []
@@ -65,9 +67,8 @@ def build(names: Sequence[str], folder: Path, *, elsewhere: bool = False) -> lis
 def tools_hash(folder: Path = Path(__file__).parent) -> str:
     """Return a hash of what builds libraries: a folder of tools, and the version of numba."""
     digest = hashlib.sha256(version("numba").encode())
-    for source in sorted(folder.glob("*.[pc]*")):
-        if source.is_file():
-            digest.update(source.read_bytes())
+    for source in tool_files(folder):
+        digest.update(source.read_bytes())
     return digest.hexdigest()[:16]
 
 
@@ -90,7 +91,9 @@ def lowered(
         kept.parent.mkdir(parents=True, exist_ok=True)
         for old in kept.parent.glob(f"*.{kind}*"):
             old.unlink(missing_ok=True)
-        subprocess.run([sys.executable, "-m", *command, str(kept)], check=True)
+        # Kernels, not the plain functions that this variable can ask for.
+        variables = {key: value for key, value in os.environ.items() if key != CHOICE}
+        subprocess.run([sys.executable, "-m", *command, str(kept)], check=True, env=variables)
     return kept.read_bytes()
 
 
@@ -105,11 +108,14 @@ def publish(file: Path, content: bytes, tools: str | None = None) -> None:
         Hash of what made it, which is written beside the checksum; by default `tools_hash()`.
     """
     checksum = f"{hashlib.sha256(content).hexdigest()} {tools or tools_hash()}\n"
-    _write(checksum_file(file), checksum.encode())
     _write(file, content)
+    _write(checksum_file(file), checksum.encode())
 
 
 def _write(file: Path, content: bytes) -> None:
     scratch = file.with_name(f"{file.name}.{os.getpid()}.tmp")
-    scratch.write_bytes(content)
-    scratch.replace(file)
+    try:
+        scratch.write_bytes(content)
+        scratch.replace(file)
+    finally:
+        scratch.unlink(missing_ok=True)

@@ -63,6 +63,8 @@ def compilers(target: Target, *, elsewhere: bool = False) -> dict[str, list[str]
         found = {name: [name] for name in ("gcc", "clang", "cc") if shutil.which(name)}
     if importlib.util.find_spec("ziglang") is not None:
         found["zig"] = [sys.executable, "-m", "ziglang", "cc", "-target", target.linker]
+    elif zig := shutil.which("zig"):
+        found["zig"] = [zig, "cc", "-target", target.linker]
     return found
 
 
@@ -71,10 +73,12 @@ def _options(target: Target) -> list[str]:
     if target.static:
         names = ["rs_sources", "malloc", "free", *(f"rs_{name}" for name in target.entries)]
         return [
-            "-mexec-model=reactor",
+            "-nostdlib",
+            "-fno-builtin",
             "-msimd128",
             "-mbulk-memory",
             "-s",
+            "-Wl,--no-entry",
             "-Wl,-z,stack-size=1048576",
             *(f"-Wl,--export={name}" for name in names),
         ]

@@ -23,7 +23,7 @@ from numba.core.runtime.nrt import rtsys
 from numba.core.targetconfig import ConfigStack
 from numba.np.arrayobj import make_array, populate_array
 
-from rocksteady.kernels.machine_code import compilation
+from tools.aot.dispatch import EXTRA_OPTIONS, compile_kernel
 
 BYTE = ir.IntType(8)
 CELL = ir.IntType(64)
@@ -51,14 +51,14 @@ def lower(kernels: Mapping[str, Any], progress: Any) -> binding.ModuleRef:
     modules = _keep_raw_modules()
     _remember_types()
     gc.disable()  # what numba makes stays until the end: an eighth of the time
-    compilation.EXTRA_OPTIONS.update(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+    EXTRA_OPTIONS.update(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 
     def part(names: Collection[str]) -> binding.ModuleRef:
         """Return kernels as one module, with what has been lowered since the last one."""
         lowered = {}
         for name in names:
             progress(name)
-            lowered[name] = kernels[name].compile()
+            lowered[name] = compile_kernel(kernels[name])
         whole = binding.parse_assembly("")
         for module in modules:
             whole.link_in(module)

@@ -36,6 +36,60 @@ void *memset(void *to, int value, size bytes) {
     __asm__ volatile("rep stosb" : "+D"(to), "+c"(bytes) : "a"(value) : "memory");
     return start;
 }
+#elif defined(__wasm__)
+/* Without a C library, which zig compiles for half a minute where nobody has used it before: rooms
+   of 2^n bytes; what is freed waits in one list for each n. */
+#define PUBLIC __attribute__((visibility("default")))
+#define PAGE 65536
+extern unsigned char __heap_base;
+static struct room { size bits; struct room *next; } *kept[32];
+static size top, end;
+
+PUBLIC void *malloc(size bytes) {
+    size bits = 5;
+    if (bytes > 0x7ffffff0) return 0;
+    while (((size)1 << bits) < bytes + 16) bits++;
+    size taken = (size)1 << bits;
+    struct room *found = kept[bits];
+    if (found) {
+        kept[bits] = found->next;
+        return (char *)found + 16;
+    }
+    if (!top) {
+        top = ((size)&__heap_base + 15) & ~(size)15;
+        end = __builtin_wasm_memory_size(0) * PAGE;
+    }
+    if (taken > end - top) {
+        size more = (taken - (end - top) + PAGE - 1) / PAGE;
+        if (__builtin_wasm_memory_grow(0, more) == (size)-1) return 0;
+        end += more * PAGE;
+    }
+    found = (struct room *)top;
+    top += taken;
+    found->bits = bits;
+    return (char *)found + 16;
+}
+
+PUBLIC void free(void *given) {
+    if (!given) return;
+    struct room *freed = (struct room *)((char *)given - 16);
+    freed->next = kept[freed->bits];
+    kept[freed->bits] = freed;
+}
+
+void *memcpy(void *to, const void *from, size bytes) { return __builtin_memcpy(to, from, bytes); }
+void *memset(void *to, int value, size bytes) { return __builtin_memset(to, value, bytes); }
+
+/* A product of 128 bits, which the processor of a page has not. Not optimised: it would be made into a call of itself. */
+typedef unsigned long long word;
+typedef unsigned __int128 wide;
+__attribute__((optnone, noinline)) wide __multi3(wide a, wide b) {
+    word a0 = (word)a, a1 = (word)(a >> 64), b0 = (word)b, b1 = (word)(b >> 64), half = 0xffffffff;
+    word low = (a0 & half) * (b0 & half), mid = (a0 >> 32) * (b0 & half) + (low >> 32);
+    word other = (a0 & half) * (b0 >> 32) + (mid & half);
+    word high = (a0 >> 32) * (b0 >> 32) + (mid >> 32) + (other >> 32) + a0 * b1 + a1 * b0;
+    return ((wide)high << 64) | (low & half) | (other << 32);
+}
 #else
 #define PUBLIC __attribute__((visibility("default")))
 void *malloc(size);

@@ -49,7 +49,7 @@ _WASM = (
     "wasm32-unknown-unknown",
     "generic",
     "+simd128,+bulk-memory,+nontrapping-fptoint,+sign-ext,+mutable-globals",
-    "wasm32-wasi",
+    "wasm32-freestanding",
 )
 _CALLED_BY_PAGES = """
     clock fill_atan2 fill_bounds fill_clocks fill_cos fill_curves fill_exp fill_hypot fill_landings

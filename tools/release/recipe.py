@@ -28,19 +28,24 @@ source:
 
 build:
   number: 0
-  noarch: python
   script: ${{{{ PYTHON }}}} -m pip install . -vv --no-deps --no-build-isolation
   python:
     entry_points:
       - {entry}
 
 requirements:
+  build:
+    - ${{{{ compiler("c") }}}}
   host:
-    - python ${{{{ python_min }}}}.*
+    - python
     - pip
     - {builder}
+    - {compiler}
+    - filelock
+    - lazy-loader
+    - zig
   run:
-    - python >=${{{{ python_min }}}}
+    - python
 {needed}
 
 tests:
@@ -73,7 +78,7 @@ extra:
 
 
 def recipe(sdist: Path, url: str, address: str, maintainers: Sequence[str], builder: str) -> str:
-    """Return the recipe: a package for all systems, whose kernels numba compiles.
+    """Return the recipe: a package whose build compiles the kernels for each system.
 
     Parameters
     ----------
@@ -89,7 +94,8 @@ def recipe(sdist: Path, url: str, address: str, maintainers: Sequence[str], buil
         Requirement of what builds the package, as `build-system` has it.
     """
     described = project()
-    asked = [*described["dependencies"], *described["optional-dependencies"]["jit"]]
+    build = map(Requirement, described["optional-dependencies"]["build"])
+    (compiler,) = (str(each) for each in build if each.name == "numba")
     oldest = described["requires-python"].removeprefix(">=")
     return TEMPLATE.format(
         version=__version__,
@@ -99,7 +105,8 @@ def recipe(sdist: Path, url: str, address: str, maintainers: Sequence[str], buil
         sha256=hashlib.sha256(sdist.read_bytes()).hexdigest(),
         entry=f"rocksteady = {described['scripts']['rocksteady']}",
         builder=_conda(builder),
-        needed="\n".join(f"    - {_conda(each)}" for each in sorted(asked)),
+        compiler=_conda(compiler),
+        needed="\n".join(f"    - {_conda(each)}" for each in sorted(described["dependencies"])),
         address=address,
         licence=described["license"],
         summary=f'"{described["description"]}"',

@@ -1,23 +1,19 @@
 """Wheels of the package, and the wheel rocksteady-gpu, which brings its programs for GPUs."""
 
 import tomllib
-import zipfile
 from collections.abc import Sequence
-from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
-from unittest.mock import patch
 
-import zopfli.zlib
 from hatchling.builders.wheel import WheelBuilder
 
 from rocksteady import __version__
 from rocksteady.explorer import _program as program
 from rocksteady.explorer import module
-from rocksteady.explorer._bundle import script
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.entries import ENTRIES
+from rocksteady.kernels.machine_code import sources
+from rocksteady.kernels.machine_code.library import checksum_file
 from rocksteady.kernels.machine_code.programs import BROUGHT, LEAST, file_name, sources_of
 from rocksteady.kernels.machine_code.sources import sources_hash
 from tools.wheels.needs import faults
@@ -30,8 +26,6 @@ LARGEST = 3_300_000
 """Bytes of a wheel."""
 PROGRAMS = "rocksteady-gpu"
 """Name of the package of programs for GPUs."""
-PARTS = ["*.mjs", "*.mts"]
-"""Scripts of the explorer's page, which stand in a wheel shortened, in one file."""
 
 
 class _Builder(WheelBuilder):
@@ -57,26 +51,11 @@ class _Builder(WheelBuilder):
         if wrong:
             raise SystemExit("\n".join(wrong))
         (built,) = self.build(directory=str(out), versions=["standard"])
-        wheel, packed = Path(built), Path(f"{built}.tmp")
-        compressor = SimpleNamespace(compress=deflated, flush=bytes)
-        with (
-            zipfile.ZipFile(wheel) as plain,
-            zipfile.ZipFile(packed, "w") as harder,
-            patch("zipfile._get_compressor", lambda *_: compressor),
-        ):
-            for each in plain.infolist():
-                harder.writestr(each, plain.read(each), zipfile.ZIP_DEFLATED)
-        packed.replace(wheel)
+        wheel = Path(built)
         size = wheel.stat().st_size
         if size > LARGEST:
             raise SystemExit(f"{wheel} has {size} bytes, and {LARGEST} is the most")
         return wheel
-
-
-@cache
-def deflated(data: bytes) -> bytes:
-    """Return the content of a file deflated by zopfli, once for all wheels that hold it."""
-    return bytes(zopfli.zlib.compress(data, numiterations=5)[2:-4])  # without zlib's header and sum
 
 
 def build(platform: Platform, libraries: Path, out: Path) -> Path:
@@ -105,18 +84,11 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
         is too large.
     """
     page = libraries / module.NAME
-    scripts = libraries / program.NAME
+    scripts, noted = libraries / program.NAME, libraries / sources.NAME
     compiled = platform.libraries(libraries)
     wrong = list(filter(None, [module.fault(page)]))
-    if not scripts.is_file():
-        wrong.append(f"{scripts} is missing")
-    else:
-        shorts = program.shortened_scripts(scripts)
-        wrong += [
-            f"{scripts}: {name} was made from other parts"
-            for name in program.SCRIPTS
-            if not shorts.get(name, "").startswith(program.heading(script(program.entry_of(name))))
-        ]
+    if program.kept_scripts(scripts) is None:
+        wrong.append(f"{scripts} is missing or was made from other parts")
     for file in compiled:
         found = faults(file, platform.tag, list(ENTRIES)) if file.is_file() else ["it is missing"]
         wrong += [f"{file} does not fit {platform.tag}: {fault}" for fault in found]
@@ -124,8 +96,9 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     # In a checkout `make gpu` writes the programs, so that the extra of the sources has no package.
     asked = f"{PROGRAMS} == {__version__}; sys_platform != 'darwin'"
     config["project"]["optional-dependencies"]["gpu"].append(asked)
-    config["tool"]["hatch"]["build"]["targets"]["wheel"]["exclude"] = PARTS
-    return _Builder(config, platform, [*compiled, page, scripts], INSIDE).made(out, wrong)
+    del config["tool"]["hatch"]["build"]["targets"]["wheel"]["hooks"]  # for this machine alone
+    checked = [each for file in (*compiled, page) for each in (file, checksum_file(file))]
+    return _Builder(config, platform, [*checked, scripts, noted], INSIDE).made(out, wrong)
 
 
 def programs(folder: Path) -> list[Path]:

@@ -28,7 +28,7 @@ class Platform:
 
 
 PURE = Platform("any")
-"""Without a library: for systems that have no other wheel, with the extra `jit`.  The explorer's
+"""Without a library: for systems that have no other wheel, in plain Python.  The explorer's
 module is inside as in every wheel: browsers run it on any system."""
 PLATFORMS = (
     Platform(

@@ -10,11 +10,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rocksteady import __version__
-from rocksteady.explorer._bundle import PARTS
 from rocksteady.explorer._palette import page_theme, style_variables
-from rocksteady.explorer._program import program
+from rocksteady.explorer._program import PARTS, program
 from rocksteady.explorer._still import still_picture
-from rocksteady.explorer._trim import trimmed
 
 SHEETS = ("base.css", "style.css", "story.css")
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
@@ -41,11 +39,6 @@ def document(
     str
         HTML with all that it needs inside.  Its policy lets it run its own script and nothing else:
         it asks no server for anything.
-
-    Raises
-    ------
-    PartError
-        If a part of the page breaks a rule that joining depends on.
     """
     code = program()
     style = _style(*SHEETS)
@@ -65,7 +58,7 @@ def document(
 
 
 def scene_document(scene: str, *, module: bytes) -> str:
-    """Return a scene of the page alone, with the kernels that it needs and no others.
+    """Return a scene of the page alone, with the kernels.
 
     Parameters
     ----------
@@ -85,9 +78,6 @@ def scene_document(scene: str, *, module: bytes) -> str:
     assert section is not None
     (heading,) = re.findall(r"<h[12][^>]*>(.*?)</h[12]>", section[0])
     style = _style("base.css", "story.css")
-    names = frozenset(re.findall(r"\.(\w+)\(", code)) | {
-        f"fill_{name}" for name in re.findall(r"[\"'](\w+)[\"']", code)
-    }
     slots = {
         "csp": html.escape(_policy(code, style)),
         "style": style,
@@ -95,7 +85,7 @@ def scene_document(scene: str, *, module: bytes) -> str:
         "scene": section[0],
         "palette": _block(page_theme()),
         "view": _block({"at": scene}),
-        "kernels": _packed(trimmed(module, names)),
+        "kernels": _packed(module),
         "program": code,
     }
     template = (PARTS / "embed.html").read_text(encoding="utf-8")

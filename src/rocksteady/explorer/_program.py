@@ -1,71 +1,55 @@
-"""The page's script: shortened where that was done for these parts, else as they are."""
+"""The page's scripts: each bundled into one when the package is built."""
 
 import hashlib
 import json
 from pathlib import Path
 
 from rocksteady.errors import MissingKernelsError, Words
-from rocksteady.explorer._bundle import ENTRY, PARTS, script
-from rocksteady.explorer.module import page_module
-from rocksteady.kernels.machine_code.library import installed_folder
+from rocksteady.kernels.machine_code.sources import libraries_folder
 
+PARTS = Path(__file__).parent / "parts"
 SCENES = ("push", "swing", "size", "fall", "fates", "order", "quake")
 """Places of the page's story, each of which has a script of its own."""
 WHOLE = "explorer"
 """Name of the script of the whole page."""
 SCRIPTS = (WHOLE, *SCENES)
-NAME = "explorer.json.xz"
-"""File of the shortened scripts by their names, beside the page's module."""
-
-
-def entry_of(name: str) -> Path:
-    """Return the module at which the script of the page, or of a scene alone, begins."""
-    return ENTRY if name == WHOLE else PARTS / "embed" / f"{name}.mjs"
+NAME = "explorer.json"
+"""File of the scripts by their names and of the hash of their parts, beside the page's module."""
 
 
 def program(name: str = WHOLE) -> str:
     """Return the script of the page or of a scene alone, for it and its workers.
 
-    The shortened one does the same with shorter names; it is taken only if it was made from these
-    parts, and from beside the page's module, where no other user can write.  A wheel brings the
-    shortened one without the parts.
-    """
-    if not ENTRY.is_file():
-        return shortened_scripts(installed_folder() / NAME)[name]
-    whole = script(entry_of(name))
-    try:
-        short = shortened_scripts(page_module().parent / NAME).get(name, "")
-    except (MissingKernelsError, OSError):
-        return whole
-    return short if short.startswith(heading(whole)) else whole
-
-
-def shortened_scripts(file: Path) -> dict[str, str]:
-    """Read the shortened scripts by their names.
-
     Raises
     ------
     MissingKernelsError
-        If this Python has no module that unpacks them, or the file is damaged.
+        If the build has made none, or the parts have changed since.
     """
-    try:
-        import lzma
-    except ImportError as error:
+    scripts = kept_scripts(libraries_folder() / NAME)
+    if scripts is None:
         raise MissingKernelsError(
-            "lzma, the module of Python that unpacks the page's script,",
-            Words("cannot be imported"),
-            "a Python built without the library liblzma lacks it",
-            "install another build of Python",
-        ) from error
-    try:
-        scripts: dict[str, str] = json.loads(lzma.decompress(file.read_bytes()))
-    except (lzma.LZMAError, ValueError) as error:
-        raise MissingKernelsError(
-            str(file), Words("is damaged"), "it holds scripts packed as JSON", "install it again"
-        ) from error
-    return scripts
+            "the script of the page",
+            Words("is not in this installation, or its parts have changed"),
+            "bun makes it when the package is built",
+            "put bun on PATH and run `make library` in a checkout, or install the package again",
+        )
+    return scripts[name]
 
 
-def heading(whole: str) -> str:
-    """Return the first line of what was made from a script, which holds its hash."""
-    return f"/* {hashlib.sha256(whole.encode('utf-8')).hexdigest()} */\n"
+def kept_scripts(file: Path) -> dict[str, str] | None:
+    """Read the scripts by their names; return None unless all are there, made of these parts."""
+    try:
+        scripts: dict[str, str] = json.loads(file.read_text("utf-8"))
+        whole = scripts.keys() >= {"parts", *SCRIPTS}
+    except (OSError, ValueError, AttributeError):
+        return None
+    return scripts if whole and parts_hash() in {"", scripts["parts"]} else None
+
+
+def parts_hash() -> str:
+    """Return the hash of all modules of the page; empty in a wheel, which holds none."""
+    files = sorted(PARTS.rglob("*.mjs"))
+    digest = hashlib.sha256()
+    for file in files:
+        digest.update(f"{file.relative_to(PARTS).as_posix()}\0".encode() + file.read_bytes())
+    return digest.hexdigest() if files else ""

@@ -6,7 +6,6 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
@@ -56,11 +55,7 @@ class KernelCheck:
 
 FOLLOW_UP = "rocksteady simulate --width-m 0.6 --height-m 2 --start 0.6,0"
 """First command to run on a sound installation."""
-RUNNERS = {
-    "library": "library, compiled ahead of time",
-    "jit": "compiled by numba on this machine",
-    "python": "plain Python, not compiled",
-}
+RUNNERS = {"library": "library, compiled ahead of time", "python": "plain Python, not compiled"}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -74,16 +69,13 @@ class Installation(Result):
     cpu_level
         Instruction sets of the processor, as "x86-64-v3"; None where there are no levels.
     kernels
-        "library" for code compiled ahead of time, "jit" for code that numba compiles here, "python"
-        for kernels that run uncompiled.
+        "library" for code compiled ahead of time, "python" for kernels that run uncompiled.
     library, target
         The file of the library, and what it was compiled for; None without one.
-    cache
-        Folder of the machine code that numba has compiled; None where numba is not used.
     sources
         Hash of the kernels' sources: installations with the same one have the same kernels.
     versions
-        Of rocksteady, Python, NumPy and numba; None for what is not installed.
+        Of rocksteady, Python and NumPy.
     checks
         Replay of each kernel.
     gpu
@@ -97,9 +89,8 @@ class Installation(Result):
     kernels: str
     library: Path | None
     target: str | None
-    cache: Path | None
     sources: str
-    versions: dict[str, str | None]
+    versions: dict[str, str]
     checks: tuple[KernelCheck, ...]
     gpu: str | None
     no_gpu: str | None
@@ -133,13 +124,8 @@ class Installation(Result):
                 f"{self.differing:,} values of {plural(len(wrong), 'kernel')} differ; the other "
                 f"{plural(len(self.checks) - len(wrong), 'kernel')} equal"
             )
-        numba = self.versions["numba"]
-        library, cache = (
-            None if path is None else str(path) for path in (self.library, self.cache)
-        )
-        runs_on = f"Python {self.versions['python']}, NumPy {self.versions['numpy']}, " + (
-            f"numba {numba}" if numba else "no numba"
-        )
+        library = None if self.library is None else str(self.library)
+        runs_on = f"Python {self.versions['python']}, NumPy {self.versions['numpy']}"
         level = f"CPU level {self.cpu_level or 'unknown'}"
         repeated = (
             f"{plural(self.calls, 'recorded call')} of {plural(len(self.checks), 'kernel')}, "
@@ -155,7 +141,6 @@ class Installation(Result):
             Fact("sources", self.sources, "sources"),
             Fact("target", self.target, "target" if library else ""),
             Fact("library", library, "library" if library else ""),
-            Fact("cache", cache, "cache" if cache else ""),
             Fact("gpu", self.gpu, "GPU", self.gpu or f"none: {self.no_gpu}"),
             Fact("no_gpu", self.no_gpu),
             Fact("calls", self.calls),
@@ -208,8 +193,8 @@ def check_installation(*, repeat_calls: bool = True) -> Installation:
     """Repeat recorded calls of every kernel and compare all values bit for bit.
 
     The kernels give the same bits on every processor and system; a difference means that this
-    installation is faulty. Takes less than a second; where numba compiles the kernels, some minutes
-    the first time.
+    installation is faulty. Takes less than a second, and some minutes where the kernels run as
+    plain Python.
 
     Parameters
     ----------
@@ -285,7 +270,7 @@ def _place(difference: Difference, kernel: Callable[..., Any]) -> str:
 
 def _environment() -> dict[str, Any]:
     """Return what runs the kernels, and the versions."""
-    from rocksteady.kernels.machine_code.compilation import JIT, LIBRARY, cache_folder, runner
+    from rocksteady.kernels.machine_code.compilation import LIBRARY, runner
     from rocksteady.kernels.machine_code.library import library, targets
     from rocksteady.kernels.machine_code.sources import sources_hash
 
@@ -299,14 +284,12 @@ def _environment() -> dict[str, Any]:
         "kernels": kernels,
         "library": None if used is None else used.path,
         "target": None if used is None else used.target,
-        "cache": cache_folder() if kernels == JIT else None,
         "sources": sources_hash(),
         "versions": {
             # Not imported above: the package names what this module defines.
             "rocksteady": import_module("rocksteady").__version__,
             "python": platform.python_version(),
             "numpy": np.__version__,
-            "numba": _version_of("numba"),
         },
         "gpu": device,
         "no_gpu": reason,
@@ -325,11 +308,3 @@ def _gpu() -> tuple[str | None, str | None]:
     except InputError as error:
         return None, error.valid
     return str(device), None
-
-
-def _version_of(package: str) -> str | None:
-    """Return the version of a package without importing it; None where it is not installed."""
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return None

@@ -1,12 +1,9 @@
 """The kernels that Python calls: the functions of the library.
 
 Their annotations state the types of a call (`kernels.machine_code.types`).  Kernels that only other
-kernels call are not listed.  ``python -m rocksteady.kernels.entries`` compiles all of them with
-numba, which takes some minutes the first time, and keeps the machine code on disk.
+kernels call are not listed.
 """
 
-import logging
-import time
 from typing import Any
 
 from rocksteady.kernels.batch import attractors, base_forces, harmonic, pulses, records, waiting
@@ -14,7 +11,6 @@ from rocksteady.kernels.core import clock, motions, tables
 from rocksteady.kernels.elementary import loops
 from rocksteady.kernels.lanes import driver, settling
 from rocksteady.kernels.linear import oscillator
-from rocksteady.kernels.machine_code.compilation import Kernel, cache_folder
 from rocksteady.kernels.march import facts, march, replay
 from rocksteady.kernels.march.forces import largest_forces
 from rocksteady.kernels.nonlinear import drive
@@ -29,8 +25,6 @@ from rocksteady.kernels.orbits import (
     symmetric_nonlinear,
     systems,
 )
-
-logger = logging.getLogger(__name__)
 
 _KERNELS: tuple[Any, ...] = (
     # Batches.
@@ -126,17 +120,3 @@ _KERNELS: tuple[Any, ...] = (
 )
 ENTRIES: dict[str, Any] = {kernel.__name__: kernel for kernel in _KERNELS}
 """By name; each a `Kernel`, or with compilation switched off the function itself."""
-
-
-def warm() -> None:
-    """Compile every entry by numba, or load it from disk."""
-    for kernel in ENTRIES.values():
-        if isinstance(kernel, Kernel):
-            kernel.compile()
-
-
-if __name__ == "__main__":
-    logging.basicConfig(level=logging.INFO, format="%(message)s")
-    began = time.perf_counter()
-    warm()
-    logger.info("kernels ready in %s (%.1f s)", cache_folder(), time.perf_counter() - began)

@@ -18,10 +18,7 @@ def environment() -> str:
     from importlib.metadata import version
 
     here = rs.installation.check_installation(repeat_calls=False)
-    kernels = {
-        "library": f"kernels compiled for {here.target}",
-        "jit": f"numba {here.versions['numba']}",
-    }.get(here.kernels, "kernels not compiled")
+    kernels = f"kernels compiled for {here.target}" if here.target else "kernels not compiled"
     return ", ".join(
         (
             f"Python {platform.python_version()}",

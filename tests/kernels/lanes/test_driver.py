@@ -4,7 +4,6 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any, cast
 
 import mpmath
-import numba
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -29,6 +28,7 @@ from tests.kernels.fates import NO_LIMIT, empty, fates_in_lanes, harmonic_fates,
 from tests.kernels.walls import against_wall
 from tests.oracles import mp
 from tests.strategies import PLAIN, sample_size
+from tools.aot.dispatch import dispatcher
 
 Floats = NDArray[np.float64]
 
@@ -375,10 +375,9 @@ def test_every_fate_occurs() -> None:
 @pytest.mark.skipif(PLAIN, reason="about machine code")
 def test_the_loops_become_vector_instructions() -> None:
     for loop in (shake, launch, begin_special_apart, change_sides):
-        # Compiled anew: code that comes from the disk cache shows no assembly.
-        fresh: Any = numba.njit(error_model="numpy")(cast(Any, loop).py_func)
-        fresh(np.zeros(FIELDS * LANES))
-        machine = next(iter(fresh.inspect_asm().values()))
+        made = dispatcher(cast(Any, loop))
+        made(np.zeros(FIELDS * LANES))
+        machine = next(iter(made.inspect_asm().values()))
         assert any(packed in machine for packed in ("mulpd", ".2d")), loop.__name__
         # Nor is there a loop for lanes that do not fill a vector.
         assert not any(single in machine for single in ("mulsd", "fmul\td")), loop.__name__

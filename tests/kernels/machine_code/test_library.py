@@ -8,16 +8,17 @@ import struct
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
+from rocksteady.errors import MissingKernelsError
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code import library as module
 from rocksteady.kernels.machine_code.library import (
     Library,
-    built_folder,
     caller,
     checksum_file,
     file_name,
@@ -161,25 +162,25 @@ def _found_anew() -> Iterator[None]:
 
 @pytest.fixture
 def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, _found_anew: None) -> Path:
-    """Have libraries looked for in an empty folder; return the one for those built here."""
-    monkeypatch.setattr(
-        "rocksteady.kernels.machine_code._folders.platformdirs.user_cache_dir",
-        lambda _name: str(tmp_path / "cache"),
-    )
-    monkeypatch.setattr(module, "installed_folder", lambda: tmp_path / "none")
-    tmp_path.chmod(0o700)
-    built_folder().mkdir(mode=0o700, parents=True)
-    for folder in built_folder().parents[:3]:
-        folder.chmod(0o700)
-    return built_folder()
+    """Have libraries looked for in an empty folder; return it."""
+    monkeypatch.setattr(module, "libraries_folder", lambda: tmp_path)
+    return tmp_path
 
 
 def placed(folder: Path, content: bytes, target: str) -> Path:
     """Put a library of some content where it is looked for, with its checksum."""
     path = folder / file_name(target)
     path.write_bytes(content)
-    checksum_file(path).write_text(hashlib.sha256(content).hexdigest() + "\n")
+    checksum_file(path).write_text(f"{hashlib.sha256(content).hexdigest()} tools\n")
     return path
+
+
+def refusal() -> str:
+    """Return the one line by which a library is refused, without its remedy."""
+    with pytest.raises(MissingKernelsError, match=r"run `make library` in a checkout") as raised:
+        library()
+    assert "\n" not in str(raised.value)
+    return str(raised.value).partition("compiled kernels ")[2].partition(": it must be")[0]
 
 
 _known = None if PLAIN else library()
@@ -196,41 +197,54 @@ def test_the_library_holds_every_entry() -> None:
 
 
 @needs_library
-def test_a_built_library_is_found_and_a_damaged_one_is_not(home: Path) -> None:
+def test_a_library_is_found(home: Path) -> None:
     target = targets()[-1]
     path = placed(home, LIBRARY, target)
     found = library()
     assert found is not None
     assert (found.path, found.target) == (path, target)
-    for damaged in (LIBRARY[: len(LIBRARY) // 2], b"", b"garbage"):
-        path.unlink()  # what is loaded is not written over: the process would end by a bus error
-        path.write_bytes(damaged)
-        library.cache_clear()
-        assert library() is None
 
 
 @needs_library
-def test_a_library_of_other_sources_is_not_used(home: Path) -> None:
+def test_a_library_of_other_sources_is_refused(home: Path) -> None:
     named = sources_hash().encode()
     assert LIBRARY.count(named) == 1
     placed(home, LIBRARY.replace(named, b"0123456789abcdef"), targets()[-1])
-    assert library() is None
+    assert refusal() == "is of other kernels: their code has changed since it was compiled"
 
 
 @needs_library
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows has other rights")
-def test_a_library_in_a_folder_that_others_can_write_is_not_used(home: Path) -> None:
-    placed(home, LIBRARY, targets()[-1])
-    home.chmod(0o777)
-    assert library() is None
-    home.chmod(0o700)
+@every("keep", [0, 100, len(LIBRARY) // 2, len(LIBRARY) - 1])
+def test_a_cut_library_is_refused(keep: int) -> None:
+    with TemporaryDirectory() as folder, pytest.MonkeyPatch.context() as patch:
+        patch.setattr(module, "libraries_folder", lambda: Path(folder))
+        path = placed(Path(folder), LIBRARY, targets()[0])
+        path.write_bytes(LIBRARY[:keep])
+        library.cache_clear()
+        assert refusal() == f"is damaged ({path})"
+        path.write_bytes(LIBRARY)
+        checksum_file(path).unlink()
+        assert refusal() == f"is damaged ({path})"
     library.cache_clear()
-    assert library() is not None
 
 
-def test_a_file_that_is_no_library_is_not_used(home: Path) -> None:
-    placed(home, b"no library at all", (targets() or ("linux-x86-64-v2",))[-1])
+@needs_library
+def test_a_library_of_another_processor_is_refused_with_its_name(home: Path) -> None:
+    placed(home, LIBRARY, "macos-arm64")
+    placed(home, LIBRARY, "linux-x86-64-v9")
+    expected = "is for another processor (rocksteady-linux-x86-64-v9, rocksteady-macos-arm64)"
+    assert refusal() == expected
+
+
+def test_an_installation_without_libraries_has_none(home: Path) -> None:
+    (home / "explorer.wasm").touch()
     assert library() is None
+
+
+@pytest.mark.skipif(not targets(), reason="no library is made for this platform")
+def test_a_file_that_is_no_library_is_refused(home: Path) -> None:
+    placed(home, b"no library at all", targets()[-1])
+    assert refusal().startswith("cannot be loaded (")
 
 
 @needs_library

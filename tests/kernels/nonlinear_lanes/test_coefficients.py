@@ -1,8 +1,7 @@
 """Coefficients of all lanes, against those of one flight and against packed instructions."""
 
-from typing import Any, cast
+from typing import Any
 
-import numba
 import numpy as np
 import pytest
 
@@ -26,6 +25,7 @@ from rocksteady.kernels.nonlinear_lanes._layout import (
 )
 from tests.kernels.nonlinear_lanes.flights import PART, field, in_flight
 from tests.strategies import PLAIN
+from tools.aot.dispatch import dispatcher
 
 
 def test_each_lane_has_the_coefficients_of_its_flight() -> None:
@@ -56,8 +56,7 @@ def test_each_lane_has_the_coefficients_of_its_flight() -> None:
 @pytest.mark.skipif(PLAIN, reason="about machine code")
 @pytest.mark.parametrize(("kernel", "rest"), [(expand, ()), (finish, (10,))])
 def test_the_loops_become_vector_instructions(kernel: Any, rest: tuple[int, ...]) -> None:
-    # Compiled anew: code that comes from the disk cache shows no assembly.
-    fresh: Any = numba.njit(error_model="numpy")(cast(Any, kernel).py_func)
-    fresh(np.zeros(SIZE), *rest)
-    machine = next(iter(fresh.inspect_asm().values()))
+    made = dispatcher(kernel)
+    made(np.zeros(SIZE), *rest)
+    machine = next(iter(made.inspect_asm().values()))
     assert any(packed in machine for packed in ("mulpd", ".2d"))

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 from rocksteady.kernels.machine_code.gpu import BLOCK
-from rocksteady.kernels.machine_code.library import built_folder, make_built_folder
+from rocksteady.kernels.machine_code.sources import libraries_folder
 from tools.aot.build import ChangedError
 from tools.aot.device.build import build
 from tools.aot.device.program import VERSIONS, ProgramError
@@ -24,9 +24,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--out", type=Path, help="folder to write into; the package's by default")
     parser.add_argument("--architectures", nargs="+", choices=VERSIONS, default=list(VERSIONS))
     given = parser.parse_args(arguments)
-    folder, reason = given.out, None
-    if folder is None:
-        folder, reason = built_folder(), make_built_folder()
+    folder, reason = given.out or libraries_folder(), None
     try:
         if reason is None:
             files = build(folder, given.architectures)

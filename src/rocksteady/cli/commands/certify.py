@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, get_args
 
 import typer
 
-from rocksteady.cli.console.outputs import NEGATIVE, announce_compilation, announce_file
+from rocksteady.cli.console.outputs import NEGATIVE, announce_file
 from rocksteady.cli.console.refusals import FlagError, missing, needs, refuse
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
@@ -227,7 +227,6 @@ def _proofs(
         motion = shaking.at(body)
         numbers = motion.amplitude, motion.frequency_ratio, body.restitution
         return [certify_chaos(*numbers, kind=kind)]  # type: ignore[arg-type]
-    announce_compilation("periodic.search")
     if what == "orbit":
         from rocksteady.certify.orbit import certify_orbit
         from rocksteady.dynamics.orbits.search import find_orbits

@@ -2,7 +2,6 @@
 
 import sys
 
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
@@ -88,7 +87,6 @@ def curves(
         max_branches=max_branches,
         max_curves=max_curves,
     )
-    announce_compilation("chains.fill_chain")
     from rocksteady.dynamics.continuation.curves.search_plane import find_bifurcation_curves
     from rocksteady.show.figures.single import curves_figure
 

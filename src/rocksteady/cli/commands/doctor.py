@@ -6,7 +6,7 @@ from importlib.metadata import distributions, requires
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rocksteady.cli.console.outputs import NEGATIVE, announce_compilation, announce_file
+from rocksteady.cli.console.outputs import NEGATIVE, announce_file
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import ScreenFlags, check_ending, grouped
 from rocksteady.show.export.files import check_writable, save_text
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 HELP = (
     "Check that this installation computes the right bits.\n\n"
     "Check this installation: repeat recorded calls of every kernel, and compare all bits.\n\n"
-    "Prints what runs the kernels (a library compiled ahead of time, or numba), for which "
+    "Prints what runs the kernels (a library compiled ahead of time, or plain Python), for which "
     "processor, the versions, the GPU of --executor gpu or why there is none, and for each "
     "kernel that differs how many values do. The results are the same to the last bit on every "
     "processor and system.\n\n"
@@ -47,7 +47,6 @@ def doctor(
     check_ending("--report", report, ".md", ".txt")
     if report is not None:
         check_writable("--report", report, force=force)
-    announce_compilation("attractors.settle_cells")
     from rocksteady.installation.check import check_installation
 
     installation = check_installation()

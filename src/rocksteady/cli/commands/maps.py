@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from rocksteady.cli.console.outputs import announce_compilation, fates_kernel
 from rocksteady.cli.console.progress import Meter
 from rocksteady.cli.console.refusals import needs, refuse
 from rocksteady.cli.console.shell import quoted
@@ -94,7 +93,6 @@ def maps(
         refuse({"--refine": refine}, "a store holds every cell of its grid", hint)
     run = sweep.run(force=output.force)
 
-    announce_compilation(fates_kernel(equations) if fate else "attractors.settle_cells")
     from rocksteady.dynamics.maps.attractor_map import ATTRACTORS
     from rocksteady.dynamics.maps.fate_map import FATES
     from rocksteady.dynamics.maps.grid_map import map_of

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -64,7 +63,6 @@ def orbits(
     equations = equations_for(model, body)
     motion = floor.on_floor(series.of(shaking.at(body)), body)
 
-    announce_compilation("periodic.search")
     from rocksteady.dynamics.orbits.search import describe_orbits, find_orbits
     from rocksteady.model.units import framed
     from rocksteady.show.figures.single import orbits_figure

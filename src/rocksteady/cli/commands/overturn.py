@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import typer
 
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
@@ -71,7 +70,6 @@ class Search(NamedTuple):
     cells: int
     figure: Callable[..., Any]
     flags: Mapping[str, str]
-    kernel: str = "pulses.pulse_fates"
 
 
 @grouped
@@ -182,7 +180,6 @@ def overturn(
             flags={"within": "--amplitude/-A" if accel_g is None else "--accel-g"},
         )
     run = sweep.run(force=output.force)
-    announce_compilation(search.kernel)
     with (
         flags_of(search.flags, InputError),
         sweep.running(context, run, search.words, search.cells) as (shown, meter),
@@ -326,7 +323,6 @@ def _of_kicks(
         cells=2 * len(times),
         figure=fatal_figure,
         flags={"times_pt": "--at-s"},
-        kernel="march.march",
     )
 
 

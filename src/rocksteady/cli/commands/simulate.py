@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from rocksteady.cli.console.outputs import announce_compilation, write_film
+from rocksteady.cli.console.outputs import write_film
 from rocksteady.cli.console.refusals import FlagError, refuse
 from rocksteady.cli.console.titles import case_text
 from rocksteady.cli.flags import options
@@ -125,7 +125,6 @@ def simulate(
     refuse_long_table(samples, cycles if output.csv is not None else None)
     equations = equations_for(model, body, motion, tolerance)
 
-    announce_compilation("march.march")
     from rocksteady.dynamics.history.simulate import simulate as run
 
     begin = start.of(motion.frequency_ratio if isinstance(motion, PeriodicMotion) else None)

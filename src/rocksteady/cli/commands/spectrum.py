@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any, cast
 
 import typer
 
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model, refuse_of_linear
@@ -122,7 +121,6 @@ def spectrum(
     run = sweep.run(force=output.force)
     motions, lifting = motions_of(recorded, reading)
 
-    announce_compilation("records.record_fates")
     from rocksteady.seismic.spectra.describe import describe
     from rocksteady.seismic.spectra.many import cells_of_many
     from rocksteady.seismic.spectra.rocking import spectrum_cells

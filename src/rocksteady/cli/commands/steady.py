@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
@@ -79,7 +78,6 @@ def steady(
             "response curves are drawn over frequency ratios, and there is one",
             "give -W as an axis start:stop:count, or take --csv",
         )
-    announce_compilation("closed_form.fill_steady")
     import numpy as np
 
     from rocksteady.dynamics.steady.states import steady_states

@@ -14,7 +14,6 @@ from rocksteady.show.export.files import json_text, save_whole
 if TYPE_CHECKING:
     import typer
 
-    from rocksteady.model.equations import Model
     from rocksteady.show.film.animation import Film
 
 NEGATIVE = 1
@@ -46,26 +45,6 @@ def command_line() -> str:
         elif word not in NO_PART:
             kept.append(word)
     return command_of(kept)
-
-
-def fates_kernel(equations: "Model") -> str:
-    """Return the kernel by which fates under harmonic shaking are found, as "march.march"."""
-    return "driver.lane_fates" if equations.name == "linear" else "loop.nonlinear_lane_fates"
-
-
-def announce_compilation(kernel: str) -> None:
-    """Say on standard error that a first run takes longer, where this is one.
-
-    Parameters
-    ----------
-    kernel
-        What the command calls for its work, as "march.march": module and function.
-    """
-    from rocksteady.kernels.machine_code.compilation import must_compile
-
-    if must_compile(kernel):
-        what = "compiling what this needs with numba, once for each version: up to a minute"
-        print(what, file=sys.stderr)
 
 
 def write_film(file: Path, film: "Film") -> None:

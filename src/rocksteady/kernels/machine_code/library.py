@@ -9,7 +9,7 @@ import hashlib
 import itertools
 import platform
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache, cached_property
 from pathlib import Path
 from struct import Struct
@@ -18,9 +18,9 @@ from typing import Any
 
 import numpy as np
 
+from rocksteady.errors import MissingKernelsError, Words
 from rocksteady.kernels.machine_code._cpu import x86_64_level
-from rocksteady.kernels.machine_code._folders import prune, version_folder, weakness
-from rocksteady.kernels.machine_code.sources import sources_hash
+from rocksteady.kernels.machine_code.sources import libraries_folder, sources_hash
 from rocksteady.kernels.machine_code.types import Leaf, Signature, parts, signature_of
 
 SUFFIXES = {"linux": ".so", "macos": ".dylib", "windows": ".dll"}
@@ -70,39 +70,45 @@ class Library:
 
 @cache
 def library() -> Library | None:
-    """Return the library for this processor and these sources, or None."""
-    for folder in (installed_folder(), built_folder()):
-        for target, path in _candidates(folder):
-            try:
-                found = Library(path, target)
-                if found.sources == sources_hash():
-                    if folder == built_folder():
-                        prune(folder.parent)
-                    return found
-            except (OSError, ValueError):  # damaged, or not a library of kernels
-                continue
-    return None
+    """Return the library of this processor; None in an installation without compiled kernels.
+
+    Raises
+    ------
+    MissingKernelsError
+        If there are libraries but none for this processor, or its file is damaged, or the kernels
+        have changed since it was compiled.
+    """
+    folder = libraries_folder()
+    for target in targets():
+        path = folder / file_name(target)
+        if path.is_file():
+            return _load(path, target)
+    others = [path.stem for path in folder.glob("rocksteady-*") if path.suffix in SUFFIXES.values()]
+    if not others:
+        return None
+    raise _unusable(f"is for another processor ({', '.join(sorted(others))})")
 
 
-def installed_folder() -> Path:
-    """Return the folder of the libraries that a wheel brings along."""
-    return Path(__file__).parent / "libraries"
-
-
-def built_folder() -> Path:
-    """Return the folder of libraries built on this machine from these sources."""
-    return version_folder(sources_hash()) / "library"
-
-
-def make_built_folder() -> str | None:
-    """Make that folder for this user alone; return why it cannot be used, None if it can."""
-    folder = built_folder()
+def _load(path: Path, target: str) -> Library:
+    if not is_whole(path):
+        raise _unusable(f"is damaged ({path})")
     try:
-        for parent in (folder.parents[2], *folder.parents[1::-1], folder):
-            parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-    except OSError as error:
-        return f"{folder} cannot be written: {error.strerror or error}"
-    return weakness(folder)
+        found = Library(path, target)
+        sources = found.sources
+    except (OSError, ValueError) as error:
+        raise _unusable(f"cannot be loaded ({error})") from error
+    if sources != sources_hash():
+        raise _unusable("is of other kernels: their code has changed since it was compiled")
+    return found
+
+
+def _unusable(fault: str) -> MissingKernelsError:
+    return MissingKernelsError(
+        "the library of compiled kernels",
+        Words(fault),
+        "it must be whole, for this processor, and made from these sources",
+        "run `make library` in a checkout, or install the package again",
+    )
 
 
 def targets() -> tuple[str, ...]:
@@ -131,31 +137,12 @@ def file_name(target: str) -> str:
 
 
 def checksum_file(path: Path) -> Path:
-    """Return the file beside a library or a program that begins with its checksum."""
+    """Return the file beside a compiled file that begins with its checksum."""
     return path.with_name(path.name + ".sha256")
 
 
-def _candidates(folder: Path) -> Iterator[tuple[str, Path]]:
-    """Yield targets and files of libraries that may be loaded, the fastest first."""
-    for target in targets():
-        path = folder / file_name(target)
-        if may_be_loaded(path):
-            yield target, path
-
-
-def may_be_loaded(path: Path) -> bool:
-    """Return whether a file of machine code is there, and whole if it was built here.
-
-    Loading runs what stands there: a folder that others may write to is not trusted, and half a
-    file would end the process.
-    """
-    if not path.is_file():
-        return False
-    return path.parent != built_folder() or (weakness(path.parent) is None and _is_whole(path))
-
-
-def _is_whole(path: Path) -> bool:
-    """Return whether a file of machine code is what was written."""
+def is_whole(path: Path) -> bool:
+    """Return whether a compiled file is what was written: half a library would end the process."""
     try:
         expected = checksum_file(path).read_text("ascii").split()[:1]
         return [hashlib.sha256(path.read_bytes()).hexdigest()] == expected

@@ -8,8 +8,7 @@ from pathlib import Path
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.machine_code.device import Form
-from rocksteady.kernels.machine_code.library import built_folder, may_be_loaded
-from rocksteady.kernels.machine_code.sources import sources_hash
+from rocksteady.kernels.machine_code.sources import libraries_folder, sources_hash
 
 Capability = tuple[int, int]
 """Compute capability of a GPU, as (9, 0)."""
@@ -34,9 +33,9 @@ def program(kernel: str, capability: Capability) -> Path:
     InputError
         If this installation has no such program, or one of other sources.
     """
-    for folder in (*brought_folders(), built_folder()):
+    for folder in (*brought_folders(), libraries_folder()):
         for path in _candidates(folder, kernel, capability):
-            if may_be_loaded(path) and sources_of(path) == sources_hash():
+            if sources_of(path) == sources_hash():
                 return path
     raise InputError(
         "executor",

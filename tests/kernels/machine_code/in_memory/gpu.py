@@ -66,7 +66,7 @@ def gpu_in_memory(folder: Path, memory: DriverInMemory | None = None) -> Iterato
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(driver_module, "_bindings", lambda: memory)
         patch.setattr(programs, "brought_folders", lambda: [folder])
-        patch.setattr(programs, "built_folder", lambda: folder / "none")
+        patch.setattr(programs, "libraries_folder", lambda: folder / "none")
         gpu.cache_clear()
         try:
             yield memory

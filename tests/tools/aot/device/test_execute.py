@@ -6,8 +6,8 @@ from filelock import FileLock
 
 from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.devices import FORMS, Form
-from rocksteady.kernels.machine_code.library import built_folder, targets
-from rocksteady.kernels.machine_code.sources import sources_hash
+from rocksteady.kernels.machine_code.library import targets
+from rocksteady.kernels.machine_code.sources import libraries_folder, sources_hash
 from tests.strategies import PLAIN
 from tests.tools.aot.device.test_emulate import RARE, bits, calls_of, code, results_of
 from tools.aot.build import LOWERED
@@ -42,7 +42,7 @@ def run(request: pytest.FixtureRequest) -> tuple[Form, Executed, str]:
     folder = LOWERED / f"{sources_hash()}-executed"
     folder.mkdir(parents=True, exist_ok=True)
     with FileLock(folder / f"{name}.lock"):
-        file = file_of(built_folder(), OLDEST, name)  # what a GPU is given
+        file = file_of(libraries_folder(), OLDEST, name)  # what a GPU is given
         if not is_current(file):
             file = folder / f"{name}.ptx"
             file.write_text(ptx(name), "ascii")

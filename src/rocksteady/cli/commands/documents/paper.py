@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
@@ -56,7 +55,6 @@ def paper(
     figures = only or []
     check_folder(out, figures, force=force or resume)
     parts = parts_of(figures, out, resume=resume, force=force)
-    announce_compilation("attractors.settle_cells")
     with resumable_study(parts, context):
         with progress("computing", steps(figures)) as done:
             study = reproduce(only=figures, done=done)

@@ -7,7 +7,6 @@ from typing import Any
 import typer
 
 from rocksteady.cli.console.help import HelpfulGroup
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.console.shell import quoted
@@ -111,7 +110,6 @@ def atlas(
     plane = module.plane_of(**arguments)
     check_folder(out, module.OURS, force=force or resume)
     parts = module.parts_of(plane, out, resume=resume, force=force)
-    announce_compilation("attractors.settle_cells")
     with resumable_study(parts, context):
         with progress("computing", module.steps(plane)) as done:
             result = module.atlas(**arguments, parts=parts, done=done)
@@ -201,7 +199,6 @@ def facade_checks(
         confidence_factor=number("--confidence-factor", confidence_factor),
     )
     parts = module.parts_of(plane, out, resume=resume, force=force)
-    announce_compilation("records.record_fates")
     with resumable_study(parts, context):
         with progress("computing", module.study_steps()) as done:
             result = module.facade_checks(plane, run=how, parts=parts, done=done)

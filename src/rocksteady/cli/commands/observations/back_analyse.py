@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from rocksteady.cli.console.outputs import again, announce_compilation
+from rocksteady.cli.console.outputs import again
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, flags_of, missing, refuse
 from rocksteady.cli.flags.ensemble import SuiteFlags, intensity_of
@@ -115,7 +115,6 @@ def back_analyse(
         check_apart(output.files, read=suite.read)
         motions, left_out = suite.motions, suite.left_out
 
-    announce_compilation("records.record_fates")
     from rocksteady.risk.back_analysis.back_analyse import back_analyse as analysed
 
     pools = len(objects) + sum(facing is not None for facing in objects.facings)

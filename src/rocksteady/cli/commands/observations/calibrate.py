@@ -8,7 +8,6 @@ import typer
 
 from rocksteady.cli.console.outputs import (
     again,
-    announce_compilation,
     announce_file,
     report_command,
 )
@@ -113,7 +112,6 @@ def calibrate(
     read += table.record_files(tests)
     output.check_folder(CALIBRATION, out, read)
 
-    announce_compilation("records.record_fates")
     from rocksteady.risk.calibration.calibrate import calibrate as calibrated
 
     checks = 3 if model == "linear" else 4  # what `Calibration.flips` counts

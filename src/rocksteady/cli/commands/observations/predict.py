@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import Panel
@@ -89,7 +88,6 @@ def predict(
         shaken: Sequence[ShakingTest] = observed.tests
     else:
         shaken = _tests_of(recorded, reading, _object(stored, object))
-    announce_compilation("records.record_fates")
     with flags_of({"tests": "--tests"}):
         predictions = stored.predict(shaken, run=run)
     description = predictions.describe()

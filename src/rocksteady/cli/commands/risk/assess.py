@@ -9,7 +9,6 @@ import typer
 
 from rocksteady.cli.console.outputs import (
     NEGATIVE,
-    announce_compilation,
     announce_file,
     report_command,
 )
@@ -217,7 +216,6 @@ def _answer(
     suite = _suite(file, recorded, reading, described)
     read = [each for each in (file, buildings, hazard, *suite.read) if each is not None]
     output.files.check_folder(ASSESSMENT, out, read)
-    announce_compilation("records.record_fates")
     known = _buildings(buildings)
     cells = place_objects([described], suite.motions, known).cells
     with sweeping("running the object", cells) as meter:
@@ -271,7 +269,6 @@ def _answers(
     suite = recorded.suite(reading)
     beside = [file] if buildings is None else [file, buildings]
     output.files.check_folder(ASSESSMENT, out, [*beside, *suite.read])
-    announce_compilation("records.record_fates")
     asked = [with_demand(each, peaks.pga_g, peaks.pgv_m_s) for each in objects]
     placed = place_objects(asked, suite.motions, _buildings(buildings))
     with sweeping("running objects", placed.cells) as meter:

@@ -8,7 +8,6 @@ import typer
 
 from rocksteady.cli.console.outputs import (
     NEGATIVE,
-    announce_compilation,
     announce_file,
     report_command,
 )
@@ -159,7 +158,6 @@ def facade(
         files += suite.files
     output.check_folder(FACADE, out, [*files, *suite.read])
     if suite.motions:
-        announce_compilation("records.record_fates")
         runs = run_facade(
             wall,
             suite.motions,

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from rocksteady.cli.console.outputs import again, announce_compilation
+from rocksteady.cli.console.outputs import again
 from rocksteady.cli.console.refusals import flags_of, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags, ensemble_flag
@@ -89,7 +89,6 @@ def fragility(
     suite = _suite(recorded, reading, example=example)
     sweep.check(output, suite.read)
 
-    announce_compilation("records.record_fates")
     from rocksteady.risk.fragility.fit_fragility import compute_fragility
 
     lifts = sum(

@@ -4,7 +4,6 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
     PulseFlags,
@@ -64,7 +63,6 @@ def leave_fates(
     """Compute the fates under a motion that ends, and write the output that the flags request."""
     moment, chosen = window.moment(body), window.axes
     equations = equations_for(model, body, motion)
-    announce_compilation("march.march")
     from rocksteady.dynamics.basins.basin_answers import FEW
     from rocksteady.dynamics.basins.fate_basins import compute_fate_basins
     from rocksteady.dynamics.basins.window import POINTS

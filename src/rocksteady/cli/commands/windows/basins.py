@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any, Literal
 import typer
 
 from rocksteady.cli.commands.windows._finite_window import leave_fates, shaken_by
-from rocksteady.cli.console.outputs import announce_compilation, fates_kernel
 from rocksteady.cli.console.refusals import FlagError, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
@@ -129,7 +128,6 @@ def basins(
     chosen: dict[str, Any] = window.axes
     if cycles is not None:
         chosen["cycles" if eroding else "max_cycles"] = cycles
-    announce_compilation(fates_kernel(equations) if eroding else "attractors.settle_cells")
     from rocksteady.dynamics.basins.basins import Basins, compute_basins
     from rocksteady.dynamics.basins.erosion import Erosion, compute_erosion
     from rocksteady.dynamics.basins.measures.entropy import box_sides

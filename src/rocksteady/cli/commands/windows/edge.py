@@ -2,7 +2,6 @@
 
 from typing import TYPE_CHECKING
 
-from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import both, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
@@ -83,7 +82,6 @@ def edge(
     motion = floor.on_floor(shaking.at(body, phase=start.first_phase), body)
     start.check(shaken=True)
 
-    announce_compilation("march.march")
     from rocksteady.dynamics.edges.growing import LENGTH, compute_manifold
     from rocksteady.dynamics.edges.tracking import find_edge_state
     from rocksteady.show.figures.single import edge_figure
