@@ -247,7 +247,6 @@ def test_what_topples_at_pacoima_dam(degrees: float, period: float, falls: bool)
     ("flags", "words"),
     [
         ("-r 0.9 --record across.AT2", ["--record = 'across.AT2'", "need a block"]),
-        ("--record across.AT2", ["--record = 'across.AT2'", "need a block"]),
         (f"{SIZE} --record across.AT2 -A 2", ["--amplitude/-A = '2'", "--record sets"]),
         (f"{SIZE} --record across.AT2 --freq-hz 2", ["--freq-hz = '2'", "--record sets"]),
         (f"{SIZE} --record across.AT2 --pulse ricker", ["--pulse = 'ricker'", "--record sets"]),

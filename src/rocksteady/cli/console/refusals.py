@@ -52,6 +52,33 @@ def missing(flag: str, *, valid: str, hint: str) -> FlagError:
     return FlagError(finding=f"{flag} is not given", valid=valid, hint=hint)
 
 
+def require(command: str, given: Mapping[str, object], *examples: str) -> None:
+    """Refuse a command that lacks what it needs, with examples that run.
+
+    Parameters
+    ----------
+    command
+        Name of the command.
+    given
+        Whether each thing that it needs is given, by its name.
+    examples
+        Flags of commands that run as they stand.
+
+    Raises
+    ------
+    FlagError
+        If something is not given.
+    """
+    absent = [name for name, value in given.items() if not value]
+    if absent:
+        tries = " or ".join(f"`rocksteady {command} {flags}`" for flags in examples)
+        raise FlagError(
+            finding=f"{' and '.join(absent)} {'is' if len(absent) < 2 else 'are'} not given",
+            valid=f"{command} needs {'one' if len(absent) < 2 else 'both'}",
+            hint=f"try {tries}",
+        )
+
+
 def both(one: str, other: str, *, valid: str, hint: str = "leave one out") -> FlagError:
     """Return the error of two flags of which at most one may be given."""
     return FlagError(finding=f"{one} and {other} are both given", valid=valid, hint=hint)
