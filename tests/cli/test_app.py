@@ -92,6 +92,38 @@ def test_examples_of_a_command_alone_run(command: str) -> None:
         assert rocksteady(f"{example} --quiet").out
 
 
+@every(
+    ("line", "flags"),
+    [
+        ("simulate --height 2", "--height-m"),
+        ("simulate --accel 0.4", "--accel-g or --accel-m-s2"),
+        ("simulate --freq 1", "--freq-hz"),
+        ("simulate --mass 3", "--mass-kg"),
+        ("simulate --p=3", "--p-rad-s"),
+        ("assess --pgv 0.4", "--pgv-m-s"),
+        ("assess --width 0.5", "--width-m"),
+        ("simulate --width 0.5 --height-m 2", "--width-m"),
+        ("simulate --width 0.5m --height-m 2 --plot a.png", "--width-m"),
+        ("fragility --width 500mm --height-m 2", "--width-m"),
+    ],
+)
+def test_a_name_without_its_unit_suggests_the_flag(line: str, flags: str) -> None:
+    assert f"did you mean {flags}?" in refused(line)
+
+
+@every(
+    "flags",
+    [
+        "-A 2 -W 2 -r 0.8 --width 84mm",
+        "-A 2 -W 2 -r 0.8 --width 84 --plot a.png",
+        "--width-m 0.5 --height-m 2 --width 84",
+        "--left-m 0.2 --right-m 0.3 --height-m 2 --width 84mm",
+    ],
+)
+def test_the_width_of_a_picture_is_not_that_of_a_block(flags: str) -> None:
+    assert "did you mean" not in refused(f"simulate {flags}")
+
+
 def test_one_thing_alone_asks_for_the_other() -> None:
     for command in (*COMMANDS, "edge"):
         assert "block is not given" in refused(f"{command} -A 2 -W 4")
