@@ -17,7 +17,6 @@ BAD_INPUT = [
     ("-A 2 -W 4 -r bouncy", ["--restitution/-r", "'bouncy'", "housner"]),
     ("-A 2 -W 4 -r housner*0.9", ["--restitution/-r", "'housner*0.9'", "block"]),
     ("-A 2 -W 4 -r housner", ["--restitution/-r", "'housner'", "block"]),
-    ("-A 2 -W 4", ["--restitution/-r", "not given", "-r 0.8"]),
     ("-A 2 -r 0.8", ["--frequency-ratio/-W and --freq-hz", "neither given"]),
     ("-W 4 -r 0.8", ["--amplitude/-A and --accel-g", "neither given"]),
     ("-A 2 -W 4 -r 0.8 --accel-g 0.3", ["--accel-g", "0.3", "block"]),

@@ -181,7 +181,7 @@ VAGUE = re.compile(
 )
 NAMED = re.compile(
     r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess|object|facade|certificate) = |"
-    r"WHAT (is not given|= )|"
+    r"WHAT (is not given|= )|.* not given: .*; try `rocksteady |"
     r"[^:]+: line \d+|.*; see rocksteady.*--help$|"
     r".* is (too much|no command|no flag of [^:]*): rocksteady.* --help(-all)? )"
 )

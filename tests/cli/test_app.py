@@ -2,6 +2,7 @@
 
 import math
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -12,6 +13,7 @@ import pytest
 
 from rocksteady import __version__
 from rocksteady.cli import app
+from rocksteady.cli.commands import certify
 from rocksteady.cli.console import terminal
 from tests.cli.bad_input import BAD_INPUT
 from tests.cli.motion_files import at2, samples
@@ -63,6 +65,71 @@ def loaded_by(*lines: list[str], code: int = 0, **environment: str) -> set[str]:
 
 
 # ------------------------------------------------------------------------------- bad input
+
+
+FIRST = {
+    **dict.fromkeys((*COMMANDS, "edge", "overturn", "spectrum"), ("block", "motion")),
+    **{f"certify {kind}": ("block", "motion") for kind in certify.KINDS},
+    "assess": ("block", "demand"),
+    "fragility": ("block", "suite of motions"),
+    "record": ("file",),
+}
+"""What a command needs."""
+
+
+@every("command", FIRST)
+def test_a_command_alone_asks_for_what_it_needs(command: str) -> None:
+    line = refused(command)
+    assert f"{' and '.join(FIRST[command])} {'is' if command == 'record' else 'are'} not" in line
+    assert f"`rocksteady {command} " in line
+
+
+@pytest.mark.slow
+@every("command", FIRST)
+def test_examples_of_a_command_alone_run(command: str) -> None:
+    for example in re.findall("`rocksteady (.*?)`", refused(command)):
+        assert rocksteady(f"{example} --quiet").out
+
+
+@every(
+    ("line", "flags"),
+    [
+        ("simulate --height 2", "--height-m"),
+        ("simulate --accel 0.4", "--accel-g or --accel-m-s2"),
+        ("simulate --freq 1", "--freq-hz"),
+        ("simulate --mass 3", "--mass-kg"),
+        ("simulate --p=3", "--p-rad-s"),
+        ("assess --pgv 0.4", "--pgv-m-s"),
+        ("assess --width 0.5", "--width-m"),
+        ("simulate --width 0.5 --height-m 2", "--width-m"),
+        ("simulate --width 0.5m --height-m 2 --plot a.png", "--width-m"),
+        ("fragility --width 500mm --height-m 2", "--width-m"),
+    ],
+)
+def test_a_name_without_its_unit_suggests_the_flag(line: str, flags: str) -> None:
+    assert f"did you mean {flags}?" in refused(line)
+
+
+@every(
+    "flags",
+    [
+        "-A 2 -W 2 -r 0.8 --width 84mm",
+        "-A 2 -W 2 -r 0.8 --width 84 --plot a.png",
+        "--width-m 0.5 --height-m 2 --width 84",
+        "--left-m 0.2 --right-m 0.3 --height-m 2 --width 84mm",
+    ],
+)
+def test_the_width_of_a_picture_is_not_that_of_a_block(flags: str) -> None:
+    assert "did you mean" not in refused(f"simulate {flags}")
+
+
+def test_one_thing_alone_asks_for_the_other() -> None:
+    for command in (*COMMANDS, "edge"):
+        assert "block is not given" in refused(f"{command} -A 2 -W 4")
+        assert "motion is not given" in refused(f"{command} --width-m 0.6 --height-m 2")
+        assert "motion is not given" in refused(f"{command} -r 0.8")
+    assert "block is not given" in refused("overturn --kick")
+    assert "block is not given" in refused("simulate --start 0.5,0")
 
 
 @commands

@@ -43,7 +43,7 @@ from rocksteady.cli.console.help import NAMES, Program, with_main
 from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
-from rocksteady.cli.flags.parsing import no_number
+from rocksteady.cli.flags.parsing import no_number, without_unit
 from rocksteady.cli.flags.record_files import FLOOR_FLAGS
 from rocksteady.errors import RocksteadyError, UnfinishedError, one_line
 
@@ -275,7 +275,9 @@ def _unknown(error: TyperException, path: str) -> str | None:
     if option is not None and not hasattr(error, "possibilities"):
         return one_line(f"{option} is given without a value: it takes one; see {path} --help")
     if option is not None:
-        near = sorted(error.possibilities or ())  # type: ignore[attr-defined]
+        flags = [flag for each in error.ctx.command.params for flag in each.opts]  # type: ignore[attr-defined]
+        near = [flag for flag in flags if without_unit(flag) == option]
+        near = near or sorted(error.possibilities or ())  # type: ignore[attr-defined]
         lists, hint = f"{path} --help-all lists its flags", "leave it out, or give one of these"
         hint = f"did you mean {' or '.join(near)}?" if near else hint
         if option in FLOOR_FLAGS.values():

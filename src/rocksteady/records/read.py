@@ -14,6 +14,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.records.core.assembling import Given
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.text import RecordText, as_text, file_bytes
+from rocksteady.records.examples import is_example, read_example
 from rocksteady.records.formats import columns, cosmos, csmip, esm, knet, peer, smc, waveforms
 from rocksteady.records.formats.unrecognised import network_of
 from rocksteady.records.processing import correct_baseline
@@ -55,7 +56,8 @@ def read_recordings(
     Parameters
     ----------
     path
-        The file.
+        The file, or a synthetic motion that ships with the package: ``example:near-fault``,
+        ``example:firm-ground`` or ``example:soft-soil``.
     format
         Its format by short name; by default found from what stands in it, never from its name.
     units
@@ -96,6 +98,12 @@ def read_recordings(
         hint = f"use one of {', '.join(FORMATS)}, or leave it out"
         raise InputError("format", format, "it must be a format that can be read", hint)
     file = Path(path)
+    if is_example(file):
+        stated = {"format": format, "units": units, "dt_s": dt_s, "column": column}
+        for name, value in (stated | {"resample": resample or None}).items():
+            if value is not None:
+                raise InputError(name, value, f"{file} is no file", "leave it out")
+        return (read_example(file),)
     data = file_bytes(file)
     # What overflows is refused when the record is made.
     with np.errstate(all="ignore"):

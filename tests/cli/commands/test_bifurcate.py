@@ -466,7 +466,6 @@ def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_pa
         ("-A 2 -W 2 -r 0:1:5", "--restitution/-r = 0.0"),
         ("-A 2 -W 2 -r 0.5:1.2:5", "(0, 1]"),
         ("-A 2 -W 2 -r 0.5:1", "--restitution/-r = '0.5:1'"),
-        ("-A 2 -W 1:2:5", "--restitution/-r is not given"),
         ("-A 2 -r 0.8", "neither given"),
         ("-A 2 -W 1:2:5 -r 0.8 -n 2", "--order/-n = 2"),
         ("-A 2 -W 1:2:5 -r 0.8 -n 1001", "--order/-n = 1001"),

@@ -106,7 +106,7 @@ def test_the_printed_program_runs_alone(kind: str, tmp_path: Path) -> None:
         ("certify theorem", "there is no such proof"),
         ("certify orbit -A 2 -W 2 -r 0.8,0.7", "flights of two kinds for sides that differ"),
         ("certify orbit -A 2 -W 2 -r 0.8 --number 99", "there are"),
-        ("certify fate -r 0.9", "a pulse or a record is needed"),
+        ("certify fate -r 0.9 -A 2 -W 2", "a pulse or a record is needed"),
         ("certify region -A 2 -W 1:2 -r 0.8", "a range LOW:HIGH is needed"),
         ("certify chaos -A 2 -W 2 -r 0.8 --kind other", "hilltop"),
         ("certify orbit --check none.json", "reads a certificate alone"),

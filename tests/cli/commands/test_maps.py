@@ -341,7 +341,6 @@ def test_a_refined_map_says_how_much_was_computed() -> None:
         (f"{MAP} --start 0.1,tau=0.2", "is another velocity in each cell"),
         (f"{MAP} --start steady --phase 0:1:3", "a steady state decides its phase"),
         (f"{MAP} --kick 1e-3:1e-2:3", "only a steady start has a kick"),
-        ("map -A 0.5:5:7 -W 1:8:9", "without a block it is needed"),
         ("map -A 0.5:5:7 --freq-hz 1:8:9 -r 0.8", "need a block"),
         ("map --amplitude=-1:5:7 -W 1:8:9 -r 0.8", "--amplitude/-A = -1.0 is not valid"),
         ("map -A 1:5:7 -W 1:8:9 -r 0.8:1.2:3", "--restitution/-r = 1.2 is not valid"),

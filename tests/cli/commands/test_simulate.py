@@ -184,7 +184,6 @@ def test_a_steady_start_that_is_none_says_what_was_typed_and_what_to_do() -> Non
 @every(
     ("flags", "needle"),
     [
-        ("", "'rest'"),
         ("--start steady", "needs shaking"),
         ("--start 0.5,tau=0", "U,V"),
         ("--start 0.5,0 --phase 1", "--phase = 1.0"),

@@ -62,6 +62,14 @@ def test_a_record_is_scaled_to_a_pga_with_its_vertical_one(files: tuple[Path, Pa
     assert "--record" in refused(f"simulate {SIZE} --pga-g 0.3")
 
 
+def test_examples_are_read_wherever_files_are() -> None:
+    for command in (f"simulate {SIZE} --record", "record", f"fragility {SIZE} --records"):
+        assert "synthetic" in rocksteady(f"{command} example:soft-soil --json").out
+        assert "give one of example:near-fault" in refused(f"{command} example:")
+    line = f"simulate {SIZE} --record example:soft-soil --vertical example:soft-soil"
+    assert "--vertical = 'example:soft-soil' is not valid: no example is" in refused(line)
+
+
 def test_scale_and_reverse(files: tuple[Path, Path]) -> None:
     command = f"simulate {SIZE} --start 0.02,0 --json --record"
     plain = rocksteady(command, files[0]).json
@@ -239,7 +247,6 @@ def test_what_topples_at_pacoima_dam(degrees: float, period: float, falls: bool)
     ("flags", "words"),
     [
         ("-r 0.9 --record across.AT2", ["--record = 'across.AT2'", "need a block"]),
-        ("--record across.AT2", ["--record = 'across.AT2'", "need a block"]),
         (f"{SIZE} --record across.AT2 -A 2", ["--amplitude/-A = '2'", "--record sets"]),
         (f"{SIZE} --record across.AT2 --freq-hz 2", ["--freq-hz = '2'", "--record sets"]),
         (f"{SIZE} --record across.AT2 --pulse ricker", ["--pulse = 'ricker'", "--record sets"]),

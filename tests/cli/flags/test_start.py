@@ -122,7 +122,6 @@ def test_what_is_no_start_is_refused_with_all_that_are(text: str, words: str) ->
         (StartFlags(side="left"), True, "it must be [+] or -"),
         (StartFlags(start="steady", phase=1.0), True, "a steady state decides its phase"),
         (StartFlags(start="steady:2"), False, "a steady state needs shaking"),
-        (StartFlags(), False, "a block at rest stays there"),
         (StartFlags(start="0.5,0", phase=1.0), False, "without shaking it has no meaning"),
     ],
 )

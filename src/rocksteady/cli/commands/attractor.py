@@ -2,8 +2,9 @@
 
 from typing import TYPE_CHECKING
 
+from rocksteady.cli.console.refusals import require
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
+from rocksteady.cli.flags.block_and_shaking import HARMONIC, BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import SeriesFlags
 from rocksteady.cli.flags.record_files import FloorFlags
@@ -51,6 +52,7 @@ def attractor(
 ) -> None:
     """Run `rocksteady attractor`; `HELP` is what its users read."""
     output.check()
+    require("attractor", {"block": block.given, "motion": shaking.given}, *HARMONIC)
     body = block.described()
     equations = equations_for(model, body)
     motion = floor.on_floor(series.of(shaking.at(body, phase=start.first_phase)), body)

@@ -4,7 +4,7 @@ import sys
 from dataclasses import replace
 
 from rocksteady.cli.console.progress import progress
-from rocksteady.cli.console.refusals import FlagError, needs
+from rocksteady.cli.console.refusals import FlagError, needs, require
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -102,6 +102,12 @@ def bifurcate(
 ) -> None:
     """Run `rocksteady bifurcate`; `HELP` is what its users read."""
     output.check()
+    require(
+        "bifurcate",
+        {"block": block.given, "motion": shaking.given},
+        "--width-m 0.6 --height-m 2 --accel-g 0.4:1:40 --freq-hz 2",
+        "-r 0.8 -A 1:3:40 -W 4",
+    )
     span = range_of(shaking, block)
     if span.body.one_sided:
         raise block.refuse_sides(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, get_args
 import typer
 
 from rocksteady.cli.console.outputs import NEGATIVE, announce_file
-from rocksteady.cli.console.refusals import FlagError, missing, needs, refuse
+from rocksteady.cli.console.refusals import FlagError, missing, needs, refuse, require
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, ShakingFlags
@@ -53,7 +53,14 @@ DOUBLINGS = 4
 """Of the cascade that is proved with the points: to 32 impacts."""
 PLACES = 9
 """Decimals of A in which points of one number of impacts differ."""
-KINDS = ("orbit", "point", "fate", "region", "chaos")
+KINDS = {
+    "orbit": "-A 2 -W 2 -r 0.8",
+    "point": "-A 1:2.7 -W 2 -r 0.8",
+    "fate": "--pulse one-sine -A 2 -W 2 -r 0.9",
+    "region": "-A 0.3:6 -W 1:8 -r 0.8",
+    "chaos": "-A 2.698 -W 2 -r 0.8",
+}
+"""Each proof with an example."""
 proof_flag = options.Panel("Proof")
 
 
@@ -129,8 +136,10 @@ def certify(
     check_ending("--out", out, ".json")
     for file in written.values():
         check_writable("--out", file, force=force)
+    of_record = what == "fate" and recorded.given(reading, pulse=pulse.given, on_floor=pulse.given)
+    moved = of_record or pulse.given or shaking.given
+    require(f"certify {what}", {"block": block.given, "motion": moved}, KINDS[what])
     if what == "fate":
-        of_record = recorded.given(reading, pulse=pulse.given, on_floor=pulse.given)
         body = recorded.block(block) if of_record else block.described()
         certificates = [_fate(body, shaking, pulse, recorded, reading)]
     else:

@@ -3,6 +3,7 @@
 import sys
 
 from rocksteady.cli.console.progress import progress
+from rocksteady.cli.console.refusals import require
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -70,6 +71,12 @@ def curves(
 ) -> None:
     """Run `rocksteady curves`; `HELP` is what its users read."""
     output.check()
+    require(
+        "curves",
+        {"block": block.given, "motion": shaking.given},
+        "--width-m 0.6 --height-m 2 --accel-g 0.3:1:3 --freq-hz 0.7:2:3",
+        "-r 0.8 -A 1:3:3 -W 1.5:4:3",
+    )
     plane = plane_of(shaking, block)
     if plane.body.one_sided:
         raise block.refuse_sides(

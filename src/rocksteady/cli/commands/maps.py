@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from rocksteady.cli.console.progress import Meter
-from rocksteady.cli.console.refusals import needs, refuse
+from rocksteady.cli.console.refusals import needs, refuse, require
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
@@ -78,6 +78,12 @@ def maps(
 ) -> None:
     """Run `rocksteady map`; `HELP` is what its users read."""
     sweep.check(output)
+    require(
+        "map",
+        {"block": block.given, "motion": shaking.given},
+        "--width-m 0.6 --height-m 2 --accel-g 0.3:1:20 --freq-hz 0.5:3:20",
+        "-r 0.8 -A 1:6:20 -W 1:12:20",
+    )
     case = map_case(shaking, block, start)
     equations = equations_for(model, case.body)
     motion = floor.of(case.body)

@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from rocksteady.cli.console.refusals import require
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
+from rocksteady.cli.flags.block_and_shaking import HARMONIC, BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import SeriesFlags
 from rocksteady.cli.flags.record_files import FloorFlags
@@ -59,6 +60,7 @@ def orbits(
 ) -> None:
     """Run `rocksteady orbits`; `HELP` is what its users read."""
     output.check()
+    require("orbits", {"block": block.given, "motion": shaking.given}, *HARMONIC)
     body = block.described()
     equations = equations_for(model, body)
     motion = floor.on_floor(series.of(shaking.at(body)), body)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import typer
 
-from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
+from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse, require
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
@@ -133,6 +133,15 @@ def overturn(
     }
     conflicting |= {"--freq-hz": freq_hz, "--phase": phase}
     of_kicks = {"--start": None if start == "rest" else start, "--at-s": at_s}
+    require(
+        "overturn",
+        {
+            "block": block.given,
+            "motion": kick or pulse.given or recorded.record or suite.records,
+        },
+        "--width-m 0.6 --height-m 2 --pulse one-sine --freq-hz 1",
+        "--width-m 0.6 --height-m 2 --record example:near-fault",
+    )
     if kick:
         _refuse("--kick", {**conflicting, "--scales": scales, "--resolution": resolution})
         search = _of_kicks(recorded, suite, reading, block, output, start, at_s, model)
@@ -147,12 +156,6 @@ def overturn(
         recorded.given(reading, pulse=pulse.given, on_floor=pulse.given)
         body = block.described()
         equations = equations_for(model, body, Still())
-        if not pulse.given:
-            raise missing(
-                "--pulse",
-                valid="a spectrum needs a pulse",
-                hint="add --pulse one-sine; rocksteady overturn --help names them",
-            )
         # The flags of the frequency are those of every shaking; its size is a range here.
         size = ShakingFlags(amplitude="1", frequency_ratio=frequency_ratio, freq_hz=freq_hz)
         ratios = sorted(set(size.of(body)[1]))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
-from rocksteady.cli.console.refusals import FlagError, needs
+from rocksteady.cli.console.refusals import FlagError, needs, require
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.console.titles import turned_text
 from rocksteady.cli.flags import options
@@ -58,9 +58,10 @@ PLOTTED_PERIODS = "log:0.02:10:200"
 @grouped
 def record(
     files: Annotated[
-        list[Path],
+        list[Path] | None,
         typer.Argument(metavar="FILE", help="Read these ground-motion files.", show_default=False),
-    ],
+    ] = None,
+    *,
     reading: ReadingFlags,
     block: BlockFlags,
     output: OutputFlags,
@@ -80,6 +81,8 @@ def record(
     ),
 ) -> None:
     """Run `rocksteady record`; `HELP` is what its users read."""
+    require("record", {"file": files}, "example:near-fault")
+    assert files is not None
     output.check(files)
     body = sized(block)
     unit = unit_of(units_out, output)

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from rocksteady.cli.console.outputs import write_film
-from rocksteady.cli.console.refusals import FlagError, refuse
+from rocksteady.cli.console.refusals import FlagError, refuse, require
 from rocksteady.cli.console.titles import case_text
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
@@ -90,6 +90,12 @@ def simulate(
     film.check(output, recorded.files)
     on_floor = pulse.given or shaking.given
     of_record = recorded.given(reading, pulse=pulse.given, on_floor=on_floor)
+    require(
+        "simulate",
+        {"block": block.given, "motion": of_record or on_floor or start.start != "rest"},
+        "--width-m 0.6 --height-m 2 --pulse one-sine --accel-g 0.5 --freq-hz 1",
+        "--width-m 0.6 --height-m 2 --record example:near-fault",
+    )
     body = recorded.block(block) if of_record else block.described()
     motion: Motion | Record = Still()
     if series.given and (of_record or pulse.given or not shaking.given):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import typer
 
-from rocksteady.cli.console.refusals import FlagError, both, missing
+from rocksteady.cli.console.refusals import FlagError, both, missing, require
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model, refuse_of_linear
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -100,7 +100,9 @@ def spectrum(
 ) -> None:
     """Run `rocksteady spectrum`; `HELP` is what its users read."""
     sweep.check(output, recorded.files)
-    refuse_records(recorded, reading, model)
+    refuse_records(
+        recorded, reading, model, (alpha_rad, alpha_deg, periods_s, p_rad_s, width_m, height_m)
+    )
     equations = named_model("nonlinear" if model is None else model, tolerance)
     ratio = _restitution(restitution)
     gravity = STANDARD_GRAVITY if gravity_m_s2 is None else gravity_m_s2
@@ -175,20 +177,22 @@ def spectrum(
     output.leave("spectrum", answer, values=values, decided=decided, follow_up=more)
 
 
-def refuse_records(recorded: RecordFlags, reading: ReadingFlags, model: str | None) -> None:
-    """Refuse records that are none, or do not go together.
+def refuse_records(
+    recorded: RecordFlags, reading: ReadingFlags, model: str | None, sizes: Sequence[str | None]
+) -> None:
+    """Refuse a spectrum without blocks or records, and records that do not go together.
 
     Raises
     ------
     ModelError
         If there is none, a vertical one beside several, or one in the linear model.
     """
-    if not recorded.given(reading):
-        raise missing(
-            "--record",
-            valid="a rocking spectrum needs a ground motion",
-            hint="add --record FILE, several times for a suite",
-        )
+    require(
+        "spectrum",
+        {"block": any(sizes), "motion": recorded.given(reading)},
+        "--width-m 0.6 --height-m 2 --record example:near-fault",
+        "--alpha-deg 10:25:4 --record example:near-fault",
+    )
     count = len(recorded.record or [])
     if recorded.vertical is not None and count > 1:
         raise FlagError(

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.cli.console.refusals import refuse
+from rocksteady.cli.console.refusals import refuse, require
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
+from rocksteady.cli.flags.block_and_shaking import HARMONIC, BlockFlags, ShakingFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.record_files import FloorFlags
 from rocksteady.model.blocks.block import Block
@@ -49,6 +49,7 @@ def steady(
 ) -> None:
     """Run `rocksteady steady`; `HELP` is what its users read."""
     output.check()
+    require("steady", {"block": block.given, "motion": shaking.given}, *HARMONIC)
     body = block.described()
     if not body.symmetric:  # refused before the kernels are loaded
         raise block.refuse_sides(

@@ -11,6 +11,7 @@ from typing import Any
 from rocksteady.cli.console.help import HelpfulCommand
 from rocksteady.errors import InputError, ModelError, one_line
 from rocksteady.model.checks.arguments import LONGEST_NAME
+from rocksteady.show.style.page import width_mm_of
 
 PATHS = {"FILE", "DIR", "STORE"}
 """What `--help` shows for the value of a flag that is a path."""
@@ -50,6 +51,33 @@ class FlagError(ModelError):
 def missing(flag: str, *, valid: str, hint: str) -> FlagError:
     """Return the error of a flag that is needed and not given."""
     return FlagError(finding=f"{flag} is not given", valid=valid, hint=hint)
+
+
+def require(command: str, given: Mapping[str, object], *examples: str) -> None:
+    """Refuse a command that lacks what it needs, with examples that run.
+
+    Parameters
+    ----------
+    command
+        Name of the command.
+    given
+        Whether each thing that it needs is given, by its name.
+    examples
+        Flags of commands that run as they stand.
+
+    Raises
+    ------
+    FlagError
+        If something is not given.
+    """
+    absent = [name for name, value in given.items() if not value]
+    if absent:
+        tries = " or ".join(f"`rocksteady {command} {flags}`" for flags in examples)
+        raise FlagError(
+            finding=f"{' and '.join(absent)} {'is' if len(absent) < 2 else 'are'} not given",
+            valid=f"{command} needs {'one' if len(absent) < 2 else 'both'}",
+            hint=f"try {tries}",
+        )
 
 
 def both(one: str, other: str, *, valid: str, hint: str = "leave one out") -> FlagError:
@@ -136,6 +164,8 @@ class OncePerFlag(HelpfulCommand):
                             hint=f"give a value, or write {flag}={value} where that is one",
                         )
                 _check_paths(self, values[0])
+                if "width_m" in {each.name for each in self.params}:
+                    _check_width(values[0])
                 for option, count in Counter(values[-1]).items():
                     if count > 1 and _takes_one_value(option):
                         raise _repeated(option, given)
@@ -172,6 +202,25 @@ def _check_paths(command: HelpfulCommand, values: dict[str, Any]) -> None:
                 raise FlagError(
                     flag, value, f"names in a path have at most {LONGEST_NAME} bytes", "shorten it"
                 )
+
+
+def _check_width(values: dict[str, Any]) -> None:
+    """Refuse --width, of a picture, where the width of a block seems to be meant."""
+    width, plot, height = values.get("width"), values.get("plot"), values.get("height_m")
+    if width is None or values.get("width_m") or values.get("left_m"):
+        return
+    try:
+        width_mm_of(width)
+        fits = True
+    except InputError:
+        fits = False
+    if (height and not fits) if plot else (height or not fits):
+        raise FlagError(
+            "--width",
+            width,
+            "it is the width of the picture of --plot, as 84mm",
+            "did you mean --width-m?",
+        )
 
 
 def _takes_one_value(parameter: Any) -> bool:

@@ -24,6 +24,8 @@ from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.pulses import LISTED_PULSES, Pulse
 from rocksteady.model.motions.segments import Harmonic
 
+HARMONIC = ("--width-m 0.6 --height-m 2 --accel-g 0.5 --freq-hz 2", "-r 0.8 -A 2 -W 4")
+"""Examples of a block and a harmonic motion."""
 FIELDS = {name: FLAG_OF_ARGUMENT[name].removeprefix("--").replace("-", "_") for name in SIZES}
 """Fields of the flags of a block, by the measures that they are."""
 LENGTHS = ("width", "height", "radius")

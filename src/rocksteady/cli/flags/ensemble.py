@@ -14,6 +14,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_text
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.records.examples import example_named, is_example
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -84,8 +85,8 @@ class SuiteFlags:
 
         Raises
         ------
-        FlagError
-            If there is none, or a path does not exist.
+        InputError, FlagError
+            If there is none, or a path or an example does not exist.
         """
         from rocksteady.records.read import files_of
 
@@ -93,6 +94,9 @@ class SuiteFlags:
         for path in self.records or []:
             if path.is_dir():
                 paths += files_of(path)
+            elif is_example(path):
+                example_named(path)
+                paths.append(path)
             elif path.exists():
                 paths.append(path)
             else:

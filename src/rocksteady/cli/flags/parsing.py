@@ -18,14 +18,21 @@ MOST_AXIS_POINTS = 1_000_000
 UNITS = {
     "-m-s2": "m/s^2",
     "-rad-s": "rad/s",
+    "-m-s": "m/s",
     "-rad": "radians",
     "-deg": "degrees",
     "-hz": "Hz",
+    "-kg": "kilograms",
     "-g": "g",
     "-m": "metres",
     "-s": "seconds",
 }
 """Units by the ends of flags, the longer ones first."""
+
+
+def without_unit(flag: str) -> str:
+    """Return the name of a flag without the unit at its end."""
+    return next((flag.removesuffix(unit) for unit in UNITS if flag.endswith(unit)), flag)
 
 
 def decimal(text: str) -> float:

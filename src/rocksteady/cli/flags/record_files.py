@@ -19,6 +19,7 @@ from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.fourier import FourierSeries
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.records.examples import LISTED, is_example
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -237,8 +238,11 @@ class ReadingFlags(FloorFlags):
         Raises
         ------
         InputError
-            If it cannot be read, or no channel, or more than one, is marked as vertical.
+            If it cannot be read, is an example, or no channel, or more than one, is marked as
+            vertical.
         """
+        if is_example(file):
+            raise InputError("--vertical", file, "no example is vertical", "give a file")
         channels = self._channels(file)
         upright = tuple(channel for channel in channels if channel.orientation == "vertical")
         if len(channels) > 1 and len(upright) != 1:
@@ -319,7 +323,8 @@ class RecordFlags:
 
     record: list[Path] | None = motion_flag(
         "--record FILE",
-        "Ground-motion file that shakes a block of known size; then the base stands still.",
+        "Ground-motion file that shakes a block of known size; then the base stands still. "
+        f"Synthetic ones to try: {LISTED}.",
     )
     scale: str | None = scale_flag()
     pga_g: float | None = motion_flag(

@@ -79,13 +79,6 @@ class StartFlags:
                 "a steady state needs shaking",
                 "give shaking with -A and -W, or another start as 0.5,0",
             )
-        if self.start == "rest":
-            raise FlagError(
-                "--start",
-                self.start,
-                "on a still base a block at rest stays there",
-                "give shaking with -A and -W, or let the block go: --start 0.5,0",
-            )
         refuse_without_shaking("--phase", self.phase)
 
     def of(self, frequency_ratio: float | None) -> "Start":

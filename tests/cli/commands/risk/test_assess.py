@@ -77,7 +77,6 @@ def test_the_answer_is_a_row_of_a_table(tmp_path: Path) -> None:
 @every(
     ("flags", "words"),
     [
-        ("assess", ["--width-m with --height-m"]),
         ("assess --width-m 0.32 --height-m 1.8 --pga-g 0.35", ["--pgv-m-s", "not given"]),
         ("assess --width-m 0.32 --height-m 1.8 --pgv-m-s 0.35", ["--pga-g", "not given"]),
         ("assess object.toml", ["object.toml", "No such file", "TOML"]),

@@ -13,7 +13,7 @@ from rocksteady.cli.console.outputs import (
     report_command,
 )
 from rocksteady.cli.console.progress import sweeping
-from rocksteady.cli.console.refusals import FlagError, missing, refuse
+from rocksteady.cli.console.refusals import FlagError, missing, refuse, require
 from rocksteady.cli.console.shell import command_of
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
@@ -165,6 +165,13 @@ def quick_answer(block: BlockFlags, peaks: PeakFlags) -> "FormulaAssessment":
     InputError, FlagError
         If the block or a peak is missing or not valid.
     """
+    demand = peaks.pga_g is not None or peaks.pgv_m_s is not None
+    require(
+        "assess",
+        {"block": block.given, "demand": demand},
+        "--width-m 0.6 --height-m 2 --pga-g 0.35 --pgv-m-s 0.4",
+        "--example",
+    )
     body = sized_block(block)
     pga_g, pgv_m_s = peaks.both_peaks()
     from rocksteady.risk.assess.two_numbers import assess_by_formula

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from rocksteady.cli.console.outputs import again
-from rocksteady.cli.console.refusals import flags_of, refuse
+from rocksteady.cli.console.refusals import flags_of, refuse, require
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags, ensemble_flag
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -80,6 +80,12 @@ def fragility(
 ) -> None:
     """Run `rocksteady fragility`; `HELP` is what its users read."""
     sweep.check(output)
+    require(
+        "fragility",
+        {"block": block.given or example, "suite of motions": recorded.records or example},
+        "--example",
+        "--width-m 0.6 --height-m 2 --example",
+    )
     width, height = EXAMPLE_SIZE
     default = Block.rectangle(width=width, height=height) if example else None
     body, band = ensemble.block_and_band(block, default)

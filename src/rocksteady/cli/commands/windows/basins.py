@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any, Literal
 import typer
 
 from rocksteady.cli.commands.windows._finite_window import leave_fates, shaken_by
-from rocksteady.cli.console.refusals import FlagError, refuse
+from rocksteady.cli.console.refusals import FlagError, refuse, require
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
+    HARMONIC,
     BlockFlags,
     PulseFlags,
     ShakingFlags,
@@ -98,7 +99,9 @@ def basins(
     """Run `rocksteady basins`; `HELP` is what its users read."""
     sweep.check(output, recorded.files)
     on_floor = pulse.given or shaking.given
-    if recorded.given(reading, pulse=pulse.given, on_floor=on_floor) or pulse.given:
+    of_record = recorded.given(reading, pulse=pulse.given, on_floor=on_floor)
+    require("basins", {"block": block.given, "motion": of_record or on_floor}, *HARMONIC)
+    if of_record or pulse.given:
         refuse(
             {
                 "--seed": window.seed,

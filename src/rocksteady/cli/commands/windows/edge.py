@@ -2,9 +2,9 @@
 
 from typing import TYPE_CHECKING
 
-from rocksteady.cli.console.refusals import both, refuse
+from rocksteady.cli.console.refusals import both, refuse, require
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
+from rocksteady.cli.flags.block_and_shaking import HARMONIC, BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.record_files import FloorFlags
 from rocksteady.cli.flags.start import StartFlags, state_from
@@ -77,6 +77,7 @@ def edge(
     if not manifolds:
         hint = "add --manifolds, or leave it out"
         refuse({"--length": length}, "it is the length of the branches of manifolds", hint)
+    require("edge", {"block": block.given, "motion": shaking.given}, *HARMONIC)
     body = block.described()
     equations = equations_for(model, body)
     motion = floor.on_floor(shaking.at(body, phase=start.first_phase), body)
