@@ -18,7 +18,7 @@ WHEEL := build/wheel
 WHEEL_NEEDS := hypothesis mpmath psutil pytest pytest-xdist python-flint statsmodels
 WHEEL_TESTS := $(addprefix tests/,dynamics kernels model records results risk seismic sweep)
 INSTALL := pip install --quiet --no-compile --constraint constraints.txt
-EXTRAS := bench,build,cluster,dev,docs,gpu,jit,records
+EXTRAS := bench,build,cluster,dev,docs,gpu,jit,records,stores
 PEERS := heyoka mujoco
 # What tests-floor runs: where each dependency of the package and of its extras cluster, proof and records is
 # called. Left out are the kernels in their library and most of dynamics, which call NumPy alone, studies and
