@@ -16,7 +16,7 @@ WHEEL := build/wheel
 # What the tests of the package import; those of pages, pictures and tools need the checkout's environment.
 WHEEL_NEEDS := hypothesis mpmath numba psutil pytest pytest-xdist python-flint statsmodels
 WHEEL_TESTS := $(addprefix tests/,dynamics kernels model records results risk seismic sweep)
-EXTRAS := bench,build,cluster,dev,docs,gpu,records
+EXTRAS := bench,build,cluster,dev,docs,gpu,records,stores
 PEERS := heyoka mujoco
 # What tests-floor runs: where each dependency of the package and of its extras cluster, proof and records is
 # called. Left out are the kernels in their library and most of dynamics, which call NumPy alone, studies and
@@ -219,7 +219,7 @@ tests-wheel: ## pytest on the wheel of this machine in dist/, in an environment 
 	@rm -rf $(WHEEL)
 	@$(call create-environment,$(WHEEL))
 	$(WHEEL)/$(PROGRAMS)/python -m pip install --quiet --no-index --no-deps --find-links dist rocksteady
-	$(WHEEL)/$(PROGRAMS)/python -m pip install --quiet $(if $(LATEST),--upgrade --upgrade-strategy eager,--constraint constraints.txt) 'rocksteady[cluster,records]' $(WHEEL_NEEDS)
+	$(WHEEL)/$(PROGRAMS)/python -m pip install --quiet $(if $(LATEST),--upgrade --upgrade-strategy eager,--constraint constraints.txt) 'rocksteady[cluster,records,stores]' $(WHEEL_NEEDS)
 	$(WHEEL)/$(PROGRAMS)/rocksteady doctor --check
 	$(WHEEL)/$(PROGRAMS)/python -m pytest -n $(WORKERS) --dist worksteal -o cache_dir=$(WHEEL)/pytest $(WHEEL_TESTS)
 

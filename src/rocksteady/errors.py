@@ -18,6 +18,7 @@ This module is in the lowest layer: it imports nothing from the package, and not
 
 from collections.abc import Callable
 from functools import wraps
+from importlib.util import find_spec
 from numbers import Number
 from os import PathLike, fspath
 from typing import ParamSpec, TypeVar
@@ -211,6 +212,27 @@ class UnfinishedError(RocksteadyError):
     """
 
     _verdict = "is not finished"
+
+
+def check_installed(
+    refused: Callable[[str, str], RocksteadyError], extra: str, *packages: str
+) -> None:
+    """Raise an error where a package of an extra is not installed.
+
+    Parameters
+    ----------
+    refused
+        Makes the error from its last two parts.
+    extra
+        The extra.  Where the package was installed from a checkout, pip takes the requirements of
+        the extra from there.
+    packages
+        Names to import.
+    """
+    for package in packages:
+        if find_spec(package) is None:
+            hint = f"install it: pip install 'rocksteady[{extra}]'"
+            raise refused(f"{package} is not installed", hint)
 
 
 def with_call_errors(function: Callable[P, T]) -> Callable[P, T]:

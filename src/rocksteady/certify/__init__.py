@@ -1,13 +1,7 @@
 """Proofs in ball arithmetic, their certificates, and the programs that check them alone."""
 
-from importlib.util import find_spec
+from functools import partial
 
-from rocksteady.errors import ModelError, Words
+from rocksteady.errors import ModelError, Words, check_installed
 
-if find_spec("flint") is None:
-    raise ModelError(
-        "python-flint",
-        Words("is not installed"),
-        "proofs are computed in its ball arithmetic",
-        'install it: python3 -m pip install "rocksteady[proof]"',
-    )
+check_installed(partial(ModelError, "proofs", Words("cannot be computed")), "proof", "flint")

@@ -11,7 +11,7 @@ from typing import Any
 
 from rocksteady import Store, __version__
 from rocksteady.durable import PRIVATE
-from rocksteady.errors import OutputError
+from rocksteady.errors import OutputError, check_installed
 from rocksteady.show.export.files import FORMATS, json_text, save_text, save_whole
 
 FOLDER = ".unfinished"
@@ -35,11 +35,14 @@ class Parts:
         Whether existing parts, of the same inputs, are used.
     force
         Whether existing parts are removed.
+    sweeps
+        Whether some of them are stores.
 
     Raises
     ------
     OutputError
-        If parts exist and neither is given, or they are those of other inputs.
+        If parts exist and neither is given, they are those of other inputs, or sweeps need zarr,
+        which is not installed.
     """
 
     def __init__(
@@ -49,8 +52,11 @@ class Parts:
         *,
         resume: bool = False,
         force: bool = False,
+        sweeps: bool = True,
     ) -> None:
         self.study = Path(folder)
+        if sweeps:
+            check_installed(self._refused, "stores", "zarr")
         self.folder = self.study / FOLDER
         self._text = json_text(SCHEMA, {"version": __version__, **inputs}) + "\n"
         existing = self._there()

@@ -102,9 +102,9 @@ def test_without_obspy_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.Mo
     monkeypatch.setitem(sys.modules, "obspy", None)
     path = tmp_path / "hut.mseed"
     path.write_bytes(b"000001D HUT    HNZXX" + bytes(500))
-    with pytest.raises(RecordFileError, match=r'pip install "rocksteady\[records\]"'):
+    with pytest.raises(RecordFileError, match=r"pip install 'rocksteady\[records\]'"):
         read_recordings(path)
-    with pytest.raises(RecordFileError, match=r'pip install "rocksteady\[records\]"'):
+    with pytest.raises(RecordFileError, match=r"pip install 'rocksteady\[records\]'"):
         read_recordings(path, format="sac")
 
 

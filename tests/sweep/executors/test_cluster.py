@@ -9,6 +9,7 @@ import os
 import re
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -27,7 +28,7 @@ from rocksteady.sweep.cases import inputs
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.executors import _cluster, _dask, _local, _remote
+from rocksteady.sweep.executors import _dask, _local, _remote
 from rocksteady.sweep.executors._local import Local
 from rocksteady.sweep.executors._worker import START
 from rocksteady.sweep.run import Execution
@@ -241,8 +242,8 @@ def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
 
 
 def test_dask_may_not_be_installed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_cluster, "find_spec", lambda _: None)
-    with pytest.raises(InputError, match=r"install rocksteady\[cluster\]"):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(InputError, match=r"pip install 'rocksteady\[cluster\]'"):
         evaluate(some, GRID, OUTPUTS, run=Execution(executor="dask"))
 
 

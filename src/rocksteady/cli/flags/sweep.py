@@ -92,14 +92,17 @@ class SweepFlags:
         ------
         OutputError
             As for `OutputFlags.check`; if two flags name one file, or --netcdf names no .nc file,
-            or one that could not be written.
+            one that could not be written, or what writes it is not installed.
         """
         replace(output, force=output.force or self.resume).check(read)
         files = {**output.files, "--netcdf": self.netcdf}
         check_apart(files, {"--out": out, self.STORE: self.out}, read)
         if self.netcdf is None:
             return
+        from rocksteady.show.export.netcdf import check_writer
+
         check_ending("--netcdf", self.netcdf, ".nc")
+        check_writer("--netcdf", self.netcdf)
         check_writable("--netcdf", self.netcdf, force=output.force or self.resume)
 
     def run(self, *, force: bool) -> "Execution":
@@ -143,7 +146,10 @@ class SweepFlags:
                 "add --resume to continue it, or --force to begin again",
             )
         store = Store(self.out, resume=self.resume, overwrite=force, chunk=self.chunk)
-        store.check()
+        try:
+            store.check()
+        except OutputError as error:
+            raise OutputError(self.STORE, self.out, error.valid, error.hint) from None
         return store
 
     def write_netcdf(self, dataset: "Callable[[], xarray.Dataset]") -> None:

@@ -16,7 +16,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol, cast
 
-from rocksteady.errors import RecordFileError
+from rocksteady.errors import RecordFileError, check_installed
 from rocksteady.records.core.assembling import Channel, Given, built
 from rocksteady.records.core.recording import Orientation, Recording
 from rocksteady.records.core.text import RecordText
@@ -82,17 +82,13 @@ def read(path: Path, data: bytes, format_name: str, given: Given) -> tuple[Recor
         If ObsPy is not installed or cannot read the file, a channel has gaps or is not one of
         acceleration, or the unit is not given.
     """
-    try:
-        with warnings.catch_warnings():
-            # Of what ObsPy itself imports, and none of the file's.
-            warnings.simplefilter("ignore")
-            from obspy import read as read_stream
-    except ImportError as error:
-        raise RecordFileError(
-            path=path,
-            valid=f"a file in the format {format_name} is read through ObsPy, which is missing",
-            hint='install it with: pip install "rocksteady[records]"',
-        ) from error
+    check_installed(
+        lambda valid, hint: RecordFileError(path=path, valid=valid, hint=hint), "records", "obspy"
+    )
+    with warnings.catch_warnings():
+        # Of what ObsPy itself imports, and none of the file's.
+        warnings.simplefilter("ignore")
+        from obspy import read as read_stream
     with _listening() as doubts:
         try:
             stream = read_stream(

@@ -36,7 +36,7 @@ def write_dataset(dataset: "xarray.Dataset", file: Path | str) -> None:
         If the ending is another one, a type cannot be written, or, for CSV, the variables are not
         all over the same axes.
     OutputError
-        If the file cannot be written.
+        If the file cannot be written; NetCDF needs the extra ``stores``.
 
     Examples
     --------

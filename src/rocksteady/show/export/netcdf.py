@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Mapping
+from functools import partial
 from io import FileIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, OutputError, check_installed
 from rocksteady.show.export._slices import beside, parts_of, refuse_others
 from rocksteady.show.export.files import save_whole
 from rocksteady.sweep.store.chunks import MOST, Chunks
@@ -17,8 +18,14 @@ if TYPE_CHECKING:
     import xarray
 
 
+def check_writer(name: str, file: Path) -> None:
+    """Refuse, before anything is computed, NetCDF without the packages that write it."""
+    check_installed(partial(OutputError, name, file), "stores", "h5netcdf", "h5py")
+
+
 def save_netcdf(name: str, file: Path, dataset: "xarray.Dataset") -> None:
     """Save a dataset as NetCDF-4; errors are as for `write_dataset`, and call the file `name`."""
+    check_writer(name, file)
     import h5netcdf
 
     refuse_others(dataset)

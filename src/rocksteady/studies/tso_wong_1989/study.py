@@ -189,7 +189,7 @@ def _drawn(panel: Panel) -> tuple[list[bytes], float]:
 def parts_of(only: Sequence[str], folder: Path | str, *, resume: bool, force: bool) -> Parts:
     """Return the finished parts of the study in its folder; arguments as for `Parts`."""
     inputs = {"study": "paper", "only": chosen_figures(only), "environment": environment()}
-    return Parts(folder, inputs, resume=resume, force=force)
+    return Parts(folder, inputs, resume=resume, force=force, sweeps=False)
 
 
 def reproduce(*, only: Sequence[str] = (), done: Done = nothing) -> Study:

@@ -6,11 +6,11 @@ import uuid
 from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import CancelledError
 from contextlib import ExitStack, contextmanager, suppress
-from importlib.util import find_spec
+from functools import partial
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Protocol
 
-from rocksteady.errors import InputError, RocksteadyError, UnfinishedError
+from rocksteady.errors import InputError, RocksteadyError, UnfinishedError, check_installed
 from rocksteady.sweep.cases.queue import Pool, Queue
 from rocksteady.sweep.cases.task import Answer, CellRange, Task
 
@@ -83,13 +83,7 @@ def cluster_pool(task: Task, address: str | None, workers: int | None) -> Iterat
     UnfinishedError
         If the cluster is lost, or some cells end every worker that tries them.
     """
-    if find_spec("distributed") is None:
-        raise InputError(
-            "executor",
-            address or "dask",
-            "dask is not installed",
-            "install rocksteady[cluster], or leave the executor out for threads",
-        )
+    check_installed(partial(InputError, "executor", address or "dask"), "cluster", "distributed")
     with ExitStack() as stack:
         cluster: Cluster
         if address is None:

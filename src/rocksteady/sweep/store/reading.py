@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.errors import InputError, UnfinishedError
+from rocksteady.errors import InputError, UnfinishedError, check_installed
 from rocksteady.model.checks.arguments import checked
 from rocksteady.sweep.cases.outputs import words_of
 from rocksteady.sweep.store._contents import (
@@ -46,7 +46,7 @@ def open_store(path: Path | str, *, partial: bool = False) -> "xarray.Dataset":
     Raises
     ------
     InputError
-        If it is no store of a sweep, or cannot be read.
+        If it is no store of a sweep or cannot be read, or zarr is not installed.
     UnfinishedError
         If it is unfinished, or files of finished chunks are missing, and `partial` is off.
 
@@ -68,6 +68,7 @@ folder; name the folder that a sweep wrote, as map.zarr
     if attributes_in(folder) is None:
         what = "it is no store of a sweep" if folder.exists() else "there is no such folder"
         raise _refused(path, what, "name the folder that a sweep wrote, as map.zarr")
+    check_installed(lambda valid, hint: _refused(path, valid, hint), "stores", "zarr")
     hint = "take a copy of it, or compute it again"
     contents = contents_of(folder, lambda valid: _refused(path, valid, hint))
     flagged = contents.flagged()

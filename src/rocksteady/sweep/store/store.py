@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 from rocksteady import durable
-from rocksteady.errors import OutputError
+from rocksteady.errors import OutputError, check_installed
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.sweep.cases.inputs import inputs_of, named_function
@@ -86,9 +86,10 @@ class Store:
         Raises
         ------
         OutputError
-            If it is a file or another folder, its own folder is missing or not writable, or there
-            is a store that is neither to be continued nor to be replaced.
+            If zarr is not installed, it is a file or another folder, its own folder is missing or
+            not writable, or there is a store that is neither to be continued nor to be replaced.
         """
+        check_installed(self._refused, "stores", "zarr")
         parent = self.folder.absolute().parent
         if not parent.is_dir():
             raise self._refused("the folder it would be in does not exist", "create that folder")
