@@ -9,6 +9,7 @@ import pytest
 from typer.main import get_command
 
 from rocksteady.cli.app import app
+from tests.cli.program import rocksteady
 from tests.every import every
 
 ROOT = Path(__file__).parents[2]
@@ -108,6 +109,30 @@ def test_the_lines_of_the_readme_print_what_stands_beside_them(
     (lines,) = re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
     exec(lines, {})
     assert lines.rpartition("# ")[2] == capsys.readouterr().out
+
+
+def readme_answers() -> list[tuple[str, str]]:
+    """Return the commands in the table of the README, each with the answer beside it."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    return re.findall(r"^\| .*\? \| `rocksteady (.*)` \| (.*) \|$", text, re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    ("command", "answer"),
+    [
+        pytest.param(*row, marks=[pytest.mark.slow] * row[0].startswith(("assess", "paper")))
+        for row in readme_answers()
+    ],
+)
+def test_a_command_of_the_readme_answers_what_stands_beside_it(
+    command: str, answer: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert rocksteady(command).out.startswith(f"{answer}\n")
+
+
+def test_the_table_of_the_readme_is_read() -> None:
+    assert len(readme_answers()) >= 5
 
 
 def test_the_changelog_has_what_a_user_notices_in_short_lines() -> None:

@@ -54,7 +54,7 @@ def test_every_installed_pin_admits_every_python() -> None:
         if not pin.specifier.contains(found.version):
             continue  # the pin of another Python
         read += 1
-        allowed = Requirement(f"python{found.metadata['Requires-Python'] or ''}").specifier
+        allowed = Requirement(f"python{found.metadata.get('Requires-Python', '')}").specifier
         refusing += [
             f"{pin} refuses Python {python}"
             for python, system in product(PYTHONS, SYSTEMS)
