@@ -4,8 +4,8 @@ A code line holds more than a comment and is no part of a docstring.  Folders of
 modules are named as advice: modules are cut by concept, not by number.
 """
 
-import argparse
 import ast
+import re
 import sys
 from collections import Counter
 from pathlib import Path
@@ -16,6 +16,7 @@ MOST = 14
 """Files of a folder, its `__init__` included."""
 LONGEST = 500
 """Lines of a module."""
+COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 DOCUMENTED = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
 
 
@@ -42,35 +43,45 @@ def code_lines(source: str) -> int:
     )
 
 
-def main(arguments: list[str]) -> int:
-    """Print the total, with `--packages` those of each, and the advice."""
-    parser = argparse.ArgumentParser(prog="python -m tools.count", description=__doc__)
-    parser.add_argument("--packages", action="store_true", help="the code lines of each package")
-    given = parser.parse_args(arguments)
+def script_lines(source: str) -> int:
+    """Return how many code lines a module of JavaScript has: neither blank nor comment alone."""
+    text = COMMENT.sub("", source)
+    return sum(
+        bool(line) and not line.startswith("//") for line in map(str.strip, text.split("\n"))
+    )
+
+
+def main() -> int:
+    """Print the code lines of each package, of each top folder and of JavaScript, and advice."""
     code = {top: Counter[str]() for top in TOPS}
+    scripts = 0
     files: Counter[Path] = Counter()
+    advice = []
     for top in TOPS:
-        for file in sorted((ROOT / top).rglob("*.py")):
+        inside = ROOT / top / "rocksteady" if top == "src" else ROOT / top
+        for file in sorted(inside.rglob("*.py")):
             source = file.read_text(encoding="utf-8")
-            parts = file.relative_to(
-                ROOT / top / "rocksteady" if top == "src" else ROOT / top
-            ).parts
+            parts = file.relative_to(inside).parts
             code[top][parts[0] if parts[1:] else ""] += code_lines(source)
             files[file.parent] += 1
             if (count := len(source.splitlines())) > LONGEST:
-                print(f"advice: {file.relative_to(ROOT)} has {count} lines: is it one concept?")
-        for part in (ROOT / top).rglob("*.mjs"):
+                advice.append(f"{file.relative_to(ROOT)} has {count} lines: is it one concept?")
+        for part in inside.rglob("*.mjs"):
             files[part.parent] += 1
-        if given.packages:
-            for package, count in code[top].most_common():
-                print(f"{top}/{package:20} {count:7,}")
+            scripts += script_lines(part.read_text(encoding="utf-8"))
     for folder, count in files.items():
         if count > MOST:
-            print(f"advice: {folder.relative_to(ROOT)} has {count} files: are they one concept?")
-    totals = (f"{top} {sum(found.values()):,}" for top, found in code.items())
-    print(f"code lines: {', '.join(totals)}")
+            advice.append(f"{folder.relative_to(ROOT)} has {count} files: are they one concept?")
+    for top, found in code.items():
+        for package, count in found.most_common():
+            print(f"{f'{top}/{package}':24} {count:8,}")
+    for top, found in code.items():
+        print(f"{top:24} {sum(found.values()):8,}")
+    print(f"{'JavaScript':24} {scripts:8,}")
+    for line in advice:
+        print(f"advice: {line}")
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())
