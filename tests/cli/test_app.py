@@ -386,7 +386,7 @@ def test_without_a_library_a_line_says_so_and_plain_python_runs(
     )
     assert done.returncode == code
     assert len(done.stderr.splitlines()) == lines
-    assert lines == 0 or "kernels run as plain Python, some " in done.stderr
+    assert lines == 0 or "kernels run as plain Python, " in done.stderr
 
 
 # -------------------------------------------------------------------------- as a subprocess

@@ -25,8 +25,8 @@ CHOICE = "ROCKSTEADY_KERNELS"
 LIBRARY, PYTHON = "library", "python"
 PURE = "pure.txt"
 """File in the folder of libraries that says why the build compiled none."""
-SLOWER = 300
-"""Rounded ratio of the times that plain Python and the library take for one march."""
+SLOWER = "60 to 400"
+"""Ratio of the times of plain Python and the library for one run, linear and nonlinear."""
 PACKAGE = __name__.removesuffix("machine_code.compilation")
 """The dotted name of the kernels' package, with its last dot."""
 
@@ -70,7 +70,7 @@ def without_library() -> str:
     reason = "this installation has no compiled ones"
     with suppress(OSError):
         reason = (libraries_folder() / PURE).read_text("utf-8").strip()
-    return f"kernels run as plain Python, some {SLOWER} times slower: {reason}"
+    return f"kernels run as plain Python, {SLOWER} times slower: {reason}"
 
 
 def compiled(function: FunctionT) -> FunctionT:
