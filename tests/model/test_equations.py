@@ -74,17 +74,6 @@ def test_windows_spectra_and_impulses_choose_by_the_block() -> None:
     assert data.attrs["model"] == "nonlinear"
     assert overturning_impulse(BLOCK) == overturning_impulse(BLOCK, model=Nonlinear())
     assert overturning_impulse(BLOCK) > overturning_impulse(BLOCK, model=Linear())
-
-
-def test_what_is_no_model_is_refused_with_what_to_give() -> None:
-    for text, hint in (
-        ("nonlinear", "give Nonlinear()"),
-        ("linear", "give Linear()"),
-        ("cubic", "give Linear() or Nonlinear()"),
-    ):
-        with pytest.raises(InputError) as caught:
-            simulate(BLOCK, SHAKING, model=text)  # type: ignore[arg-type]
-        assert caught.value.hint == hint
     with pytest.raises(InputError, match="it must be a Linear or a Nonlinear"):
         find_attractor(BLOCK, SHAKING, model=Nonlinear)  # type: ignore[arg-type]
     with pytest.raises(ModelError, match="needs the block's slenderness"):

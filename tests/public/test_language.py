@@ -8,7 +8,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import pytest
+
+import rocksteady as rs
+from rocksteady.errors import InputError
 from tests.every import every
+from tests.public.calls import calls as calls_that_succeed
 from tools.namespace import PLACES, THINGS
 
 INTERFACE = (Path(__file__).parents[2] / "docs" / "interface.md").read_text(encoding="utf-8")
@@ -99,6 +104,30 @@ def test_one_argument_has_one_default() -> None:
                 defaults[parameter.name][repr(parameter.default)].append(name)
     several = {key: dict(found) for key, found in defaults.items() if len(found) > 1}
     assert {key: found for key, found in several.items() if key not in DEFAULTS} == {}
+
+
+def test_every_function_with_a_model_takes_its_name() -> None:
+    takes = {
+        label: call
+        for label, call in calls_that_succeed().items()
+        if "model" in call.parameters
+        and inspect.signature(call.function).parameters["model"].default is None
+    }
+    assert len(takes) > 25
+    for label, call in takes.items():
+        words = r"model = 'foo' .*two equations of motion; give .linear. or .nonlinear."
+        with pytest.raises(InputError, match=words):
+            call(model="foo")
+        assert "Literal['linear', 'nonlinear']" in str(inspect.signature(call.function)), label
+
+
+def test_results_keep_the_model_that_was_named() -> None:
+    block, motion = (
+        rs.Block.rectangle(width=0.6, height=2.0),
+        rs.Harmonic(amplitude=2.0, frequency_ratio=4.0),
+    )
+    assert rs.simulate(block, motion, cycles=1.0, model="linear").model == rs.Linear()
+    assert rs.simulate(block, motion, cycles=1.0, model="nonlinear").model == rs.Nonlinear()
 
 
 def described_units() -> dict[str, dict[str, list[str]]]:

@@ -14,7 +14,14 @@ from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import housner_restitution
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
-from rocksteady.model.equations import TOLERANCE, Model, Nonlinear, slender_block
+from rocksteady.model.equations import (
+    TOLERANCE,
+    Model,
+    ModelChoice,
+    Nonlinear,
+    as_model,
+    slender_block,
+)
 from rocksteady.model.motions.segments import Harmonic
 
 PLACES: Final = (*SCENES, "lab")
@@ -53,8 +60,8 @@ class ExplorerView:
     start
         `Rest` (default), `State`, `ImpactState`, or `Steady` without further choices.
     model
-        `Linear` or `Nonlinear`; None (default) for linear in maps of harmonic shaking and of a
-        dimensionless block, else nonlinear.
+        ``"linear"`` or ``"nonlinear"``; None (default) for linear in maps of harmonic shaking and
+        of a dimensionless block, else nonlinear.
     tab
         "explore", "basins", "pulse", "quake" or "design"; None (default) for "quake" where ground
         motions are put in, else "explore".
@@ -82,7 +89,7 @@ class ExplorerView:
     block: Block | DimensionlessBlock | None = None
     motion: Harmonic | None = None
     start: Start | HasStart | None = None
-    model: Model | None = None
+    model: ModelChoice = None
     tab: str | None = None
     scale: float = 1.0
     scene: str | None = None
@@ -100,8 +107,7 @@ class ExplorerView:
             _check_motion(self.motion)
         if self.block is not None:
             _check_block(self.block)
-        if self.model is not None:
-            _check_model(self.model, self.block)
+        _check_model(as_model("model", self.model), self.block)
         _ = _start_text(self.start)
 
 
@@ -116,7 +122,8 @@ def state_of(view: ExplorerView, *, on_records: bool) -> dict[str, str]:
         Whether ground motions are put in, which the page then opens on.
     """
     slender = isinstance(view.block, DimensionlessBlock)
-    equations = "linear" if slender else "auto" if view.model is None else view.model.name
+    model = as_model("model", view.model)
+    equations = "linear" if slender else "auto" if model is None else model.name
     state = {
         "at": view.scene or ("push" if is_plain(view) and not on_records else "lab"),
         "tab": view.tab or ("quake" if on_records else "explore"),
@@ -246,7 +253,7 @@ def _check_block(block: Block | DimensionlessBlock) -> None:
         )
 
 
-def _check_model(model: Model, block: Block | DimensionlessBlock | None) -> None:
+def _check_model(model: Model | None, block: Block | DimensionlessBlock | None) -> None:
     """Refuse equations of motion that the page does not solve."""
     if isinstance(model, Nonlinear):
         if isinstance(block, DimensionlessBlock):

@@ -1,7 +1,7 @@
 """Equations of motion of a block: linear for slender blocks, or the full ones."""
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Literal, get_args
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
@@ -68,6 +68,27 @@ class Nonlinear:
 
 
 Model = Linear | Nonlinear
+ModelName = Literal["linear", "nonlinear"]
+
+
+def as_model(name: str, value: Model | str | None) -> Model | None:
+    """Return the equations of motion of a name; what is no text as it is.
+
+    Raises
+    ------
+    InputError
+        If a text is no name.
+    """
+    if not isinstance(value, str):
+        return value
+    if value not in get_args(ModelName):
+        hint = 'give "linear" or "nonlinear"'
+        raise InputError(name, value, "there are two equations of motion", hint)
+    return Linear() if value == "linear" else Nonlinear()
+
+
+ModelChoice = Annotated[Model | ModelName | None, as_model]
+"""An argument: a model, its name, or None to have one chosen."""
 
 UNLIKE = "in the full equations it may end otherwise"
 LINEAR_NOTE = f"Computed in the linear model: {UNLIKE}."
@@ -113,14 +134,8 @@ def chosen_model(model: object, block: Block | DimensionlessBlock, motion: objec
     if isinstance(model, Linear):
         return model
     if not isinstance(model, Nonlinear):
-        names = {"linear": "Linear()", "nonlinear": "Nonlinear()"}
-        hint = names.get(model) if isinstance(model, str) else None
-        raise InputError(
-            "model",
-            model,
-            "it must be a Linear or a Nonlinear",
-            f"give {hint or 'Linear() or Nonlinear()'}",
-        )
+        valid = "it must be a Linear or a Nonlinear"
+        raise InputError("model", model, valid, 'give "linear" or "nonlinear"')
     slender_block(block)
     return model
 

@@ -20,7 +20,7 @@ from rocksteady.model.blocks.housner_forms import Impacts, Restitution
 from rocksteady.model.blocks.sizes import METRES, TALL
 from rocksteady.model.checks.bounds import length
 from rocksteady.model.checks.validation import LARGEST, Ends, in_range, non_negative
-from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
+from rocksteady.model.equations import Model, Nonlinear, as_model, chosen_model
 from rocksteady.model.motions.pulses import LISTED_PULSES, Pulse
 from rocksteady.model.motions.segments import Harmonic
 
@@ -520,14 +520,10 @@ def named_model(name: str, tolerance: float | None = None) -> Model:
     InputError, ModelError
         If there are none of that name, or the linear model meets a tolerance.
     """
-    if name not in ("linear", "nonlinear"):
-        raise InputError(
-            "model", name, "there are two equations of motion", 'give "linear" or "nonlinear"'
-        )
+    model = as_model("model", name)
+    assert model is not None
     refuse_of_linear(name, "--tolerance", tolerance)
-    if name == "linear":
-        return Linear()
-    return Nonlinear() if tolerance is None else Nonlinear(tolerance=tolerance)
+    return model if tolerance is None else Nonlinear(tolerance=tolerance)
 
 
 def refuse_of_linear(model: str | None, name: str, value: object) -> None:

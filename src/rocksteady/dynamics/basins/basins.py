@@ -43,7 +43,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.confidence import CONFIDENCE, Confidence
 from rocksteady.model.checks.validation import index_value
-from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion, largest_amplitude
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
@@ -323,7 +323,7 @@ def compute_basins(
     velocities: ArrayLike | None = None,
     max_cycles: int = MAX_CYCLES,
     seed: int | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> Basins:
     """Compute the basins of attraction in a window of initial states at one phase.
@@ -349,7 +349,7 @@ def compute_basins(
     seed
         With one, a state is drawn in each cell of the grid, instead of its middle.
     model
-        `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
+        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block`.
     run
         Executor, store and progress, as for `evaluate`.
 

@@ -33,7 +33,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, positive
-from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
+from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion, harmonics_of
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
@@ -312,7 +312,7 @@ def compute_erosion(
     angles: ArrayLike | None = None,
     velocities: ArrayLike | None = None,
     cycles: int = CYCLES,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> Erosion:
     """Compute the erosion of the safe basin as the amplitude of the base motion grows.
@@ -346,7 +346,7 @@ def compute_erosion(
     cycles
         Forcing periods that a safe state stands (default 100).
     model
-        `Linear()` (default) or `Nonlinear()`, a hundred times slower, for a `Block`.
+        ``"linear"`` (default) or ``"nonlinear"``, a hundred times slower, for a `Block`.
     run
         Executor, store and progress, as for `evaluate`; the still base is cells too.
 

@@ -23,7 +23,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.confidence import CONFIDENCE, Confidence
 from rocksteady.model.checks.validation import index_value
-from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
@@ -299,7 +299,7 @@ def compute_fate_basins(
     angles: ArrayLike | None = None,
     velocities: ArrayLike | None = None,
     time_pt: float = 0.0,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> FateBasins:
     """Compute the fate of each state of a window under a base motion that ends.
@@ -324,7 +324,7 @@ def compute_fate_basins(
         Pivot time p t of the motion at which the states are taken (default 0).  An impulse at that
         moment acts on them.
     model
-        `Linear()` or `Nonlinear()`; by default nonlinear for a `Block`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
     run
         Executor, store and progress, as for `evaluate`.
 

@@ -34,7 +34,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
+from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Harmonic
 
@@ -54,7 +54,7 @@ def find_bifurcations(
     values: ArrayLike | None = None,
     start: Start | HasStart | None = None,
     search: BranchOptions | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
 ) -> BifurcationDiagram:
     """Find the periodic motions over a parameter, with all bifurcations that connect them.
 
@@ -84,7 +84,7 @@ def find_bifurcations(
     search
         Which branches are followed, and for how long the sweeps wait; by default `BranchOptions()`.
     model
-        `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
+        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block`.
 
     Returns
     -------

@@ -31,7 +31,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import LARGEST, finite
-from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
 from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import Status
@@ -208,7 +208,7 @@ class HilltopSaddle(Result):
 
 @checked
 def find_hilltop_saddles(
-    block: Block | DimensionlessBlock, motion: Harmonic, *, model: Model | None = None
+    block: Block | DimensionlessBlock, motion: Harmonic, *, model: ModelChoice = None
 ) -> tuple[HilltopSaddle, ...]:
     """Return the unstable motions about the upright balance, one per side.
 
@@ -223,7 +223,7 @@ def find_hilltop_saddles(
     motion
         Amplitude, frequency ratio and the phase at which the saddle's `start` is taken.
     model
-        `Linear()` (default) or `Nonlinear()`, which needs the block's slenderness.
+        ``"linear"`` (default) or ``"nonlinear"``, which needs the block's slenderness.
 
     Returns
     -------

@@ -39,7 +39,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import side_value, whole_number
-from rocksteady.model.equations import Model, Nonlinear, chosen_model
+from rocksteady.model.equations import ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import Status
 
@@ -106,7 +106,7 @@ def find_edge_state(
     kick: int = 1,
     max_periods: int | None = None,
     max_cycles: int = MOST_CYCLES,
-    model: Model | None = None,
+    model: ModelChoice = None,
 ) -> EdgeState:
     """Find what a motion on the border of two basins settles to, by tracking it.
 
@@ -136,7 +136,7 @@ def find_edge_state(
     max_cycles
         Forcing periods after which a motion is taken to stand, or as undecided; default 500.
     model
-        `Linear()` (default) or `Nonlinear()`, which needs the block's slenderness.
+        ``"linear"`` (default) or ``"nonlinear"``, which needs the block's slenderness.
 
     Returns
     -------

@@ -21,7 +21,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
-from rocksteady.model.equations import Model, Nonlinear, chosen_model
+from rocksteady.model.equations import ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
@@ -45,7 +45,7 @@ def simulate(
     *,
     start: Start | HasStart | None = None,
     cycles: Annotated[float, PERIODS] = 50.0,
-    model: Model | None = None,
+    model: ModelChoice = None,
     max_flights: Annotated[int, Whole(1, MOST_FLIGHTS, "give a number of flights")] = FLIGHT_LIMIT,
 ) -> Trajectory:
     """Compute the time history of a block on a moving base, flight by flight.
@@ -71,8 +71,8 @@ def simulate(
         Periods of endless harmonic shaking to follow, up to 1e15.  Motions that end are followed
         on a still base to rest or proven overturning; without loss (restitution 1) for p t = 1e4.
     model
-        `Linear()`, for slender blocks, or `Nonlinear()`, the full equations, which need a `Block`.
-        By default nonlinear where a `Block` meets another motion than a `Harmonic`.
+        ``"linear"``, of slender blocks, or ``"nonlinear"`` (`Nonlinear` has a tolerance), of a
+        `Block`.  By default nonlinear where a `Block` meets another motion than a `Harmonic`.
     max_flights
         Flights after which the run ends, at rest where the bounces to come on a still base are
         proved to die out, else undecided; up to a hundred million, which fill 6.4 GB.

@@ -19,7 +19,7 @@ from rocksteady.dynamics.maps.grid_map import Question, map_of
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import Model
+from rocksteady.model.equations import ModelChoice
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START
@@ -39,7 +39,7 @@ def map_attractors(
     start: Start | HasStart | None = None,
     max_cycles: int = 2000,
     refine: int | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Compute the attractor of a block over a grid of parameters.
@@ -74,7 +74,7 @@ def map_attractors(
         With a power of two, as 8, computes each eighth cell along an axis, and the others only near
         a border of kinds, periods or impacts.  Not with a store.
     model
-        `Linear()` (default) or `Nonlinear()`, some forty times slower, for a `Block`.
+        ``"linear"`` (default) or ``"nonlinear"``, some forty times slower, for a `Block`.
     run
         Executor, store and progress, as for `evaluate`.
 

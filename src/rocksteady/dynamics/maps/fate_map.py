@@ -14,7 +14,7 @@ from rocksteady.dynamics.maps.grid_map import Question, map_of
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import Model
+from rocksteady.model.equations import ModelChoice
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START, NO_START_LABEL
@@ -35,7 +35,7 @@ def map_fates(
     start: Start | HasStart | None = None,
     cycles: int = 200,
     refine: int | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Compute the fate of a block after a given time, over a grid of parameters.

@@ -16,7 +16,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.housner_forms import Impacts
-from rocksteady.model.equations import Model, chosen_model
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.sweep.cases.axes import Axis
@@ -71,7 +71,7 @@ def map_of(
     start: Start | HasStart | None,
     cycles: int | None,
     refine: int | None,
-    model: Model | None,
+    model: ModelChoice,
     run: Execution | None,
 ) -> "Labelled":
     """Return the answers to a question over a grid of parameters.

@@ -34,7 +34,7 @@ from rocksteady.model.checks.confidence import (
     share_interval,
 )
 from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
-from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
+from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.facts import block_text, case_text
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.model.motions.band_noise import BandNoise, finite, with_lines
@@ -279,7 +279,7 @@ def compute_noise_fates(
     axes: Mapping[str, ArrayLike],
     draws: int = DRAWS,
     start: Rest | State | HasStart | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> NoiseFates:
     """Compute the share of realisations of noise under which a block overturns.
@@ -304,7 +304,7 @@ def compute_noise_fates(
     start
         `Rest` (default) or `State`, at pivot time 0.
     model
-        `Linear()` or `Nonlinear()`; by default nonlinear for a `Block`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
     run
         Executor, store and progress, as for `evaluate`.
 

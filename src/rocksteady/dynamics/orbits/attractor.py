@@ -49,7 +49,14 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model, needs_full_equations
+from rocksteady.model.equations import (
+    Linear,
+    Model,
+    ModelChoice,
+    Nonlinear,
+    chosen_model,
+    needs_full_equations,
+)
 from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import framed
@@ -329,7 +336,7 @@ def find_attractor(
     *,
     start: Start | HasStart | None = None,
     max_cycles: int = 2000,
-    model: Model | None = None,
+    model: ModelChoice = None,
 ) -> Attractor:
     """Follow a motion under periodic shaking until its attractor is known.
 
@@ -351,7 +358,7 @@ def find_attractor(
     max_cycles
         Forcing periods after which the motion counts as aperiodic or undecided.
     model
-        `Linear()` (default) or `Nonlinear()`, which needs the block's slenderness.
+        ``"linear"`` (default) or ``"nonlinear"``, which needs the block's slenderness.
 
     Returns
     -------

@@ -28,7 +28,7 @@ from rocksteady.kernels.orbits.systems import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
+from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
@@ -267,7 +267,7 @@ def sweep_attractor(
     *,
     start: Start | HasStart | None = None,
     max_cycles: int = 2000,
-    model: Model | None = None,
+    model: ModelChoice = None,
 ) -> AttractorSweep:
     """Follow an attractor while a parameter changes in small steps.
 

@@ -18,7 +18,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.equations import Model, Nonlinear, chosen_model
+from rocksteady.model.equations import Model, ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion, shares_of
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import Event
@@ -72,7 +72,7 @@ class ReturnMap:
     motion
         Harmonic shaking or a Fourier series.  Its phase does not count: the states have theirs.
     model
-        `Linear()` (default) or `Nonlinear()`.
+        ``"linear"`` (default) or ``"nonlinear"``.
 
     Raises
     ------
@@ -99,7 +99,7 @@ class ReturnMap:
         block: Block | DimensionlessBlock,
         motion: PeriodicMotion,
         *,
-        model: Model | None = None,
+        model: ModelChoice = None,
     ) -> None:
         self.block = block.dimensionless()
         self.motion = periodic_motion(motion)

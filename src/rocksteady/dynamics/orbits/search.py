@@ -39,7 +39,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
+from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Description, Fact
@@ -61,7 +61,7 @@ def find_orbits(
     max_period: int = 3,
     max_impacts: int = 6,
     seeds: int = 96,
-    model: Model | None = None,
+    model: ModelChoice = None,
 ) -> tuple[Orbit, ...]:
     """Return the stable and unstable periodic motions at one amplitude and frequency ratio.
 
@@ -93,8 +93,8 @@ def find_orbits(
         The search starts from ``seeds x seeds`` states: phases over a period, speeds up to
         1 + A/sqrt(1 + Omega^2), above which every flight of the linear model grows without bound.
     model
-        `Linear()` (default) or `Nonlinear()`, which needs a `Block` and takes some thirty times as
-        long.
+        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block` and takes some thirty times
+        as long.
 
     Returns
     -------

@@ -35,7 +35,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import rising
-from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.model.facts import case_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
@@ -296,7 +296,7 @@ def find_fatal_kicks(
     motion: Motion | Record | BaseMotion | None = None,
     times_pt: ArrayLike = 0.0,
     within: tuple[float, float] | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> FatalKicks:
     """Find the smallest sudden change of the base velocity that overturns a block.
@@ -320,7 +320,7 @@ def find_fatal_kicks(
     within
         Range (low, high) of sizes in units of alpha g/p, from 0 to 100; default (0, 4).
     model
-        `Linear()` or `Nonlinear()`; by default nonlinear for a `Block`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
     run
         Executor, store and progress, as for `evaluate`; a cell is a moment and a direction.
 

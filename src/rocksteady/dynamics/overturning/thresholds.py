@@ -22,7 +22,7 @@ from rocksteady.kernels.elementary.arrays import cos, exp, expm1, log, log1p, si
 from rocksteady.kernels.elementary.roots import root
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.model.motions.pulses import PULSE_RATIO
 from rocksteady.model.motions.segments import Still
 
@@ -92,7 +92,7 @@ def overturning_amplitude(shape: str, frequency_ratio: ArrayLike) -> Floats:
 
 
 @checked
-def overturning_impulse(block: Block, *, model: Model | None = None) -> float:
+def overturning_impulse(block: Block, *, model: ModelChoice = None) -> float:
     r"""Return the change of base velocity that overturns a block at rest [m/s].
 
     The impulse gives the block the velocity ``p^2 v cos(alpha)/g``, which lifts its mass centre
@@ -104,7 +104,7 @@ def overturning_impulse(block: Block, *, model: Model | None = None) -> float:
     block
         The block; for one whose sides differ the positive side.
     model
-        `Nonlinear()` (default), or `Linear()`: ``alpha g/p``, size 1 of `Impulses`.
+        ``"nonlinear"`` (default), or ``"linear"``: ``alpha g/p``, size 1 of `Impulses`.
 
     References
     ----------

@@ -20,7 +20,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, is_pair, rising
-from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.model.facts import amplitude_text, case_text, restitution_values
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.pulses import Pulse
@@ -297,7 +297,7 @@ def find_overturning_windows(
     *,
     within: tuple[float, float] | None = None,
     resolution: float | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     floor: Floor | None = None,
     run: Execution | None = None,
 ) -> OverturningWindows:
@@ -327,7 +327,7 @@ def find_overturning_windows(
     resolution
         Largest step of the first amplitudes, as a part of them (default 0.002).
     model
-        `Linear()`, in closed form, or `Nonlinear()`; by default nonlinear for a `Block`.
+        ``"linear"``, in closed form, or ``"nonlinear"``; by default nonlinear for a `Block`.
     floor
         A `rocksteady.motions.Floor` on which the block stands, a `Block`: at each frequency the
         motion is `floor_motion` of the pulse; amplitudes are those of the ground, by default from
@@ -410,7 +410,7 @@ def lowest_of(
     pulse: Pulse,
     ratios: Iterable[float],
     *,
-    model: Model | None,
+    model: ModelChoice,
     floor: Floor | None,
 ) -> float:
     """Return the amplitude at which a search begins: of uplift, and on the ground at most 1.

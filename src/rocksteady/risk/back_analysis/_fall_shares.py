@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
 from rocksteady.kernels.core.scatter import LARGEST_KEY
-from rocksteady.model.equations import Model, chosen_model
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.outcomes import Status
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.risk.observations.object_prior import ObjectPrior
@@ -205,7 +205,7 @@ def fall_shares(
     return np.stack([ahead, shares[:, places]], axis=2)
 
 
-def model_of(survey: Survey, grounds: Sequence[GroundShaking], model: Model | None) -> Model:
+def model_of(survey: Survey, grounds: Sequence[GroundShaking], model: ModelChoice) -> Model:
     """Return the equations of motion: the full ones by default."""
     first = survey.objects[0]
     body = first.blocks(first.draw(np.full((1, len(first.parameters)), 0.5)))[0]

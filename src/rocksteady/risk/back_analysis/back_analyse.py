@@ -9,7 +9,7 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import Model
+from rocksteady.model.equations import ModelChoice
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.back_analysis._analysis import Tried, analyse
@@ -49,7 +49,7 @@ def back_analyse(
     measures: Sequence[Measure | str] = ("pga_g", "pgv_m_s"),
     prior: Prior | None = None,
     scan: ScanOptions | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> BackAnalysis:
     """Find the shakings that agree with what fell and what stood.
@@ -84,7 +84,7 @@ def back_analyse(
     scan
         Limits, levels, draws and temper; default `ScanOptions()`.
     model
-        `Nonlinear()` (default) or `Linear()`.
+        ``"nonlinear"`` (default) or ``"linear"``.
     run
         Executor, workers, store and progress; default `Execution()`.
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from rocksteady.arrays import Bools, Floats, Integers
-from rocksteady.model.equations import Model
+from rocksteady.model.equations import ModelChoice
 from rocksteady.outcomes import Status
 from rocksteady.risk.calibration._shares import normal_strata
 from rocksteady.risk.calibration._space import Space
@@ -61,7 +61,7 @@ def run_draws(
     *,
     gains: int,
     seed: Sequence[int],
-    model: Model | None,
+    model: ModelChoice,
     run: Execution | None,
     known: Floats | None = None,
     shift: tuple[Floats, Floats] | None = None,

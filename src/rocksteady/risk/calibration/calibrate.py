@@ -11,7 +11,7 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
-from rocksteady.model.equations import Model, Nonlinear
+from rocksteady.model.equations import Model, ModelChoice, Nonlinear, as_model
 from rocksteady.results.doubts import ENOUGH_DRAWS, FEWEST_DRAWS
 from rocksteady.risk.calibration._draw_runs import (
     DrawRuns,
@@ -65,7 +65,7 @@ def calibrate(
     folds: Folds = "group",
     temper: float | Literal["auto"] = "auto",
     recalibrate: bool | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> Calibration:
     """Calibrate objects by the shaking tests in which they fell or stood.
@@ -96,7 +96,7 @@ def calibrate(
         mends them: True, False, or None (default) where the log score gains by it.
     model
         `Nonlinear(tolerance=1e-8)` (default), which takes a third less time than a tolerance of
-        1e-10 and changes fewer fates than any amplitude error, or `Linear()`.
+        1e-10 and changes fewer fates than any amplitude error, or ``"linear"``.
     run
         Executor and workers, no store; default `Execution()`.  No number depends on it.
 
@@ -130,7 +130,7 @@ def calibrate(
     options = DrawOptions() if sampling is None else sampling
     known = Prior() if prior is None else prior
     chosen = _temper(temper)
-    equations = Nonlinear(tolerance=TOLERANCE) if model is None else model
+    equations = as_model("model", model) or Nonlinear(tolerance=TOLERANCE)
     if run is not None:
         run.in_memory("the draws of a round follow from the round before")
     objects = {name: known.object_prior(given) for name, given in tests.objects.items()}

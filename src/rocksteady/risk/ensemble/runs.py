@@ -14,7 +14,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import MASS
-from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.ensemble._cases import Body, copies_of, fates, ways_to_run, whole
@@ -53,7 +53,7 @@ def run_ensemble(
     restitution: RestitutionBand | None = None,
     ways: Ways | None = None,
     mass_kg: float | Sequence[float] | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Run every block on every record, scaled to every level, from rest.
@@ -80,7 +80,7 @@ def run_ensemble(
         default none.  With it the largest forces on the base are found, which takes some five times
         as long.
     model
-        `Nonlinear()` (default) or `Linear()`.
+        ``"nonlinear"`` (default) or ``"linear"``.
     run
         Executor, workers, store and progress; default `Execution()`.
 
@@ -141,7 +141,7 @@ def run_each(
     restitution: RestitutionBand,
     ways: Ways | None = None,
     mass_kg: float | Sequence[float] | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> list["xarray.Dataset"]:
     """Run each block at its own levels, all in one sweep.

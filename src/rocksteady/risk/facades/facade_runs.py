@@ -13,7 +13,7 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.model.equations import Model, Nonlinear
+from rocksteady.model.equations import Model, ModelChoice, Nonlinear, as_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
@@ -250,7 +250,7 @@ def run_facade(
     pga_g: float | None = None,
     limit_state: Literal["SLV", "SLC"] = "SLV",
     directions: Literal["both", "as recorded", "reversed"] = "both",
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> FacadeRuns:
     """Run a facade under records and return its largest displacements [m].
@@ -282,7 +282,7 @@ def run_facade(
         "both" (default) for the records as they are and reversed, as a facade may face either way;
         or one of "as recorded" and "reversed".
     model
-        `Nonlinear()` (default), or `Linear()`.
+        ``"nonlinear"`` (default), or ``"linear"``.
     run
         Executor, workers and progress; default `Execution()`.  No result depends on it.
 
@@ -312,7 +312,7 @@ def run_facade(
         # Gravity is not scaled with the base: neither is what adds to it.
         up = None if ground.vertical is None else ground.vertical.scaled(factor)
         motions.append(across if up is None else BaseMotion(across, up))
-    equations = Nonlinear() if model is None else model
+    equations = as_model("model", model) or Nonlinear()
     signs = DIRECTIONS if directions == "both" else (directions,)
     cells = cells_of_many(
         mechanism.block(),

@@ -13,7 +13,7 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.caps import conserving_pair
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
+from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.free_rocking._steps import Estimate, Steps, errors_of, estimate, solved
 from rocksteady.risk.free_rocking.release import Release
@@ -45,7 +45,7 @@ def fit_restitution(
     block: Block,
     *,
     each_side: bool | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
 ) -> RestitutionFit:
     r"""Estimate the restitution from measured peaks of free rocking.
 
@@ -80,7 +80,7 @@ def fit_restitution(
         Whether each side has its own factor of Housner's value; by default where the sides of the
         block differ and each side's impacts are measured.
     model
-        `Linear()` or `Nonlinear()` (default), the full equations.
+        ``"linear"`` or ``"nonlinear"`` (default), the full equations.
 
     Returns
     -------

@@ -16,7 +16,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import LARGEST_SEED, Whole
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.risk.observations._fate_cells import Shaken, fates_of_cells, streams_of
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest
@@ -85,7 +85,7 @@ def compute_test_fates(
     gains: ArrayLike | None = None,
     scatter: Scatter | None = None,
     outputs: Sequence[str] = KEPT,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Run every block through every test, at every gain, from rest.
@@ -113,7 +113,8 @@ def compute_test_fates(
         Names of what is kept; default all three.  Without "peak_angle" the runs take a quarter to
         half less time, and with "status" alone 30 million cells take 30 MB.
     model
-        `Nonlinear()` (default) or `Linear()`.  `Nonlinear(tolerance=1e-8)` takes a third less time.
+        ``"nonlinear"`` (default) or ``"linear"``.  `Nonlinear(tolerance=1e-8)` takes a third less
+        time.
     run
         Executor, workers, store and progress; default `Execution()`.
 

@@ -15,7 +15,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import LARGEST_SEED, Bounds, Whole
 from rocksteady.model.checks.validation import in_range
-from rocksteady.model.equations import Model
+from rocksteady.model.equations import ModelChoice
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
@@ -46,7 +46,7 @@ def make_synthetic_tests(
     gain_error: Annotated[float, Bounds(0.0, LARGEST_SIGMA, "[]", "give 0.2")] = 0.2,
     restitution_scatter: float = 0.0,
     prior: ObjectPrior | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     seed: Annotated[int, Whole(0, LARGEST_SEED, "give a seed, as 0")] = 0,
 ) -> Observations:
     """Make shaking tests of a known block, with errors in their gains.
@@ -72,7 +72,7 @@ def make_synthetic_tests(
         What is known of the block before the tests; by default alpha and p within 30 % of the
         truth, and restitution and scatter as `ObjectPrior` has them.
     model
-        `Linear()` or `Nonlinear()` (default), the full equations.
+        ``"linear"`` or ``"nonlinear"`` (default), the full equations.
     seed
         A whole number from 0 to 2^64 - 1; the same one gives the same tests.
 

@@ -13,7 +13,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.model.equations import Model, chosen_model
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.seismic.measures.free_sides import impact_ratios, side_coordinates
@@ -57,7 +57,7 @@ def simulate_many(
     pga_g: ArrayLike | None = None,
     scales: ArrayLike | None = None,
     reverse: bool | Literal["both"] = False,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Simulate many blocks on many records at many levels, from rest.
@@ -83,7 +83,7 @@ def simulate_many(
         True reverses the horizontal records; "both" adds a dimension ``direction``, as recorded
         and reversed; default False.
     model
-        `Linear()` or `Nonlinear()` (default), the full equations.
+        ``"linear"`` or ``"nonlinear"`` (default), the full equations.
     run
         Executor, workers, store and progress; default `Execution()`.
 
@@ -125,7 +125,7 @@ def cells_of_many(
     pga_g: ArrayLike | None = None,
     scales: ArrayLike | None = None,
     reverse: bool | Literal["both"] = False,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> Cells:
     """Return the runs of many blocks on many records as cells.

@@ -30,7 +30,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, rising
-from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
 from rocksteady.model.facts import case_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
@@ -337,7 +337,7 @@ def find_overturning_scales(
     *,
     within: tuple[float, float] | None = None,
     resolution: float | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> OverturningScales:
     """Find all scales of records at which they overturn a block at rest.
@@ -362,7 +362,7 @@ def find_overturning_scales(
         Largest step of the first scales, as a part of them (default 0.0005).  The scales that may
         be tried besides grow with 1/resolution: 30 000 at the default.
     model
-        `Nonlinear()` (default) or `Linear()`.
+        ``"nonlinear"`` (default) or ``"linear"``.
     run
         Executor, store and progress, as for `evaluate`; a cell is a record.
 

@@ -14,7 +14,7 @@ from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_text
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import ALPHA, Bounds
-from rocksteady.model.equations import Model, chosen_model
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.seismic.spectra.batch import (
@@ -58,7 +58,7 @@ def compute_rocking_spectrum(
     alpha: ArrayLike,
     periods_s: ArrayLike,
     restitution: SpectrumRestitution = "housner",
-    model: Model | None = None,
+    model: ModelChoice = None,
     scales: ArrayLike | None = None,
     gravity: float = STANDARD_GRAVITY,
     run: Execution | None = None,
@@ -86,7 +86,7 @@ def compute_rocking_spectrum(
         (`Block.against_wall`) that of the wall, as ("wall", "housner"), or ("wall", 0.4) for a
         number in [0, 1].
     model
-        `Linear()` or `Nonlinear()` (default), the full equations.
+        ``"linear"`` or ``"nonlinear"`` (default), the full equations.
     scales
         Factors of all accelerations, above 0, a number or several; default 1.
     gravity
@@ -149,7 +149,7 @@ def spectrum_cells(
     alpha: ArrayLike,
     periods_s: ArrayLike,
     restitution: SpectrumRestitution,
-    model: Model | None,
+    model: ModelChoice,
     scales: ArrayLike | None,
     gravity: float,
     run: Execution | None,

@@ -39,7 +39,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.confidence import CONFIDENCE, Confidence, share_interval
 from rocksteady.model.checks.validation import index_value
-from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
+from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
 from rocksteady.model.motions.fourier import (
     PeriodicMotion,
     harmonics_of,
@@ -236,7 +236,7 @@ def compute_basin_shares(
     *,
     sampling: SamplingOptions | None = None,
     matching: MatchingOptions | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
     run: Execution | None = None,
 ) -> BasinShares:
     """Compute the shares of the basins over a parameter, with labels that stay.
@@ -262,7 +262,7 @@ def compute_basin_shares(
     matching
         Distance and threshold of the matching; by default `MatchingOptions()`.
     model
-        `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
+        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block`.
     run
         Executor, store and progress, as for `evaluate`.
 

@@ -35,7 +35,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import Model, chosen_model
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.numbers import plural
 
@@ -59,7 +59,7 @@ def find_bifurcation_curves(
     *,
     within: tuple[tuple[float, float], tuple[float, float]],
     search: CurveOptions | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
 ) -> BifurcationCurves:
     """Find the bifurcation curves of a plane, and the points of codimension two on them.
 
@@ -83,7 +83,7 @@ def find_bifurcation_curves(
     search
         Which curves are followed; by default `CurveOptions()`.
     model
-        `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
+        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block`.
 
     Returns
     -------

@@ -28,7 +28,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import positive
-from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
+from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import framed
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -145,7 +145,7 @@ def find_resting_branches(
     *,
     max_period: Annotated[int, Whole(1, 1000, "give a number of forcing periods")] = LONGEST,
     resolution: float | None = None,
-    model: Model | None = None,
+    model: ModelChoice = None,
 ) -> RestingBranches:
     """Find the orbits with rest over a parameter, and why there are none elsewhere.
 
@@ -169,7 +169,7 @@ def find_resting_branches(
     resolution
         Largest step, in units of the parameter; by default 1/200 of the range.
     model
-        `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
+        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block`.
 
     Raises
     ------
