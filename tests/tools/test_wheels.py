@@ -29,9 +29,17 @@ from rocksteady.kernels.machine_code.sources import sources_hash
 from tests.every import every
 from tests.strategies import rest_slow
 from tools.wheels import building
-from tools.wheels.building import INSIDE, PARTS, ROOT, build, build_programs, deflated, programs
+from tools.wheels.building import (
+    INSIDE,
+    PARTS,
+    ROOT,
+    build,
+    build_programs,
+    deflated,
+    faults,
+    programs,
+)
 from tools.wheels.first_start import sizes, wheel_of_this_machine
-from tools.wheels.needs import faults
 from tools.wheels.platforms import PLATFORMS, PURE, Platform
 
 BESIDE = (NAME, program.NAME)
