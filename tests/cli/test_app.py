@@ -13,7 +13,6 @@ import pytest
 from rocksteady import __version__
 from rocksteady.cli import app
 from rocksteady.cli.console import terminal
-from rocksteady.kernels.machine_code import compilation
 from tests.cli.bad_input import BAD_INPUT
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
@@ -436,26 +435,3 @@ def test_an_interruption_while_one_is_dealt_with_ends_with_130_too(
         for name, handler in usual.items():
             signal.signal(getattr(signal, name), handler)
     assert left.value.code == 130
-
-
-@pytest.mark.skipif(compilation.runner() != compilation.JIT, reason="numba compiles nothing")
-@commands
-def test_a_first_run_says_that_it_compiles(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list[str] = []
-
-    def first_run(kernel: str) -> bool:
-        asked.append(kernel)
-        return True
-
-    with monkeypatch.context() as first:
-        first.setattr(compilation, "must_compile", first_run)
-        ran = rocksteady(f"{SHAKEN[command]} -r 0.8 --json")
-    assert ran.code == 0
-    line = "compiling what this needs with numba, once for each version: up to a minute\n"
-    assert ran.err.startswith(line)  # and what takes long has progress to tell
-    # It has called the kernel that it named, whose code is kept since.
-    assert [compilation.must_compile(kernel) for kernel in asked] == [False]
-    assert line not in rocksteady(f"{SHAKEN[command]} -r 0.8 --json").err
-    with monkeypatch.context() as first:
-        first.setattr(compilation, "cache_folder", lambda: Path(__file__).parent)
-        assert compilation.must_compile(asked[0])

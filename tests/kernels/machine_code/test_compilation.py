@@ -104,11 +104,6 @@ def test_a_kernel_is_compiled_without_fast_math_and_without_the_lock() -> None:
     assert not options.get("fastmath")
 
 
-@pytest.mark.skipif(not PLAIN, reason="kernels are compiled")
-def test_without_compilation_a_kernel_is_the_plain_function() -> None:
-    assert type(march).__name__ == "function"
-
-
 # -------------------------------------------------------------------------- whose code is the same
 
 SHARED = """

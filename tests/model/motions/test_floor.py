@@ -35,7 +35,7 @@ from rocksteady.measures import compute_response_spectrum
 from rocksteady.motions import Floor, FourierSeries, Impulses, Segment, cut, make_synthetic_suite
 from rocksteady.records import correct_baseline, resample
 from rocksteady.risk import Levels
-from tests.records import FOLDER, recording, synthetic
+from tests.records import ABSENT, FOLDER, recording, synthetic
 
 BLOCK = Block.rectangle(width=0.6, height=2.0)
 TWO: dict[str, Any] = {
@@ -315,7 +315,7 @@ def real_suite() -> list[Record]:
     """Return every second real record at .25 g; the test is skipped without them."""
     files = sorted((FOLDER / "suite_at2").glob("*.AT2"))[::2]
     if len(files) < 28:
-        pytest.skip("there is no suite in ../shared/records")
+        pytest.skip(ABSENT)
     records = [read_record(file) for file in files[:28]]
     return [each.scaled(0.25 * 9.80665 / each.peak_acceleration_m_s2) for each in records]
 

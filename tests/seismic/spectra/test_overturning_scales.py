@@ -23,7 +23,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.seismic.spectra import overturning_scales
 from rocksteady.seismic.spectra.overturning_scales import RESOLUTION, OverturningScales
 from tests.every import every
-from tests.records import FOLDER
+from tests.records import ABSENT, FOLDER
 from tests.seismic.grounds import ground
 
 BLOCK = Block.rectangle(width=0.4, height=1.6, restitution=0.85)
@@ -244,7 +244,7 @@ def test_what_is_refused() -> None:
         find_overturning_scales(BLOCK, LIFTED, model=Linear())
 
 
-@pytest.mark.skipif(not PEER.exists(), reason="there are no records in ../shared/records")
+@pytest.mark.skipif(not PEER.exists(), reason=ABSENT)
 def test_a_rack_under_pacoima_dam() -> None:
     # practice.md: .90 falls, .95 and 1.00 stand, 1.02 falls, 1.05 stands, 1.10 falls.
     rack = Block.rectangle(width=0.6, height=1.8)
