@@ -222,6 +222,7 @@ def test_an_object_against_a_wall_counts_both_signs() -> None:
     assert row["probability"] > 0.0
 
 
+@pytest.mark.slow
 def test_of_thirty_objects_the_worst_are_on_the_screen() -> None:
     """The probability of each is another in its own line; ten are red, spread over the file."""
     sizes = {f"rack {n}": (0.2 + 0.02 * (7 * n % 30), 1.8) for n in range(30)}

@@ -205,6 +205,7 @@ def test_no_run_lifts_up_to_the_lowest_gate(block: Block, model: Linear | Nonlin
     assert lifted(gate / BELOW_ALL) > 0.0
 
 
+@pytest.mark.slow
 def test_on_a_floor_or_with_vertical_motion_no_peak_of_the_ground_is_a_gate() -> None:
     gate = math.tan(BLOCK.alpha)
     floors = [floor_motion(each, frequencies_hz=2.0, shapes=1.4) for each in SUITE]

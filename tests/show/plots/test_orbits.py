@@ -263,6 +263,7 @@ def test_multipliers_of_a_rest_lie_at_0() -> None:
 # -------------------------------------------------------------------- a period as a course
 
 
+@pytest.mark.slow
 @every(("amplitude", "ratio"), [(2.0, 1.9), (2.0, 4.0), (1.2, 0.7), (1.2, 1.9)])
 def test_the_course_of_any_orbit_closes_and_has_its_peaks(amplitude: float, ratio: float) -> None:
     listed = [orbit for orbit in found(ratio, amplitude) if orbit.admissible]
@@ -326,6 +327,7 @@ def whole_figures() -> dict[str, Figure]:
     }
 
 
+@pytest.mark.slow
 def test_every_figure_has_its_title_its_labels_and_room_for_its_legends() -> None:
     for name, figure in whole_figures().items():
         assert figure.get_suptitle() == "title"

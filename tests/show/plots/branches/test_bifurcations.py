@@ -244,6 +244,7 @@ def test_bifurcations_that_end_stable_parts_are_named_with_their_places() -> Non
     assert "symmetry breaking" not in legend_of(axes), "all of them have their names"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [3.3, 8.0])
 def test_no_name_lies_on_another_or_on_a_mark(width: float) -> None:
     figure = Figure(figsize=(width, 4.0), layout="constrained")

@@ -61,6 +61,7 @@ def test_regions_are_numbered_as_in_the_paper(name: str, expected: set[int]) -> 
             assert printed_region(a, w, plane.restitution, plane.order) == int(text.get_text())
 
 
+@pytest.mark.slow
 @planes
 def test_every_equation_is_named_and_the_legend_stands_below_the_axes(plane: object) -> None:
     figure = plane.panel().draw()  # type: ignore[attr-defined]
