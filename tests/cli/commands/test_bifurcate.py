@@ -86,6 +86,7 @@ def test_a_sweep_begins_where_it_is_told() -> None:
         assert (down["start"], down["runs"][0]["period"]) == (start, period), flags
 
 
+@pytest.mark.slow
 def test_after_a_fall_a_sweep_begins_again_on_the_steady_state_of_the_value() -> None:
     up, _ = values_of("bifurcate -A 2 -W 0.9:3:22 -r 0.9")["sweeps"]
     assert [run["kind"] for run in up["runs"]] == ["overturned", "unsymmetric", "symmetric"]
@@ -148,6 +149,7 @@ def test_a_cascade_cut_short_has_no_ratio() -> None:
 # ----------------------------------------------------------------------------- the search
 
 
+@pytest.mark.slow
 def test_the_search_finds_branches_that_hang_together_with_no_other() -> None:
     limits = "--max-period 2 --max-impacts 4"
     command = f"bifurcate -A 2 -W 1.6:2.4:5 -r 0.8 --no-sweeps {limits}"

@@ -234,6 +234,7 @@ def test_the_direction_of_an_axis_does_not_matter(shaking: str, tmp_path: Path) 
         assert up.attrs.get(name) == down.attrs.get(name)
 
 
+@pytest.mark.slow
 @every(
     ("flags", "none", "kept"),
     [

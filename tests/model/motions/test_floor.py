@@ -168,6 +168,7 @@ def test_a_floor_that_never_comes_to_rest_is_refused() -> None:
         floor_motion(ground, frequencies_hz=1.0, damping=5e-324)
 
 
+@pytest.mark.slow
 def test_lasting_shaking_is_what_is_left_of_shaking_from_rest() -> None:
     motion = FourierSeries(
         amplitude=0.8, frequency_ratio=2.0, phase=0.3, harmonics=((1, 1.0, 0.2), (3, 0.5, -1.0))

@@ -239,6 +239,7 @@ def test_remedies_are_confirmed_by_their_own_runs(found: Assessment) -> None:
     assert found.remedies[0].words in found.sentence
 
 
+@pytest.mark.slow
 def test_a_remedy_meets_the_target_by_the_method_of_the_objects_own_probability() -> None:
     wide = described(
         {"target_probability": 0.11},

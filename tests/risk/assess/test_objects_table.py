@@ -104,6 +104,7 @@ def met(remedy: Remedy, target: float) -> bool:
     return remedy.probability <= target and share <= max(target, remedy.probability + 0.1)
 
 
+@pytest.mark.slow
 def test_no_object_meets_its_target_where_far_more_runs_fall_than_its_curve_allows() -> None:
     """Of few records a curve was amber, at 4 %, where 2 of 4 runs fall at the demand."""
     bodies = [

@@ -207,6 +207,7 @@ def test_what_fails_leaves_nothing_half_written(
     assert not (tmp_path / "answer").exists()
 
 
+@pytest.mark.slow
 def test_what_is_interrupted_at_the_disk_leaves_no_mixture(
     sliding: Assessment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

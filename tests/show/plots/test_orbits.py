@@ -74,6 +74,7 @@ def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
     assert np.isfinite([*axes.get_xlim(), *axes.get_ylim()]).all()
 
 
+@pytest.mark.slow
 @drawings
 def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings(
     draw: Callable[[Axes | None], Axes],
