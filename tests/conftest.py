@@ -1,9 +1,10 @@
-"""How Hypothesis runs in every test, from the same seed each time; what Ctrl-C does in one."""
+"""How tests run: the seed of Hypothesis, garbage, Ctrl-C, and the line on what was skipped."""
 
 import gc
 import os
 import signal
 import sys
+from collections import Counter
 from collections.abc import Iterator
 
 import pytest
@@ -25,7 +26,10 @@ settings.register_profile(
 )
 # Other examples in each run, forty times as many: `pytest --hypothesis-profile=search`.
 settings.register_profile("search", COMPILED, derandomize=False, max_examples=1000)
-settings.load_profile("plain" if os.environ.get("ROCKSTEADY_KERNELS") == "python" else "compiled")
+PLAIN = os.environ.get("ROCKSTEADY_KERNELS") == "python"
+settings.load_profile("plain" if PLAIN else "compiled")
+# Compiled kernels repeat the recorded calls in tests/installation/test_check.py.
+collect_ignore = [] if PLAIN else ["kernels/test_recorded_calls.py"]
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -55,6 +59,20 @@ def pytest_runtest_protocol() -> Iterator[None]:
     if drawing is not None:
         dict.update(drawing.rcParams, before)
     return result
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Write why tests of a whole run were skipped to build/not-run/tests, which `make` prints."""
+    config, stats = terminalreporter.config, terminalreporter.stats
+    if config.args_source is not pytest.Config.ArgsSource.TESTPATHS:
+        return
+    file = config.rootpath / "build" / "not-run" / "tests"
+    file.unlink(missing_ok=True)
+    why = Counter(skip.longrepr[2].removeprefix("Skipped: ") for skip in stats.get("skipped", []))
+    if why:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        line = ", ".join(f"{count} ({reason})" for reason, count in why.most_common())
+        file.write_text(f"{line}; {len(stats['passed']):,} passed\n", encoding="utf-8")
 
 
 # A script that has started the tests in its background has SIGINT ignored, in all that they start.

@@ -34,7 +34,7 @@ REFUSED = {
     f"{MAP} --out m.zarr": "--out = 'm.zarr' cannot be written: zarr",
     f"{MAP} --out m.zarr --resume": "--out = 'm.zarr' cannot be written: zarr",
     f"{MAP} --csv m.csv --netcdf m.nc": "--netcdf = 'm.nc' cannot be written: h5netcdf",
-    "fragility --example --csv r.csv --netcdf r.nc": "--netcdf = 'r.nc' cannot be written: h5netcdf",
+    "fragility --example --netcdf r.nc": "--netcdf = 'r.nc' cannot be written: h5netcdf",
     "assess --example --runs runs.zarr": "--runs = 'runs.zarr' cannot be written: zarr",
     "study atlas --out atlas": "--out = 'atlas' cannot be written: zarr",
 }

@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.signal import detrend
 
-from tests.records import FOLDER, synthetic
+from tests.records import ABSENT, FOLDER, synthetic
 
 Floats = NDArray[np.float64]
 
@@ -33,5 +33,5 @@ def real(pattern: str) -> Path:
     """Return a real PEER file; the test is skipped without it."""
     found = sorted((FOLDER / "peer_at2").glob(pattern))
     if not found:
-        pytest.skip(f"there is no {pattern} in ../shared/records")
+        pytest.skip(ABSENT)
     return found[0]

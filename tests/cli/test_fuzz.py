@@ -9,7 +9,7 @@ import pytest
 
 from tests.cli.fuzz import COMMANDS, command_line, fault, fill, run_apart, run_here
 
-SHARDS, LINES = 4, 100
+SHARDS, LINES = 2, 100
 """Each shard is drawn from its own seed, the same in each run."""
 SLOW_LINES = 150
 LONG = re.compile(r"^(?:calibrate|fragility) .*--example|^study atlas ")

@@ -29,7 +29,7 @@ def test_the_json_keeps_the_contract(flags: str, cycles: int) -> None:
     counts = [int((fate == code).sum()) for code in (0, 1, 2, 4, -1)]
     assert values["counts"] == dict(zip(words, counts, strict=True)) | {"not-computed": 0}
     assert values["cells"] == values["computed"] == sum(counts) == 63
-    assert 0.0 < values["seconds"] < 60.0
+    assert values["seconds"] > 0.0
     assert (values["store"], values["cycles"], values["fate"]) == (None, cycles, True)
     assert "subharmonic" not in values["counts"]
 

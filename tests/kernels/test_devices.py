@@ -38,6 +38,7 @@ def test_there_is_a_case_for_each_form() -> None:
     assert list(CASES) == list(FORMS)
 
 
+@pytest.mark.slow
 @every(("name", "workers"), [("lane_fates", 1), *((name, 2) for name in FORMS)])
 def test_workers_of_a_device_give_the_bits_of_the_host(name: str, workers: int) -> None:
     kernel, make = CASES[name]

@@ -19,7 +19,7 @@ from rich.markup import escape
 from rich.style import Style
 from rich.text import Text
 
-from tests.cli.program import rocksteady
+from tests.cli.program import ran_once, rocksteady
 from tests.every import every
 from tools.manual import commands as tool
 from tools.manual import commands_facts as facts
@@ -77,7 +77,7 @@ def test_there_is_a_page_for_each_command_that_the_help_lists() -> None:
 
 @each_command
 def test_each_option_of_the_help_is_on_the_page_once(command: tool.Command) -> None:
-    shown = rocksteady(" ".join(command.words), "--help-all").out
+    shown = ran_once(f"{' '.join(command.words)} --help-all").out
     rows = re.findall(r"^│ (--[\w-]+) +(-[A-Za-z])?", shown, re.MULTILINE)
     listed = {flag for row in rows for flag in row if flag} - {"--help", "-h", "--help-all"}
     written = Counter(
@@ -92,7 +92,7 @@ def test_each_option_of_the_help_is_on_the_page_once(command: tool.Command) -> N
 
 @each_command
 def test_panels_are_those_of_the_help_in_its_order(command: tool.Command) -> None:
-    shown = rocksteady(" ".join(command.words), "--help-all").out
+    shown = ran_once(f"{' '.join(command.words)} --help-all").out
     titles = re.findall(r"^╭─ (.+?) ─", shown, re.MULTILINE)
     wanted = [title for title in titles if title not in {"Options", "Arguments"}]
     written = re.findall(r"^### (.+)$", PAGES[f"{command.slug}.md"], re.MULTILINE)
@@ -148,7 +148,7 @@ def test_valid_values_and_intervals_are_those_of_the_program() -> None:
 @each_command
 def test_examples_and_usage_are_those_of_the_help(command: tool.Command) -> None:
     page = PAGES[f"{command.slug}.md"]
-    shown = " ".join(rocksteady(" ".join(command.words), "--help-all").out.split())
+    shown = " ".join(ran_once(f"{' '.join(command.words)} --help-all").out.split())
     blocks = re.findall(r"^```bash\n(.*?)\n```$", page, re.DOTALL | re.MULTILINE)
     assert blocks == tool.examples_of(command)
     assert all(" ".join(block.split()) in shown for block in blocks)

@@ -37,50 +37,13 @@ SPELT = (
 """What codespell reads, with the settings of pyproject.toml."""
 
 RULES = {
-    r"\b(?:is|are|was|were|be|been) (?:said|told|asked)\b": "is stated, is given, counts as",
-    r"\basked for\b|\basks for\b": "needs, requires; a default is called a default",
-    r"\bnobody\b|\beverybody\b": "no user; by default",
-    r"\bthose that\b|\bthe ones? that\b": "the noun: cells that, the orbit that",
-    r"\btells?\b|\btelling\b": "distinguishes, shows, decides",
-    r"(?<!reader )(?<!owner )\bknows\b": "has, contains, accepts; only a person knows",
-    r"\bsays nothing\b|\bsays? so itself\b|\bas .{1,40} says it\b": "states no ..., as in",
-    r"\bspeaks?\b(?! English)|\blives? (?:in|on|at|between|below)\b": "names; lies in, is in",
-    r"\b(?:crew|parcel|keeper|beginnings)\b": "pool, chunk, store, initial conditions",
-    r"\b(?:is|are) there (?:already|twice)\b|\bthat (?:is|are) there\b": "exists, occurs twice",
-    r"\bIf the \w+ is none\b": "If `block` is no block; If there is no such name",
-    r"\bbut for\b": "except, up to",
-    r"\banew\b": "again",
-    r"\brows? an? (?!table)[a-z]+|\bone a (?:value|point|cell)\b": "one row per ...",
-    r"\bfrom \d[\d.]* on\b": "0 or above",
-    r"\b(?:after|of|for|at|than) so many\b": "a number of; Largest number of",
-    r"\bas [^.,;:]{1,40} (?:has|have) it\b": "as in, as from, as for",
-    r"\bin that word\b": "in a word",
-    r"\bof unlike\b|\bunlike (?:sides|impacts|restitutions|ones)\b": "different",
-    r"\b(?:simply|basically|obviously|actually|of course|needless to say)\b": "nothing",
-    r"\bin order to\b|\bso as to\b": "to",
-    r"\butili[sz]\w+": "use",
-    r"\b(?:e\.g|i\.e|viz|resp)\.": "as, for example; that is",
-    r"\bso-called\b": "nothing",
-    r"\beventual(?:ly)?\b": "possible, at last",
-    r"\b(?:allow|permit)s? to\b": "lets ...; allows ...ing",
-    r"\bdepend(?:s|ed|ent|ing)? (?:from|of)\b": "depends on",
-    r"\binformations\b|\bthe both\b|\bless (?:runs|records|impacts|points|cells)\b": "fewer; both",
     r"(?<![-\w.])([a-z]{2,}) \1(?![-\w.])": "the word once",
-    r"\bdata is\b": "data are",
-    r"\btime-histor": "time history",
     r"(?<![-\w.])\d+(?:\.\d+)?(?:kN|Hz|kHz|kg|km|cm)\b": "a space before the unit",
     r"\b(?:(?<!-)color(?:s|ed)?(?!-)|(?<!lower )centers?(?! left|:)|centered|behaviors?|gray|"
     r"neighbors?(?:ing)?|meters? (?:per|long)|labeled|modeled|modeling|favors?)\b": "British",
     r"\b(?!\w*(?:siz|priz|seiz))[a-z]\w{2,}iz(?:e|es|ed|ing|ation|ations)\b": "-ise, -isation",
 }
 """What not to write, and what to write instead."""
-
-NOUNS_FIRST = re.compile(
-    r"^( *)\*?[a-z_][\w, *]*\n\1    "
-    r"((?:Of|With which|In which|As of|On which|To which|Over what|By which|Likewise)\b[^\n]*)",
-    re.MULTILINE,
-)
-"""A description of a parameter that leaves out its noun."""
 
 NOT_NOUNS = frozenset({"found", "there", "own", "one", "other", "many", "both", "said", "told"})
 """Names that do not say what a variable holds."""
@@ -180,7 +143,7 @@ def texts() -> tuple[tuple[str, str], ...]:
 
 
 @every("pattern", RULES)
-def test_the_usual_words_are_used(pattern: str) -> None:
+def test_spelling_and_units_are_the_usual_ones(pattern: str) -> None:
     spelling = "British" in RULES[pattern] or "-ise" in RULES[pattern]
     rule = re.compile(pattern)
     hits = [
@@ -195,26 +158,13 @@ def test_the_usual_words_are_used(pattern: str) -> None:
 @every(
     ("pattern", "sentence"),
     [
-        (0, "The margin is said to be small."),
-        (3, "Colours of those that fall."),
-        (13, "Return a row a point."),
-        (28, "It marks the the start."),
+        (0, "It marks the the start."),
+        (1, "A motion of 2Hz."),
         (-1, "The recognized format."),
     ],
 )
 def test_a_rule_finds_what_it_forbids(pattern: int, sentence: str) -> None:
     assert re.search(list(RULES)[pattern], sentence)
-
-
-def test_descriptions_of_parameters_begin_with_a_noun() -> None:
-    hits = {
-        f"{file.relative_to(SOURCE).as_posix()}:{node.body[0].lineno}: {match[2]}"
-        for file in sources()
-        for node in nodes_of(file)
-        if isinstance(node, ast.FunctionDef | ast.ClassDef)
-        for match in NOUNS_FIRST.finditer(ast.get_docstring(node) or "")
-    }
-    assert hits == set()
 
 
 def bindings(node: ast.AST) -> Iterator[tuple[int, str]]:

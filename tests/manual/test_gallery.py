@@ -143,6 +143,7 @@ def test_a_film_becomes_two_small_gifs_that_play(tmp_path: Path) -> None:
             assert getattr(picture, "n_frames", 1) > 1
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("_settings")
 def test_a_script_draws_on_both_papers_computes_once_and_leaves_no_ground(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Page
 
 from tests.every import every
+from tests.explorer.browser.watched import chromium
+from tools.aot.replay.outcome import MissingProgramError
 
 ROOT = Path(__file__).parents[2]
-PROGRAMS = ("chromium", "chromium-browser", "google-chrome")
 LEFT_OUT = ("reference/**", "evidence/**", "tutorials/**", "guides/**", "explorer.md")
 PAGES = (
     *(f"theory/{page.stem}" for page in sorted((ROOT / "docs" / "theory").glob("*.md"))),
@@ -55,13 +56,11 @@ def _site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(name="phone")
 def _phone() -> Iterator[Page]:
     """Return a page of a browser, as wide as a phone."""
-    program = next(filter(None, map(shutil.which, PROGRAMS)), None)
-    if program is None:
-        pytest.skip("no Chromium is installed")
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
-        yield browser.new_page(viewport={"width": WIDTH, "height": 844})
-        browser.close()
+    try:
+        with chromium() as browser:
+            yield browser.new_page(viewport={"width": WIDTH, "height": 844})
+    except MissingProgramError as error:
+        pytest.skip(str(error))
 
 
 @pytest.mark.slow

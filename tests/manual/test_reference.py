@@ -264,6 +264,7 @@ def settings() -> dict[str, Any]:
     return {name: value for name, value in found.items() if not name.startswith("__")}
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore")
 def test_a_page_is_built_without_warnings_and_its_members_are_targets(tmp_path: Path) -> None:
     source = tmp_path / "reference" / "api"

@@ -48,6 +48,7 @@ def test_the_typesetter_is_in_the_site() -> None:
     assert (Path(folder) / mathematics.SCRIPT).stat().st_size > 1e6
 
 
+@pytest.mark.slow
 def test_the_explorer_stands_in_a_page_of_any_depth(tmp_path: Path) -> None:
     if PLAIN:
         pytest.skip("no library is loaded")

@@ -11,12 +11,12 @@ from matplotlib.axes import Axes
 import rocksteady as rs
 from tests.cli.program import rocksteady
 from tests.every import every
-from tests.records import FOLDER
+from tests.records import ABSENT, FOLDER
 
 ACROSS = FOLDER / "peer_at2" / "RSN77_SFERN_PUL164-hor1.AT2"
 UP = FOLDER / "peer_at2" / "RSN77_SFERN_PULDWN-up.AT2"
 
-needs_records = pytest.mark.skipif(not ACROSS.is_file(), reason="there is no ../shared/records")
+needs_records = pytest.mark.skipif(not ACROSS.is_file(), reason=ABSENT)
 
 
 @needs_records

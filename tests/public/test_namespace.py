@@ -166,7 +166,7 @@ FORMULAS = {
 def test_names_in_messages_exist() -> None:
     """Whatever a text names as a function, a keyword, a member or a flag is there to be used."""
     known = known_names()
-    parameters = set().union(*known.values())
+    words_known = FORMULAS.union(known, *known.values())
     flags = {"--help", "--help-all"} | flags_of(get_command(app))
     unknown = set()
     for file in SOURCE.rglob("*.py"):
@@ -178,9 +178,7 @@ def test_names_in_messages_exist() -> None:
             ticked = re.findall(r"(?<!`)`([a-z_]\w*)[`(]", text)
             members = re.findall(r"(?<!\d)\)\.([a-z_]\w+)", text) + re.findall(r"\brs\.(\w+)", text)
             unknown |= {
-                (file.name, word)
-                for word in (*ticked, *members)
-                if word not in known.keys() | parameters | FORMULAS
+                (file.name, word) for word in (*ticked, *members) if word not in words_known
             }
             for call in CALLED.finditer(text):
                 name = call["name"].rpartition(".")[2]

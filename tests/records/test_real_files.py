@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from rocksteady.records import pair_records, read_recordings
 from tests.every import every
-from tests.records import FOLDER
+from tests.records import ABSENT, FOLDER
 
 Floats = NDArray[np.float64]
 G = 9.80665
@@ -23,7 +23,7 @@ SUITE = 56
 def real(*parts: str) -> Path:
     path = FOLDER.joinpath(*parts)
     if not path.exists():
-        pytest.skip(f"there is no {'/'.join(parts)} in ../shared/records")
+        pytest.skip(ABSENT)
     return path
 
 

@@ -53,7 +53,6 @@ FIGURES: dict[str, Callable[..., Figure]] = {
     "kicks": fatal_figure,
 }
 """Whole figures of things."""
-PAGES = {"": Page(), ", 84 mm": Page(width_mm=84.0)}
 SIDES = rs.Block.asymmetric(left=0.15, right=0.25, height=1.2)
 FRAME = rs.Block.frame(columns=4, cap_mass_ratio=2.0, width=0.4, height=1.2)
 BY_WALL = rs.DimensionlessBlock(restitution=0.8, one_sided=True)
@@ -77,16 +76,24 @@ def figures() -> dict[str, Callable[..., Figure]]:
 
 
 @cache
+def usual_pictures() -> dict[str, Callable[[], Figure]]:
+    """Return what draws each kind of figure and each public plot once, by its name."""
+    whole = {name: partial(draw, page=Page()) for name, draw in figures().items()}
+    return whole | {
+        label: partial(_of_axes, partial(_called, call))
+        for label, call in calls().items()
+        if label.startswith("plot_")
+    }
+
+
+@cache
 def pictures() -> dict[str, Callable[[], Figure]]:
     """Return what draws each picture, by its name."""
-    found: dict[str, Callable[[], Figure]] = {
-        f"{name}{width}": partial(draw, page=page)
-        for name, draw in figures().items()
-        for width, page in PAGES.items()
-    }
+    found = dict(usual_pictures())
+    for name, draw in figures().items():
+        found[f"{name}, 84 mm"] = partial(draw, page=Page(width_mm=84.0))
     plots = [(label, call) for label, call in calls().items() if label.startswith("plot_")]
     for k, (label, call) in enumerate(plots):
-        found[label] = partial(_of_axes, partial(_called, call))
         for option, value in _others(call, PLACES[k % len(PLACES)]):
             changed = partial(_called, call, **{option: value})
             found[f"{label}, {option} {value}"] = partial(_of_axes, changed)
@@ -154,7 +161,8 @@ def _frame(film: Film, share: float) -> Figure:
 @cache
 def pages() -> dict[str, Callable[[], str]]:
     """Return what writes each page of a report, by its name."""
-    t = things()
+    with contextlib.chdir(room()):
+        t = things()
     found: dict[str, Callable[..., str]] = {}
     for name in ("assessment", "assessed runs", "objects", "on floors"):
         found[name] = partial(report_html, t[name])

@@ -151,6 +151,7 @@ def leaning(count: int) -> OverturningWindows:
     )
 
 
+@pytest.mark.slow
 def test_a_narrow_window_that_leans_is_a_band_and_no_stairs() -> None:
     windows = leaning(12)
     axes = plots.overturning(windows, Figure().add_subplot())

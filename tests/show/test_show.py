@@ -268,7 +268,7 @@ def test_limits_are_dashed_and_named_on_their_line() -> None:
 
 
 @pytest.mark.parametrize("run", [rocking, overturning, coming_to_rest])
-@pytest.mark.parametrize("width_mm", [84.0, 174.0])
+@pytest.mark.parametrize("width_mm", [84.0, pytest.param(174.0, marks=pytest.mark.slow)])
 def test_the_words_of_a_history_are_apart(run: Callable[[], Trajectory], width_mm: float) -> None:
     figure = simulation_figure(run(), page=Page(width_mm=width_mm))
     figure.draw_without_rendering()

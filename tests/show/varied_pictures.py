@@ -86,7 +86,7 @@ def _maps() -> dict[str, Callable[[], Any]]:
     )
     drawn: dict[str, Callable[[], Any]] = {
         "random map": partial(plots.outcomes, random_map(PLANE)),
-        "fates": partial(plots.outcomes, fates),
+        "fates of a plane": partial(plots.outcomes, fates),
         "fates by size": partial(plots.outcomes, sizes),
         "line of fates": partial(plots.outcomes, fates.isel(frequency_ratio=7)),
     }

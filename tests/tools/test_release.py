@@ -48,6 +48,7 @@ def test_classifiers_name_each_python_that_the_workflows_test_from_the_oldest_on
     assert described["requires-python"] == f">={pythons[0]}"
 
 
+@pytest.mark.slow
 def test_the_bill_has_every_package_that_is_installed_with_a_licence_and_what_it_needs() -> None:
     found = json.loads(bill())
     refs = {each["bom-ref"]: each for each in found["components"]}

@@ -28,9 +28,8 @@ from rocksteady.kernels.machine_code.sources import sources_hash
 from tests.every import every
 from tests.strategies import rest_slow
 from tools.wheels import building
-from tools.wheels.building import INSIDE, ROOT, build, build_programs, programs
+from tools.wheels.building import INSIDE, ROOT, build, build_programs, faults, programs
 from tools.wheels.first_start import sizes, wheel_of_this_machine
-from tools.wheels.needs import faults
 from tools.wheels.platforms import PLATFORMS, PURE, Platform
 
 BESIDE = (NAME, f"{NAME}.sha256", program.NAME, sources.NAME)

@@ -3,7 +3,6 @@
 import contextlib
 import io
 import json
-import shutil
 import tempfile
 from collections import Counter
 from collections.abc import Generator, Iterator
@@ -11,11 +10,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import sync_playwright
 
 from rocksteady import write_explorer
-from tests.explorer.browser.conftest import FLAGS, PROGRAMS
-from tests.explorer.browser.watched import Explorer, Watch, values
+from tests.explorer.browser.watched import Explorer, Watch, chromium, values
 from tools.aot.replay.outcome import MissingProgramError
 from tools.freeze.records import ROOT, digest
 from tools.freeze.values import of_json
@@ -79,11 +76,7 @@ def freeze_view(tab: str) -> Iterator[tuple[str, str]]:
     MissingProgramError
         If no browser is installed.
     """
-    program = next(filter(None, map(shutil.which, PROGRAMS)), None)
-    if program is None:
-        raise MissingProgramError("no browser of " + ", ".join(PROGRAMS))
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=program, args=FLAGS)
+    with tempfile.TemporaryDirectory() as folder, chromium() as browser:
         file = write_explorer(Path(folder, "explorer.html"))
         explorer = Explorer(browser, file, Watch())
         page = explorer.open({"tab": tab})
@@ -97,4 +90,3 @@ def freeze_view(tab: str) -> Iterator[tuple[str, str]]:
             yield f"{tab}: pixels of {panel}", now
         yield f"{tab}: values", "\n".join(f"{name}: {text}" for name, text in values(page).items())
         explorer.close()
-        browser.close()

@@ -19,7 +19,7 @@ from rocksteady.cli.console import progress
 from rocksteady.show.export.files import figure_bytes
 from tests.public.calls import ELSEWHERE, calls, close_pictures, room
 from tests.public.things import things
-from tests.show.all_pictures import pages, pictures
+from tests.show.all_pictures import pages, pictures, usual_pictures
 from tools.freeze.files import files_of, left
 from tools.freeze.pictures import drawn, written
 from tools.freeze.records import FILE
@@ -73,13 +73,12 @@ def freeze_call(call: Any) -> Iterator[tuple[str, str]]:
 
 
 def freeze_pictures(only: str) -> Iterator[tuple[str, str]]:
-    """Yield every picture and page of a report, or only one."""
-    for name, draw in pictures().items():
-        if only in {"", name}:
-            yield name, drawn(figure_bytes(draw(), "svg").decode())
-    for name, write in pages().items():
-        if only in {"", name}:
-            yield name, written(write())
+    """Yield a picture, or a page of a report."""
+    if only in pages():
+        yield only, written(pages()[only]())
+    else:
+        draw = usual_pictures().get(only) or pictures()[only]
+        yield only, drawn(figure_bytes(draw(), "svg").decode())
 
 
 def freeze_stores(_: str) -> Iterator[tuple[str, str]]:

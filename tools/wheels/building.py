@@ -1,5 +1,7 @@
 """Wheels of the package, and the wheel rocksteady-gpu, which brings its programs for GPUs."""
 
+import subprocess
+import sys
 import tomllib
 from collections.abc import Sequence
 from pathlib import Path
@@ -16,7 +18,6 @@ from rocksteady.kernels.machine_code import sources
 from rocksteady.kernels.machine_code.library import checksum_file
 from rocksteady.kernels.machine_code.programs import BROUGHT, LEAST, file_name, sources_of
 from rocksteady.kernels.machine_code.sources import sources_hash
-from tools.wheels.needs import faults
 from tools.wheels.platforms import PURE, Platform
 
 ROOT = Path(__file__).parents[2]
@@ -99,6 +100,16 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     del config["tool"]["hatch"]["build"]["targets"]["wheel"]["hooks"]  # for this machine alone
     checked = [each for file in (*compiled, page) for each in (file, checksum_file(file))]
     return _Builder(config, platform, [*checked, scripts, noted], INSIDE).made(out, wrong)
+
+
+def faults(library: Path, tag: str, kernels: Sequence[str] = ()) -> list[str]:
+    """Return what `tools.wheels.needs` finds wrong with a library, as a process of its own."""
+    command = [sys.executable, "-m", "tools.wheels.needs", str(library), tag, *kernels]
+    try:
+        found = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    except subprocess.CalledProcessError as error:
+        raise SystemExit(error.stderr) from error
+    return found.stdout.splitlines()
 
 
 def programs(folder: Path) -> list[Path]:

@@ -1,6 +1,11 @@
-"""What a shared library needs of the system that loads it, against what the tag promises."""
+"""What a shared library needs of the system that loads it, against what the tag promises.
+
+``python -m tools.wheels.needs FILE TAG KERNEL...`` prints why a system to which the tag belongs
+could not load the library.  It is a process of its own because lief reports leaks when it ends.
+"""
 
 import re
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -94,3 +99,7 @@ def _symbols(found: lief.ELF.Binary) -> set[str]:
 def _numbers(version: str) -> tuple[int, ...]:
     """Return the numbers of a version, as 2 and 28 of ``2.28`` and of ``_2_28``."""
     return tuple(map(int, re.findall(r"\d+", version)))
+
+
+if __name__ == "__main__":
+    sys.stdout.write("\n".join(faults(Path(sys.argv[1]), sys.argv[2], sys.argv[3:])))

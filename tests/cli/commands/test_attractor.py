@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, Steady, find_attractor, simulate
+from rocksteady import Block, DimensionlessBlock, find_attractor, simulate
 from rocksteady.motions import FourierSeries
 from tests.cli.program import refused, rocksteady
 from tests.every import every
@@ -23,34 +23,6 @@ CONTRACT = {
     "multipliers",
     "lyapunov",
 }
-
-
-def test_the_json_of_an_orbit_keeps_the_contract() -> None:
-    ran = rocksteady(f"{POINT} --json")
-    assert (ran.code, ran.err) == (0, "")
-    values = ran.json
-    assert next(iter(values)) == "schema"
-    assert values["schema"] == "rocksteady/attractor/1"
-    assert set(values) >= CONTRACT
-    found = find_attractor(
-        DimensionlessBlock(restitution=0.8),
-        Harmonic(amplitude=2.0, frequency_ratio=1.9),
-        start=Steady(side=-1),
-    )
-    assert found.orbit is not None
-    assert (values["kind"], values["reason"]) == ("unsymmetric", None)
-    assert (values["period"], values["impacts_per_period"], values["rest_phases"]) == (1, 2, 0)
-    assert values["peaks"] == list(found.peaks or ())
-    assert values["multipliers"] == [[m.real, m.imag] for m in found.orbit.multipliers]
-    assert values["lyapunov"] == found.lyapunov
-    assert values["settled_after_periods"] == found.after
-    assert values["residual"] <= 1e-12
-    assert [(state["side"], state["phase"], state["speed"]) for state in values["states"]] == [
-        (state.side, state.phase, state.speed) for state in found.orbit.states
-    ]
-    assert (values["amplitude"], values["frequency_ratio"], values["restitution"]) == (2, 1.9, 0.8)
-    assert (values["start"], values["side"], values["cycles"]) == ("steady", "-", 2000)
-    assert "peaks_rad" not in values
 
 
 @every(
@@ -143,23 +115,6 @@ def test_a_real_block_is_in_radians_and_seconds() -> None:
 
 
 @every(
-    ("command", "words"),
-    [
-        (POINT, ["unsymmetric", "1 forcing period", "0.9 alpha", "±", "mirror image"]),
-        ("attractor -A 2 -W 1.7 -r 0.8 --start steady", ["overturned", "known after", "falls"]),
-        (CHAOS, ["aperiodic", "Lyapunov", "does not repeat"]),
-        ("attractor -A 1 -W 4 -r 0.8", ["rest", "less than 1 forcing period"]),
-    ],
-)
-def test_the_text_says_what_it_is_in_80_columns(command: str, words: list[str]) -> None:
-    ran = rocksteady(f"{command} --more")
-    assert (ran.code, ran.err) == (0, "")
-    for word in words:
-        assert word in ran.out
-    assert max(map(len, ran.out.splitlines())) <= 82
-
-
-@every(
     ("command", "first"),
     [
         (POINT, "It settles to an unsymmetric steady motion, from 0.9 to -0.444 alpha."),
@@ -233,21 +188,6 @@ def test_an_axis_is_refused() -> None:
 # ----------------------------------------------------------------------------------- files
 
 
-def test_the_csv_holds_the_orbit_s_impacts_to_the_last_digit(tmp_path: Path) -> None:
-    file = tmp_path / "orbit.csv"
-    command = "attractor --block tso-wong-1989 -A 2 -W 4.2 --start steady -n 3 --json --csv"
-    states = rocksteady(command, file).json["states"]
-    rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
-    assert len(rows) == len(states) == 2
-    for row, state in zip(rows, states, strict=True):
-        assert int(row["side"]) == state["side"]
-        assert float(row["phase_rad"]) == state["phase"]
-        assert float(row["speed_per_pivot_time"]) == state["speed"]
-        degrees = math.degrees(0.2 * 2.0 * math.pi * state["speed"])
-        assert float(row["speed_deg_s"]) == pytest.approx(degrees)
-    assert "speed_rad_s" not in rows[0]
-
-
 @every(
     ("command", "some"),
     [(CHAOS, True), ("attractor -A 1 -W 4 -r 0.8", False), ("attractor -A 9 -W 1 -r 0.8", False)],
@@ -264,26 +204,6 @@ def test_without_an_orbit_the_csv_holds_the_cloud_or_nothing(
         assert row["side"] in ("1", "-1")
         assert 0.0 <= float(row["phase_rad"]) < 2.0 * math.pi
         assert float(row["speed_per_pivot_time"]) >= 0.0
-
-
-@pytest.mark.slow
-@every(
-    "command",
-    [
-        POINT,
-        CHAOS,
-        "attractor -A 1.08 -W 0.6 -r 0.05",
-        "attractor -A 1 -W 4 -r 0.8",
-        "attractor --block tso-wong-1989 -A 2 -W 4.2 --start steady -n 3",
-    ],
-)
-def test_every_kind_of_attractor_can_be_drawn(command: str, tmp_path: Path) -> None:
-    file = tmp_path / "attractor.png"
-    ran = rocksteady(f"{command} --json --plot", file)
-    assert ran.code == 0
-    assert ran.json["schema"] == "rocksteady/attractor/1"
-    assert file.read_bytes().startswith(b"\x89PNG")
-    assert [path.name for path in tmp_path.iterdir()] == ["attractor.png"]
 
 
 def test_harmonics_are_those_of_a_fourier_series() -> None:

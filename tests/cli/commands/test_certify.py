@@ -43,6 +43,7 @@ def test_several_orbits_are_a_list() -> None:
     assert rocksteady("certify orbit -A 2 -W 4 -r 0.8").out.startswith("Proved ")
 
 
+@pytest.mark.slow
 def test_a_fate_region_and_chaos_are_written_and_hold(tmp_path: Path) -> None:
     for number, (command, claim) in enumerate(
         (

@@ -32,40 +32,8 @@ from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
 from tests.sweep.executors.callers import tree
 
 AXES = "-A 0.5:5:7 -W 1:8:9"
-GRID = {"amplitude": axis("", "0.5:5:7"), "frequency_ratio": axis("", "1:8:9")}
 MAP = f"map {AXES} -r 0.8 --cycles 300"
 BLOCK = DimensionlessBlock(restitution=0.8)
-
-
-def test_the_json_keeps_the_contract() -> None:
-    ran = rocksteady(f"{MAP} --json")
-    assert (ran.code, ran.err) == (0, "")
-    values = ran.json
-    assert next(iter(values)) == "schema"
-    assert values["schema"] == "rocksteady/map/1"
-    found = map_attractors(BLOCK, axes=GRID, max_cycles=300)
-    flags = enumerate(found.kind.attrs["flag_meanings"].split()[:-1])
-    counts = {word: int(((found.kind == k) & (found.period < 2)).sum()) for k, word in flags}
-    longer = {"subharmonic": int((found.period > 1).sum())}
-    assert values["counts"] == counts | longer | {"no-start": 0, "not-computed": 0}
-    assert values["shares"] == pytest.approx({k: n / 63 for k, n in values["counts"].items()})
-    assert values["cells"] == values["computed"] == 63
-    assert 0.0 < values["seconds"] < 60.0
-    assert values["store"] is None
-    assert values["axes"]["amplitude"] == {"start": 0.5, "stop": 5.0, "count": 7}
-    assert (values["amplitude"], values["frequency_ratio"]) == (None, None)
-    assert (values["restitution"], values["start"], values["cycles"]) == (0.8, "rest", 300)
-
-
-def test_the_text_says_what_there_is() -> None:
-    ran = rocksteady(f"{MAP} --more")
-    assert (ran.code, ran.err) == (0, "")
-    lines = ran.out.partition("next: ")[2].splitlines()[1:]
-    assert lines[0] == "What the block settles to: restitution 0.8, from rest, linear model"
-    assert lines[1].split() == ["cells", "63"]
-    assert re.search(r"^overturned +\d+ +[\d.]+ %$", ran.out, re.MULTILINE)
-    assert re.fullmatch(r"63 cells computed in \d+\.\d\d s, [\d,]+ a second", lines[-1])
-    assert max(map(len, lines)) <= 80
 
 
 def test_the_table_has_the_shares_of_the_legend(tmp_path: Path) -> None:
@@ -266,6 +234,7 @@ def test_the_direction_of_an_axis_does_not_matter(shaking: str, tmp_path: Path) 
         assert up.attrs.get(name) == down.attrs.get(name)
 
 
+@pytest.mark.slow
 @every(
     ("flags", "none", "kept"),
     [

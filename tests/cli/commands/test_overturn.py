@@ -1,7 +1,6 @@
 """`rocksteady overturn`: its contract, its text, its files and what it refuses."""
 
 import csv
-import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,10 +10,8 @@ import xarray
 
 from rocksteady import (
     Block,
-    DimensionlessBlock,
     Record,
     find_overturning_scales,
-    find_overturning_windows,
 )
 from rocksteady.cli.commands import overturn
 from rocksteady.formulas import overturning_impulse
@@ -22,30 +19,6 @@ from tests.cli.program import refused, rocksteady
 from tests.every import every
 
 POINT = "overturn --pulse one-sine -W 2:6:3 -r 0.9"
-
-
-def test_the_json_keeps_the_contract() -> None:
-    ran = rocksteady(f"{POINT} --json")
-    assert (ran.code, ran.err) == (0, "")
-    values = ran.json
-    assert next(iter(values)) == "schema"
-    assert values["schema"] == "rocksteady/overturn/1"
-    found = find_overturning_windows(
-        DimensionlessBlock(restitution=0.9), "one-sine", [2.0, 4.0, 6.0]
-    )
-    assert [row["frequency_ratio"] for row in values["windows"]] == [2.0, 4.0, 6.0]
-    for index, row in enumerate(values["windows"]):
-        assert row["intervals"] == [list(ends) for ends in found.intervals(index)]
-        assert [tuple(mode["interval"]) for mode in row["modes"]] == [
-            (window.low, window.high) for window in found.at(index)
-        ]
-        assert [mode["impacts"] for mode in row["modes"]] == [1, 0]
-        assert [mode["side"] for mode in row["modes"]] == [-1, 1]
-        assert [mode["endless"] for mode in row["modes"]] == [False, True]
-        assert row["first"] == found.first[index]
-        assert row["closed_form"] == pytest.approx(found.at(index)[1].low, rel=1e-12)
-        assert "intervals_g" not in row
-    assert (values["amplitudes"], values["pulse"]) == ([1.0, 20.0], "one-sine")
 
 
 def test_a_block_is_told_in_g_and_hz() -> None:
@@ -150,17 +123,6 @@ def test_the_files_hold_the_same(tmp_path: Path) -> None:
 )
 def test_what_is_refused_says_so_in_one_line(command: str, words: str) -> None:
     assert words in refused(command)
-
-
-@pytest.mark.slow
-def test_the_examples_in_the_help_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    examples = re.findall(r"^rocksteady (.*)$", overturn.EXAMPLES, flags=re.MULTILINE)
-    assert len(examples) == 6
-    for example in examples:
-        # Fewer frequencies show the same.
-        assert rocksteady(re.sub(r":200\b|:25\b", ":10", example)).code == 0, example
-    assert len(list(tmp_path.iterdir())) == 2
 
 
 def test_a_reversed_pulse_is_the_same_pulse_for_the_mirrored_block() -> None:

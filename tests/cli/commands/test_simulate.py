@@ -1,10 +1,8 @@
 """`rocksteady simulate`: its contract, its starts, its text and its files."""
 
-import csv
 import math
 from pathlib import Path
 
-import numpy as np
 import pytest
 from PIL import Image
 
@@ -14,7 +12,6 @@ from rocksteady import (
     Harmonic,
     Pulse,
     State,
-    Steady,
     Still,
     check_neighbours,
     simulate,
@@ -24,30 +21,6 @@ from tests.every import every
 
 SHAKEN = "simulate -A 2 -W 4 -r 0.8"
 BARE = DimensionlessBlock(restitution=0.8)
-MOTION = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-
-
-def test_the_json_of_a_rocking_block_keeps_the_contract() -> None:
-    ran = rocksteady(f"{SHAKEN} --json")
-    assert (ran.code, ran.err) == (0, "")
-    values = ran.json
-    assert next(iter(values)) == "schema"
-    assert values["schema"] == "rocksteady/simulate/1"
-    run = simulate(BARE, MOTION)
-    assert values["status"] == "rocking"
-    assert values["peak"] == run.peak
-    assert values["impacts"] == len(run.impacts)
-    assert type(values["impacts"]) is int
-    assert values["overturn_time_tau"] is None
-    assert "overturn_time_s" not in values
-
-
-def test_the_json_of_an_overturning_block_keeps_the_contract() -> None:
-    values = rocksteady("simulate -A 2 -W 1.7 -r 0.8 --start steady --cycles 40 --json").json
-    run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=1.7), start=Steady(), cycles=40)
-    assert values["status"] == "overturned"
-    assert values["overturn_time_tau"] == run.overturn_time_tau
-    assert values["impacts"] == len(run.impacts)
 
 
 def test_the_json_of_a_real_block_is_in_seconds() -> None:
@@ -213,24 +186,6 @@ def test_a_run_that_cannot_be_decided_ends_with_3(monkeypatch: pytest.MonkeyPatc
 # ------------------------------------------------------------------------------------ text
 
 
-@every(
-    ("command", "words"),
-    [
-        (SHAKEN, ["rocking", "impacts", "0.36 alpha", "linear model"]),
-        ("simulate -A 0.5 -W 4 -r 0.8", ["at-rest", "pt 0"]),
-        (
-            "simulate -A 4 -W 1 --block tso-wong-1989",
-            ["overturned at 0.229 s (pt 1.44", "overturns at", "periods", "11.5° = 1 alpha"],
-        ),
-    ],
-)
-def test_the_text_says_how_it_ended(command: str, words: list[str]) -> None:
-    ran = rocksteady(f"{command} --more")
-    assert (ran.code, ran.err) == (0, "")
-    for word in words:
-        assert word in ran.out
-
-
 def test_more_adds_to_the_answer_and_quiet_leaves_its_first_line() -> None:
     command = "simulate --width-m 0.4 --height-m 2 --pulse one-sine --accel-g 0.4 --freq-hz 1"
     answer = rocksteady(command).out
@@ -255,61 +210,6 @@ def test_the_command_that_follows_runs(flags: str) -> None:
     assert command
     ran = rocksteady(command.strip())
     assert (ran.code, ran.err) == (0, ""), command
-
-
-# ----------------------------------------------------------------------------------- files
-
-
-def test_the_csv_holds_the_motion_and_every_impact(tmp_path: Path) -> None:
-    file = tmp_path / "run.csv"
-    command = "simulate --alpha-rad 0.2 --p-rad-s 3 -r 0.8 -A 2 -W 4 --cycles 5 --samples 10 --csv"
-    ran = rocksteady(command, file)
-    assert ran.code == 0
-    rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
-    table = {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
-    block = Block.from_p(alpha=0.2, p=3.0, restitution=0.8)
-    run = simulate(block, MOTION, cycles=5)
-    motion = run(run.times(10))
-    np.testing.assert_array_equal(table["pt"], motion.pt)
-    np.testing.assert_array_equal(table["angle_per_alpha"], motion.angle)
-    np.testing.assert_array_equal(table["velocity_per_pt"], motion.velocity)
-    np.testing.assert_array_equal(table["acceleration_per_pt2"], motion.acceleration)
-    np.testing.assert_array_equal(table["energy"], motion.energy)
-    np.testing.assert_allclose(table["tau"], 4.0 * motion.pt)
-    np.testing.assert_allclose(table["time_s"], motion.pt / 3.0)
-    np.testing.assert_allclose(table["angle_deg"], np.degrees(0.2 * motion.angle))
-    np.testing.assert_allclose(table["velocity_deg_s"], np.degrees(0.2 * 3.0 * motion.velocity))
-    np.testing.assert_allclose(
-        table["acceleration_deg_s2"], np.degrees(0.2 * 9.0 * motion.acceleration)
-    )
-    np.testing.assert_allclose(
-        table["base_acceleration_g"], 2.0 * 0.2 * np.sin(4.0 * motion.pt), atol=1e-12
-    )
-    assert not any(name.endswith(("_rad", "_m_s2")) for name in table)
-    assert np.isin(run.impacts.pt, table["pt"]).all()
-    assert len(rows) > 50
-
-
-@pytest.mark.slow
-@every(
-    "command",
-    [
-        SHAKEN,
-        "simulate -A 2 -W 1.7 -r 0.8 --start steady",
-        "simulate -A 0.5 -W 4 -r 0.8",
-        "simulate --block zhang-makris-2001 --start 0.6,0",
-        "simulate -r 0.8 --start 1,0",
-        "simulate -r 0.8 --start 1.5,0",
-        "simulate -A 2 -W 4 -r 0.8 --cycles 1e-9",
-    ],
-)
-def test_every_kind_of_run_can_be_drawn(command: str, tmp_path: Path) -> None:
-    file = tmp_path / "run.png"
-    ran = rocksteady(f"{command} --json --plot", file)
-    assert ran.code == 0
-    assert ran.json["schema"] == "rocksteady/simulate/1"
-    assert file.read_bytes().startswith(b"\x89PNG")
-    assert [path.name for path in tmp_path.iterdir()] == ["run.png"]
 
 
 # ------------------------------------------------------------------------------------ film

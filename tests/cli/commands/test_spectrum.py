@@ -13,7 +13,6 @@ from rocksteady.measures import compute_suite_spectrum
 from rocksteady.model.blocks.housner_forms import Restitution
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.results.numbers import number
 from tests.cli.program import refused, rocksteady
 from tests.every import every
 from tests.records import peer
@@ -37,31 +36,6 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
         write_at2(folder / f"ground-{seed}.AT2", ground(seed, peak=3.0 + seed))
         for seed in (1, 2, 3)
     ]
-
-
-def test_the_json_keeps_the_contract(files: list[Path]) -> None:
-    ran = rocksteady(f"spectrum {GRID} --json --record", files[0])
-    assert (ran.code, ran.err) == (0, "")
-    values = ran.json
-    assert next(iter(values)) == "schema"
-    assert values["schema"] == "rocksteady/spectrum/1"
-    alpha, periods = [0.15, 0.3], [1.0, 2.0, 3.0, 4.0]
-    found = compute_rocking_spectrum(read_record(files[0]), alpha=alpha, periods_s=periods)
-    assert len(values["values"]) == values["cells"] == 8
-    for row in values["values"]:
-        cell = found.sel(alpha=row["alpha_rad"], period=row["period_s"])
-        assert row["p_rad_s"] == pytest.approx(2.0 * math.pi / row["period_s"])
-        assert row["peak"] == float(cell.peak_angle)
-        assert row["peak_rad"] == row["peak"] * row["alpha_rad"]
-        assert row["peak_velocity"] == float(cell.peak_velocity)
-        assert row["impacts"] == int(cell.impacts)
-        assert row["record"] == "ground-1"
-    assert sum(values["counts"].values()) == 8
-    assert values["counts"]["overturned"] == sum(
-        row["status"] == "overturned" for row in values["values"]
-    )
-    assert (values["model"], values["restitution"]) == ("nonlinear", "housner")
-    assert "suite" not in values
 
 
 def test_a_suite_has_quantiles_and_shares(files: list[Path]) -> None:
@@ -107,25 +81,6 @@ def test_the_published_peak_from_the_command_line() -> None:
     command = "spectrum --alpha-deg 15 --periods-s 4 --model nonlinear --json --record"
     (row,) = rocksteady(command, file).json["values"]
     assert row["peak_rad"] == pytest.approx(0.1249485, rel=1e-5)
-
-
-def test_the_table_has_a_row_a_size(files: list[Path]) -> None:
-    ran = rocksteady(f"spectrum {GRID} --more --record", files[2])
-    assert ran.code == 0
-    lines = [" ".join(line.split()) for line in ran.out.splitlines()]
-    assert "2 pi/p [s] 8.59° (0.15 rad) 17.2° (0.3 rad)" in lines
-    found = compute_rocking_spectrum(
-        read_record(files[2]), alpha=[0.15, 0.3], periods_s=[1, 2, 3, 4]
-    )
-    for period in (1.0, 2.0, 3.0, 4.0):
-        cells = [
-            "falls" if int(one.status) == 2 else number(float(one.peak_angle))
-            for one in (found.sel(alpha=alpha, period=period) for alpha in (0.15, 0.3))
-        ]
-        assert f"{period:g} {cells[0]} {cells[1]}" in lines
-    assert all(len(line) <= 80 for line in ran.out.splitlines())
-    assert any(line.startswith("of which") and "overturned" in line for line in lines)
-    assert "8 motions in" in lines[-1]
 
 
 def test_a_long_table_is_cut_and_says_so(files: list[Path]) -> None:

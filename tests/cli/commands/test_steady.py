@@ -1,6 +1,5 @@
 """`rocksteady steady`: its contract, its text and its files."""
 
-import csv
 import json
 import math
 from pathlib import Path
@@ -11,21 +10,10 @@ import pytest
 
 from rocksteady import Block, Harmonic, Nonlinear, Steady, find_attractor, simulate
 from rocksteady.dynamics.steady.regions import REGIONS
-from rocksteady.formulas import steady_states
 from tests.cli.program import refused, rocksteady
 from tests.every import every
 
 POINT = "steady -A 2 -W 4 -r 0.8"
-SOLUTION_KEYS = {
-    "branch": int,
-    "kind": str,
-    "phase": float,
-    "velocity": float,
-    "peak": float,
-    "admissible": bool,
-    "half_cycle_multipliers": list,
-    "stable": bool,
-}
 
 
 def solutions(command: str) -> list[dict[str, Any]]:
@@ -78,37 +66,6 @@ def test_multipliers_are_of_a_period_in_every_command() -> None:
     assert "Multipliers are of a period." in rocksteady(f"orbits {point} --more").out
 
 
-def test_the_json_of_a_point_keeps_the_contract() -> None:
-    ran = rocksteady(f"{POINT} --json")
-    assert (ran.code, ran.err) == (0, "")
-    values = ran.json
-    assert next(iter(values)) == "schema"
-    assert values["schema"] == "rocksteady/steady/1"
-    states = steady_states(2.0, 4.0, 0.8)
-    assert values["region"] == 2
-    assert values["boundaries"] == {
-        "existence": float(states.existence),
-        "kind": float(states.kind),
-        "sign": float(states.sign),
-    }
-    assert [solution["branch"] for solution in values["solutions"]] == [1, 2]
-    assert states.peak is not None
-    for which, solution in enumerate(values["solutions"]):
-        assert solution["phase"] == states.phase[which]
-        assert solution["velocity"] == states.velocity[which]
-        assert solution["velocity_tau"] == states.velocity_tau[which]
-        assert solution["peak"] == states.peak[which]
-        assert solution["half_cycle_multipliers"] == [
-            [m.real, m.imag] for m in states.half_cycle_multipliers[which]
-        ]
-    first, second = values["solutions"]
-    for name, kind in SOLUTION_KEYS.items():
-        assert type(first[name]) is kind, name
-    assert (first["kind"], first["admissible"], first["stable"]) == ("out-of-phase", True, True)
-    assert (second["kind"], second["admissible"], second["stable"]) == ("in-phase", False, None)
-    assert first["phase"] == pytest.approx(2.8465425429, abs=5.1e-11)
-
-
 @every(
     ("point", "region"),
     [
@@ -141,21 +98,6 @@ def test_what_is_infinite_is_null() -> None:
     first, _ = solutions("steady -A 2 -W 0.01 -n 3 -r 0.8")
     assert first["half_cycle_multipliers"][0][0] is None
     assert first["half_cycle_trace"] is None
-
-
-def test_the_text_is_for_80_columns_and_says_what_matters() -> None:
-    ran = rocksteady(f"{POINT} --more")
-    for word in (
-        "stable",
-        "inadmissible",
-        "phase (rad) 2.85 -0.0341 ",
-        "peak u 0.185 -0.0452 ",
-        "-0.504 ± 0.395i",
-        "eq 23",
-        "negative phase",
-    ):
-        assert word in " ".join(ran.out.split())
-    assert max(map(len, rocksteady("steady -A 0.1 -W 4 -r 0.8").out.splitlines())) <= 80
 
 
 def test_long_and_short_flags_are_the_same() -> None:
@@ -319,50 +261,6 @@ def test_the_answer_of_axes_counts_points_with_a_stable_motion(axes: str, first:
 
 
 # ----------------------------------------------------------------------------------- files
-
-
-def test_the_csv_holds_every_solution_to_the_last_digit(tmp_path: Path) -> None:
-    file = tmp_path / "steady.csv"
-    ran = rocksteady("steady -A 0.1:2:3 -W 4:8:2 -r 0.8 --csv", file)
-    assert ran.code == 0
-    assert f"wrote {file}" in ran.err
-    assert str(file) not in ran.out
-    rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
-    states = steady_states(np.array([0.1, 1.05, 2.0])[:, np.newaxis], [4.0, 8.0], 0.8)
-    index = np.argwhere(states.region != 4)
-    assert len(rows) == 2 * len(index)
-    for row, (i, j, which) in zip(
-        rows, [(i, j, which) for i, j in index for which in (0, 1)], strict=True
-    ):
-        assert float(row["amplitude"]) == states.amplitude[i, j]
-        assert float(row["phase_rad"]) == states.phase[which, i, j]
-        assert float(row["velocity"]) == states.velocity[which, i, j]
-        assert int(row["branch"]) == which + 1
-        assert row["admissible"] == str(bool(states.admissible[which, i, j]))  # type: ignore[index]
-        stable = str(bool(states.stable[which, i, j])) if row["admissible"] == "True" else ""
-        assert row["stable"] == stable
-
-
-PNG = b"\x89PNG\r\n"
-
-
-@pytest.mark.slow
-@every(
-    ("command", "ending", "magic"),
-    [
-        (POINT, "png", PNG),
-        (POINT, "svg", b"<?xml"),
-        (POINT, "pdf", b"%PDF"),
-        ("steady -A 0.1 -W 4 -r 0.8", "png", PNG),
-        ("steady -A 1:3:3 -W 2:8:20 -r 0.8", "png", PNG),
-        ("steady -A 0.01:0.02:2 -W 2:8:5 -r 0.8", "png", PNG),
-    ],
-)
-def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_path: Path) -> None:
-    file = tmp_path / f"figure.{ending}"
-    assert rocksteady(f"{command} --plot", file).code == 0
-    assert file.read_bytes().startswith(magic)
-    assert [path.name for path in tmp_path.iterdir()] == [file.name]
 
 
 def test_a_plot_of_amplitudes_at_one_frequency_is_refused_before_anything_is_written(

@@ -220,6 +220,7 @@ def test_a_picture_keeps_the_command_without_folders_of_what_is_written() -> Non
     )
 
 
+@pytest.mark.slow
 @every("kind", ["png", "svg", "pdf"])
 def test_a_picture_of_the_program_has_its_command(kind: str, tmp_path: Path) -> None:
     command = "simulate -A 2 -W 4 -r 0.8 --cycles 3"

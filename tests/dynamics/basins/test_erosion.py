@@ -168,6 +168,7 @@ def test_executors_agree_and_whole_periods_change_nothing() -> None:
     assert np.array_equal(one.radius, image.radius)
 
 
+@pytest.mark.slow
 def test_a_store_holds_the_states_and_a_drop_has_none(tmp_path: Path) -> None:
     path, told = tmp_path / "erosion.zarr", list[int]()
     given: dict[str, Any] = {"restitution": 0.9, "frequency": 2.0, "amplitudes": [0.6, 1.0]}

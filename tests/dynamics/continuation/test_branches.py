@@ -125,6 +125,7 @@ def test_shorter_steps_find_the_same_branches(
         assert values[0] == pytest.approx(values[1], rel=1e-10)
 
 
+@pytest.mark.slow
 def test_a_cascade_is_gone_through_up_to_the_period_asked_for() -> None:
     start = symmetric_start(2.0, 2.0, 0.8)
     for longest in (1, 2, 4, 8):

@@ -68,6 +68,7 @@ def test_between_two_doublings_the_doubled_orbit_attracts(found: Cascade) -> Non
             assert settled.period == 2 ** (k + 1)
 
 
+@pytest.mark.slow
 def test_shorter_steps_find_the_same() -> None:
     start = symmetric_start(2.0, 2.0, 0.8)
     one, other = (

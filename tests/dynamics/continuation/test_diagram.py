@@ -37,6 +37,7 @@ def width(text: str) -> int:
     return max(len(line) for line in text.splitlines())
 
 
+@pytest.mark.slow
 @every("parameter", ["amplitude", "frequency_ratio", "restitution"])
 def test_the_parameter_that_moves_has_no_one_value(parameter: str) -> None:
     values = diagram_of(SIZED, parameter).to_dict()

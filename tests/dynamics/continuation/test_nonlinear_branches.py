@@ -229,6 +229,7 @@ def test_a_cascade_tends_to_feigenbaums_ratio() -> None:
     )
 
 
+@pytest.mark.slow
 @every("kind", ["fold", "symmetry-breaking", "grazing"])
 def test_curves_in_two_parameters_are_those_of_shooting(
     leaning: tuple[Branch, ...], kind: str

@@ -130,6 +130,7 @@ def test_bifurcations_are_those_of_shooting(
     assert checked
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", MODELS)
 def test_the_phase_of_the_period_changes_nothing(model: Linear | Nonlinear) -> None:
     def moved(turn: float) -> list[tuple[str, float]]:

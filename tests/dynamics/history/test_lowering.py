@@ -1,7 +1,6 @@
 """From motions to tables: records sample by sample, and which segments are alike."""
 
 import math
-import time
 
 import numpy as np
 import pytest
@@ -58,19 +57,6 @@ def test_segments_alike_are_as_long_and_without_sinusoid_and_jump() -> None:
         assert segment_table(Piecewise(pieces=pieces))[:, ALIKE].tolist() == alike
     shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0)
     assert segment_table(shaking)[:, ALIKE].tolist() == [0.0]
-
-
-def test_a_hundred_thousand_samples_are_lowered_at_once() -> None:
-    values = np.random.default_rng(0).normal(size=100_000)
-    record = Record(acceleration_m_s2=values, dt_s=0.005)
-    best = math.inf
-    table = segment_table(record, BLOCK)
-    for _ in range(5):
-        began = time.process_time()
-        segment_table(record, BLOCK)
-        best = min(best, time.process_time() - began)
-    assert table.shape == (100_000, 9)
-    assert best < 0.05  # some 3 ms; segment by segment it took two hundred times as long
 
 
 def test_a_record_needs_a_block_with_sizes() -> None:

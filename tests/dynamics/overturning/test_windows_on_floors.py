@@ -54,9 +54,9 @@ REVERSED = Pulse(shape="one-sine", amplitude=1, frequency_ratio=1, reverse=True)
 @pytest.mark.parametrize(
     ("model", "pulse", "one_sided"),
     [
-        (Linear(), "one-sine", False),
-        (Nonlinear(), RICKER, False),
         (Linear(), REVERSED, True),
+        pytest.param(Linear(), "one-sine", False, marks=pytest.mark.slow),
+        pytest.param(Nonlinear(), RICKER, False, marks=pytest.mark.slow),
         pytest.param(Nonlinear(), "one-sine", False, marks=pytest.mark.slow),
         pytest.param(Linear(), RICKER, False, marks=pytest.mark.slow),
         pytest.param(Nonlinear(), REVERSED, True, marks=pytest.mark.slow),
@@ -86,6 +86,7 @@ def test_each_end_parts_falls_from_stands(
     assert tried >= 2
 
 
+@pytest.mark.slow
 def test_windows_are_those_of_a_record_of_the_floor() -> None:
     times, hertz = 2000, 0.8
     dt = 1.0 / (hertz * times)

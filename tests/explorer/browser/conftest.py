@@ -1,19 +1,16 @@
 """The page, written once, in one browser a worker; what it must not do fails the test."""
 
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser
 
 from rocksteady import write_explorer
 from rocksteady.errors import MissingKernelsError
-from tests.explorer.browser.watched import Explorer, Watch
+from tests.explorer.browser.watched import Explorer, Watch, chromium
 from tests.strategies import PLAIN
-
-PROGRAMS = ("chromium", "chromium-browser", "google-chrome")
-FLAGS = ["--no-sandbox", "--disable-gpu", "--force-color-profile=srgb"]
+from tools.aot.replay.outcome import MissingProgramError
 
 
 @pytest.fixture(scope="package")
@@ -30,13 +27,11 @@ def page_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="package")
 def browser() -> Iterator[Browser]:
-    program = next(filter(None, map(shutil.which, PROGRAMS)), None)
-    if program is None:
-        pytest.skip("no Chromium is installed")
-    with sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=program, args=FLAGS)
-        yield found
-        found.close()
+    try:
+        with chromium() as found:
+            yield found
+    except MissingProgramError as error:
+        pytest.skip(str(error))
 
 
 @pytest.fixture

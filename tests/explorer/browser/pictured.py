@@ -5,17 +5,15 @@ other machines do not show, and large enough that a part which is missing does.
 """
 
 import io
-import shutil
 import tempfile
 from collections.abc import Collection
 from pathlib import Path
 
 from PIL import Image
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Page
 
 from rocksteady import write_explorer
-from tests.explorer.browser.conftest import FLAGS, PROGRAMS
-from tests.explorer.browser.watched import Explorer, Watch
+from tests.explorer.browser.watched import Explorer, Watch, chromium
 
 FOLDER = Path(__file__).with_name("pictures")
 SIZES = {"desktop": (1440, 900), "phone": (390, 844)}
@@ -62,12 +60,8 @@ def settled(page: Page) -> Image.Image:
 
 def main() -> None:
     """Keep the sheets."""
-    program = next(filter(None, map(shutil.which, PROGRAMS)), None)
-    if program is None:
-        raise SystemExit("no Chromium is installed")
     FOLDER.mkdir(exist_ok=True)
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=program, args=FLAGS)
+    with tempfile.TemporaryDirectory() as folder, chromium() as browser:
         file = write_explorer(Path(folder, "explorer.html"))
         for size in SIZES:
             for look in LOOKS:
@@ -75,7 +69,6 @@ def main() -> None:
                 sheet(explorer, size, look, VIEWS).save(
                     FOLDER / f"{size}-{look}.png", optimize=True
                 )
-        browser.close()
 
 
 if __name__ == "__main__":

@@ -1,8 +1,10 @@
 """A page in the browser, and what it does that it must not."""
 
 import re
+import shutil
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import quote
@@ -15,8 +17,13 @@ from playwright.sync_api import (
     Page,
     Request,
     WebError,
+    sync_playwright,
 )
 
+from tools.aot.replay.outcome import MissingProgramError
+
+PROGRAMS = ("chromium", "chromium-browser", "google-chrome")
+FLAGS = ["--no-sandbox", "--disable-gpu", "--force-color-profile=srgb"]
 WIDE = (1440, 900)
 DIMENSIONLESS = "#v=1&at=lab&units=none"
 """Fragment of the laboratory with amplitudes and ratios."""
@@ -29,6 +36,27 @@ FRAMES = """count => new Promise(done => {
   const next = () => count-- > 0 ? requestAnimationFrame(next) : done(true);
   next();
 })"""
+
+
+@contextmanager
+def chromium() -> Iterator[Browser]:
+    """Start Chromium, the system's or Playwright's own.
+
+    Raises
+    ------
+    MissingProgramError
+        If there is neither.
+    """
+    with sync_playwright() as playwright:
+        kind = playwright.chromium
+        program = next(filter(None, map(shutil.which, PROGRAMS)), kind.executable_path)
+        if not Path(program).exists():
+            raise MissingProgramError(
+                "no Chromium: .venv/bin/playwright install chromium, or apt install chromium"
+            )
+        browser = kind.launch(executable_path=program, args=FLAGS)
+        yield browser
+        browser.close()
 
 
 @dataclass

@@ -372,6 +372,7 @@ def test_every_fate_occurs() -> None:
     assert by_lanes(columns, 10).status.tolist() == [AT_REST, ROCKING, OVERTURNED]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(PLAIN, reason="about machine code")
 def test_the_loops_become_vector_instructions() -> None:
     for loop in (shake, launch, begin_special_apart, change_sides):

@@ -90,8 +90,3 @@ def test_a_kernel_that_returns_another_type_than_it_says_is_not_compiled() -> No
 
     with pytest.raises(TypeError, match="count returns int64, its annotation says float64"):
         compile_kernel(count)  # type: ignore[arg-type]
-
-
-@pytest.mark.skipif(not PLAIN, reason="kernels are compiled")
-def test_without_compilation_a_kernel_is_the_plain_function() -> None:
-    assert type(march).__name__ == "function"

@@ -301,6 +301,7 @@ def test_whole_periods_and_where_a_phase_is_split_do_not_count() -> None:
 # ------------------------------------------------------------------------------------- its arcs
 
 
+@pytest.mark.slow
 def test_extrema_of_arcs_agree_with_sampling_in_long_double() -> None:
     rng = np.random.default_rng(7)
     dips = 0

@@ -35,7 +35,7 @@ from rocksteady.measures import compute_response_spectrum
 from rocksteady.motions import Floor, FourierSeries, Impulses, Segment, cut, make_synthetic_suite
 from rocksteady.records import correct_baseline, resample
 from rocksteady.risk import Levels
-from tests.records import FOLDER, recording, synthetic
+from tests.records import ABSENT, FOLDER, recording, synthetic
 
 BLOCK = Block.rectangle(width=0.6, height=2.0)
 TWO: dict[str, Any] = {
@@ -168,6 +168,7 @@ def test_a_floor_that_never_comes_to_rest_is_refused() -> None:
         floor_motion(ground, frequencies_hz=1.0, damping=5e-324)
 
 
+@pytest.mark.slow
 def test_lasting_shaking_is_what_is_left_of_shaking_from_rest() -> None:
     motion = FourierSeries(
         amplitude=0.8, frequency_ratio=2.0, phase=0.3, harmonics=((1, 1.0, 0.2), (3, 0.5, -1.0))
@@ -315,7 +316,7 @@ def real_suite() -> list[Record]:
     """Return every second real record at .25 g; the test is skipped without them."""
     files = sorted((FOLDER / "suite_at2").glob("*.AT2"))[::2]
     if len(files) < 28:
-        pytest.skip("there is no suite in ../shared/records")
+        pytest.skip(ABSENT)
     records = [read_record(file) for file in files[:28]]
     return [each.scaled(0.25 * 9.80665 / each.peak_acceleration_m_s2) for each in records]
 

@@ -11,7 +11,7 @@ from rocksteady.records import RecordSet, pair_records, read_recordings
 from rocksteady.records.core.directions import pointing, pointing_of_name, tells_nothing
 from rocksteady.records.pairing import pair_doubts
 from tests.every import every
-from tests.records import FOLDER
+from tests.records import ABSENT, FOLDER
 from tests.records.writers import (
     at2,
     cosmos_channel,
@@ -245,7 +245,7 @@ def test_starts_that_differ_are_named(tmp_path: Path) -> None:
 def test_real_files_of_pacoima_dam() -> None:
     paths = sorted((FOLDER / "peer_at2").glob("RSN77_*"))
     if len(paths) != 3:
-        pytest.skip("there is no RSN77 in ../shared/records")
+        pytest.skip(ABSENT)
     (found,) = pair_records(paths)
     assert found.vertical is not None
     assert found.vertical.component == "DWN"

@@ -239,6 +239,7 @@ def test_remedies_are_confirmed_by_their_own_runs(found: Assessment) -> None:
     assert found.remedies[0].words in found.sentence
 
 
+@pytest.mark.slow
 def test_a_remedy_meets_the_target_by_the_method_of_the_objects_own_probability() -> None:
     wide = described(
         {"target_probability": 0.11},
@@ -656,6 +657,7 @@ def test_a_remedy_may_make_it_too_stocky_for_a_wall_to_turn_it_back() -> None:
     assert wall.block_of(wall.body.wider(1.1)).restitution > 0.0
 
 
+@pytest.mark.slow
 def test_a_stocky_object_has_an_answer_though_no_wider_one_rocks() -> None:
     """Three times its width has no restitution by Housner: the assessment ended in an error."""
     geometry = {"width_m": 0.4, "height_m": 1.0}

@@ -104,6 +104,7 @@ def met(remedy: Remedy, target: float) -> bool:
     return remedy.probability <= target and share <= max(target, remedy.probability + 0.1)
 
 
+@pytest.mark.slow
 def test_no_object_meets_its_target_where_far_more_runs_fall_than_its_curve_allows() -> None:
     """Of few records a curve was amber, at 4 %, where 2 of 4 runs fall at the demand."""
     bodies = [
@@ -222,6 +223,7 @@ def test_an_object_against_a_wall_counts_both_signs() -> None:
     assert row["probability"] > 0.0
 
 
+@pytest.mark.slow
 def test_of_thirty_objects_the_worst_are_on_the_screen() -> None:
     """The probability of each is another in its own line; ten are red, spread over the file."""
     sizes = {f"rack {n}": (0.2 + 0.02 * (7 * n % 30), 1.8) for n in range(30)}

@@ -223,6 +223,7 @@ def test_an_object_that_is_known_exactly_is_calibrated() -> None:
     assert ((found.validation.predictions.p > 0.0) & (found.validation.predictions.p < 1.0)).all()
 
 
+@pytest.mark.slow
 def test_objects_have_posteriors_of_their_own(tests: Observations) -> None:
     half = [
         replace(test, object="other") if place % 2 else test

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.records import FOLDER
+from tests.records import ABSENT, FOLDER
 from tests.risk.calibration.laboratories import (
     SESSION_GAIN,
     covered,
@@ -13,7 +13,7 @@ from tests.risk.calibration.laboratories import (
     make_laboratory,
 )
 
-pytestmark = pytest.mark.skipif(not FOLDER.exists(), reason="there is no ../shared/records")
+pytestmark = pytest.mark.skipif(not FOLDER.exists(), reason=ABSENT)
 
 
 @pytest.mark.slow

@@ -101,6 +101,7 @@ def in_sessions(gains: dict[str, float], repeats: int = 12) -> Observations:
     return Observations(tests=tests, objects={"o": block})
 
 
+@pytest.mark.slow
 def test_a_strong_session_has_the_larger_gain() -> None:
     tests = in_sessions({"weak": 0.7, "usual": 1.0, "strong": 1.4})
     found = calibrate(tests, sampling=DrawOptions(draws=400, gains=3, rounds=4), model=Linear())

@@ -54,9 +54,9 @@ def test_levels_are_the_usual_ones_without_vertical_motion_and_where_they_are_gi
     assert levels_in_contact(given, [STATUE], shaken) is given
 
 
-@pytest.mark.parametrize("count", [1, 3])
-@pytest.mark.parametrize("width", [0.3, 1.5])
-@pytest.mark.parametrize("vertical", [2.0, 8.0])
+@pytest.mark.parametrize(
+    ("count", "width", "vertical"), [(1, 0.3, 8.0), (3, 1.5, 2.0), (3, 0.3, 2.0), (1, 1.5, 8.0)]
+)
 def test_few_motions_with_strong_vertical_parts_have_answers(
     count: int, width: float, vertical: float
 ) -> None:

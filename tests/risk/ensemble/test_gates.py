@@ -20,7 +20,7 @@ from rocksteady import (
 from rocksteady.export import LossComponent
 from rocksteady.risk import FitOptions, Levels, RestitutionBand, fit_curve, fit_fragility
 from rocksteady.risk.ensemble.gates import condition_of, lowest_gate
-from tests.records import FOLDER
+from tests.records import ABSENT, FOLDER
 from tests.seismic.grounds import ground
 
 BLOCK = Block.rectangle(width=0.4, height=1.6)
@@ -147,7 +147,7 @@ def test_a_statue_in_pga_is_described_by_two_stages() -> None:
     """Lognormals in PGA miss the shares by .2: at .30 g none falls, at .50 g 64 %."""
     files = sorted((FOLDER / "suite_at2").glob("*.AT2"))
     if not files:
-        pytest.skip("there is no suite in ../shared/records")
+        pytest.skip(ABSENT)
     found = compute_fragility(
         Block.from_radius(alpha=0.27, radius=0.9),
         [read_record(file) for file in files],
@@ -205,6 +205,7 @@ def test_no_run_lifts_up_to_the_lowest_gate(block: Block, model: Linear | Nonlin
     assert lifted(gate / BELOW_ALL) > 0.0
 
 
+@pytest.mark.slow
 def test_on_a_floor_or_with_vertical_motion_no_peak_of_the_ground_is_a_gate() -> None:
     gate = math.tan(BLOCK.alpha)
     floors = [floor_motion(each, frequencies_hz=2.0, shapes=1.4) for each in SUITE]

@@ -30,7 +30,7 @@ from rocksteady.risk import (
     fit_fragility,
 )
 from rocksteady.risk.fragility._labels_of_runs import kept_measures
-from tests.records import FOLDER
+from tests.records import ABSENT, FOLDER
 from tests.seismic.grounds import ground
 
 BLOCK = Block.rectangle(width=0.4, height=1.6)
@@ -415,7 +415,7 @@ def test_the_suite_gives_the_published_curve() -> None:
     """Median .672 and beta .462 of 3,360 runs, and the shares by bins of the measure."""
     files = sorted((FOLDER / "suite_at2").glob("*.AT2"))
     if not files:
-        pytest.skip("there is no suite in ../shared/records")
+        pytest.skip(ABSENT)
     blocks = [Block.from_p(alpha=a, p=p) for a in (0.1, 0.2, 0.3) for p in (1.0, 1.5, 2.0, 3.0)]
     runs = run_ensemble(
         blocks,

@@ -25,7 +25,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.seismic.spectra.describe import describe as described
 from tests.every import every
-from tests.records import FOLDER, peer
+from tests.records import ABSENT, FOLDER, peer
 from tests.records.published import AT_PACOIMA_DAM, PEAKS
 from tests.seismic.grounds import ALPHAS, PERIODS, ground, lifting
 
@@ -287,7 +287,7 @@ def test_what_is_no_record_and_what_the_linear_model_has_no_term_for_is_refused(
 def test_a_suite_of_real_records_is_what_its_time_histories_are() -> None:
     files = sorted((FOLDER / "suite_at2").glob("*.AT2"))[:12]
     if not files:
-        pytest.skip("there is no suite in ../shared/records")
+        pytest.skip(ABSENT)
     suite = [read_record(file) for file in files]
     for model in (Linear(), Nonlinear()):
         found = compute_rocking_spectrum(

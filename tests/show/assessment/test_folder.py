@@ -168,6 +168,7 @@ def test_a_folder_with_anything_else_is_left_alone(sliding: Assessment, tmp_path
     assert names(tmp_path / "empty") == ALONE
 
 
+@pytest.mark.slow
 def test_a_run_that_was_killed_does_not_stand_in_the_way(
     sliding: Assessment, tmp_path: Path
 ) -> None:
@@ -206,6 +207,7 @@ def test_what_fails_leaves_nothing_half_written(
     assert not (tmp_path / "answer").exists()
 
 
+@pytest.mark.slow
 def test_what_is_interrupted_at_the_disk_leaves_no_mixture(
     sliding: Assessment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -241,6 +243,7 @@ def test_a_full_disk_is_reported_with_the_folder_of_the_answer(
     assert not (tmp_path / "answer").exists()
 
 
+@pytest.mark.slow
 @every("states", [None, ["uplift"]])
 def test_any_damage_states_make_a_folder_with_both_components(
     states: list[str] | None, tmp_path: Path

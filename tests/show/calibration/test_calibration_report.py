@@ -56,6 +56,7 @@ def test_every_section_and_picture_is_there() -> None:
         assert start in words
 
 
+@pytest.mark.slow
 def test_numbers_are_those_of_the_result() -> None:
     found, text = calibrated(), Page(page("usual")).text
     scores = found.validation.rows

@@ -221,6 +221,7 @@ def as_pelicun_reads(file: Path, identifier: str, state: int) -> Any:
     return stats.lognorm(float(row[f"LS{state}", "Theta_1"]), scale=float(first)).cdf
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:.*no_silent_downcasting.*", "ignore:.*copy_on_write.*")
 def test_every_curve_comes_back_from_every_file_as_its_reader_takes_it(tmp_path: Path) -> None:
     """Within .01 of the report's, below uplift too, and with the same annual rate within 1 %."""

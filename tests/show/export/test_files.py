@@ -120,6 +120,7 @@ def test_a_name_that_is_no_text_is_written_and_json_reads_it_back(tmp_path: Path
 # ---------------------------------------------------------------------------------------- figures
 
 
+@pytest.mark.slow
 @every("kind", MAGIC)
 def test_a_figure_is_the_same_bytes_each_time(kind: str) -> None:
     first = figure_bytes(picture(), kind)

@@ -71,6 +71,7 @@ def test_no_english_is_left_on_the_italian_page(name: str) -> None:
     assert "To the content" not in html
 
 
+@pytest.mark.slow
 @BOTH
 def test_italian_numbers_have_commas_and_english_ones_points(name: str) -> None:
     """But for numbers of formulas, as C8.7.1.10, and the version at the end."""

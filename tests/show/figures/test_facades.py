@@ -16,6 +16,7 @@ def test_it_has_the_runs_where_there_are_any() -> None:
     ]  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [84.0, 174.0])
 def test_it_is_as_wide_as_asked(width: float) -> None:
     figure = facade_figure(thin(), page=Page(width_mm=width))

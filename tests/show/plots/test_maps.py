@@ -47,6 +47,7 @@ def test_each_cell_has_the_fill_of_its_class_at_its_place() -> None:
     assert len(map_cells(found()).shares()) >= 4
 
 
+@pytest.mark.slow
 @every(
     "spread",
     [

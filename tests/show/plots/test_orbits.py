@@ -74,6 +74,7 @@ def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
     assert np.isfinite([*axes.get_xlim(), *axes.get_ylim()]).all()
 
 
+@pytest.mark.slow
 @drawings
 def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings(
     draw: Callable[[Axes | None], Axes],
@@ -263,6 +264,7 @@ def test_multipliers_of_a_rest_lie_at_0() -> None:
 # -------------------------------------------------------------------- a period as a course
 
 
+@pytest.mark.slow
 @every(("amplitude", "ratio"), [(2.0, 1.9), (2.0, 4.0), (1.2, 0.7), (1.2, 1.9)])
 def test_the_course_of_any_orbit_closes_and_has_its_peaks(amplitude: float, ratio: float) -> None:
     listed = [orbit for orbit in found(ratio, amplitude) if orbit.admissible]
@@ -326,6 +328,7 @@ def whole_figures() -> dict[str, Figure]:
     }
 
 
+@pytest.mark.slow
 def test_every_figure_has_its_title_its_labels_and_room_for_its_legends() -> None:
     for name, figure in whole_figures().items():
         assert figure.get_suptitle() == "title"

@@ -106,6 +106,7 @@ def test_every_point_has_the_fill_of_its_way_of_overturning(shape: str) -> None:
     assert len(seen) >= 3
 
 
+@pytest.mark.slow
 def test_windows_left_out_are_not_drawn_as_standing() -> None:
     windows = find_overturning_windows(
         DimensionlessBlock(restitution=0.9), "type-c2", [0.7, 3.0], resolution=0.01
@@ -123,6 +124,7 @@ def test_windows_left_out_are_not_drawn_as_standing() -> None:
     assert "narrower windows, not listed" in [text.get_text() for text in legend.get_texts()]
 
 
+@pytest.mark.slow
 def test_rims_of_narrow_windows_lie_beneath_what_falls() -> None:
     windows = find_overturning_windows(DimensionlessBlock(restitution=0.9), "type-c2", [0.7, 3.0])
     with palette.on_paper(DARK), palette.style():
@@ -144,6 +146,7 @@ def test_rims_of_narrow_windows_lie_beneath_what_falls() -> None:
     )
 
 
+@pytest.mark.slow
 def test_on_a_floor_falls_are_of_one_kind_from_the_least_amplitude_on() -> None:
     block = Block.rectangle(width=0.5, height=2.0)
     windows = find_overturning_windows(

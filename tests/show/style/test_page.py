@@ -204,6 +204,7 @@ def test_the_fonts_of_a_pdf_are_embedded_as_true_type(tmp_path: Path) -> None:
     assert b"/CIDFontType2" in whole.replace(b" ", b"")
 
 
+@pytest.mark.slow
 def test_a_users_settings_change_no_figure_of_the_program() -> None:
     plain = figure_bytes(makers()["simulation"](Page()), "svg")
     with mpl.rc_context({"text.color": "red", "pdf.fonttype": 3, "lines.linewidth": 1.3}):
@@ -226,6 +227,7 @@ def test_a_label_is_broken_where_it_is_longer_than_its_room() -> None:
     assert label.get_text().split() == ["some", "words", "of", "a", "label"]
 
 
+@pytest.mark.slow
 def test_no_figure_warns() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")

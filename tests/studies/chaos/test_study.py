@@ -96,6 +96,7 @@ def test_the_folder_holds_certificates_that_hold_and_claims_no_more(tmp_path: Pa
         study.save(tmp_path / "out")
 
 
+@pytest.mark.slow
 def test_a_claim_that_is_undecided_has_no_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

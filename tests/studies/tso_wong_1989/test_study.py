@@ -371,6 +371,7 @@ def test_a_full_disk_leaves_nothing_behind_and_is_named(
     assert names(tmp_path) == []
 
 
+@pytest.mark.slow
 def test_a_full_disk_at_the_last_file_leaves_nothing_behind(
     whole: Study, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

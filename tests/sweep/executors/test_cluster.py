@@ -383,6 +383,7 @@ def test_a_cluster_that_is_lost_says_so(monkeypatch: pytest.MonkeyPatch) -> None
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.slow
 def test_messages_of_dask_alone_are_kept_from_the_terminal() -> None:
     dask, ours = logging.getLogger("distributed.nanny"), logging.getLogger("laboratory.distributed")
     streams = [logging.StreamHandler(io.StringIO()) for _ in range(2)]

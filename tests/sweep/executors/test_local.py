@@ -87,6 +87,7 @@ def test_all_that_a_sweep_opens_listens_on_this_machine_alone() -> None:
         assert {*places} - {*before} <= {"127.0.0.1", "::1"}
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc/net")
 def test_settings_of_dask_open_no_other_address() -> None:
     import dask

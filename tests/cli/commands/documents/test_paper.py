@@ -114,6 +114,7 @@ def test_some_figures_are_written_without_statements(tmp_path: Path) -> None:
     assert "".join(text.out.split()) == f"Wrote4filesofthefiguresinto{folder}."
 
 
+@pytest.mark.slow
 def test_the_command_that_a_panel_names_makes_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

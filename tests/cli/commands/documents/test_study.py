@@ -304,6 +304,7 @@ def test_checks_of_facades_refuse_in_one_line(arguments: str, words: str, tmp_pa
     assert not folder.exists()
 
 
+@pytest.mark.slow
 def test_the_study_of_chaos_leaves_its_page_and_its_contract(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -237,6 +237,7 @@ def test_rest_ends_at_uplift_and_a_still_base_knows_rest_and_falls() -> None:
     assert {one.typical.kind for one in still} == {AttractorKind.REST, AttractorKind.OVERTURNED}
 
 
+@pytest.mark.slow
 def test_a_store_and_another_executor_give_the_same(tmp_path: Any) -> None:
     path = tmp_path / "shares.zarr"
     first = broken(run=Execution(store=path, executor="serial"))

@@ -187,6 +187,7 @@ def test_gaps_say_why() -> None:
     assert len(lossless.gaps) == 1
 
 
+@pytest.mark.slow
 def test_where_rounding_decides_a_branch_ends_before_other_uplifts() -> None:
     block = DimensionlessBlock(restitution=0.8, alpha_ratio=1.05)
     motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)

@@ -10,7 +10,7 @@ import pytest
 
 from rocksteady import RocksteadyError, read_record
 from tests.explorer.in_node import InNode
-from tests.records import FOLDER, synthetic
+from tests.records import ABSENT, FOLDER, synthetic
 
 READ = """
 const { readMotion } = await import(parts('physics/quake/recordfile.mjs'));
@@ -263,7 +263,7 @@ def test_what_is_refused_by_the_package_is_refused_here(in_node: InNode, tmp_pat
 def test_real_files_give_the_samples_of_the_package(in_node: InNode) -> None:
     paths = [path for path in sorted(FOLDER.glob("*/*")) if path.suffix.lower() in (".at2", ".csv")]
     if not paths:
-        pytest.skip("there are no records in ../shared/records")
+        pytest.skip(ABSENT)
     paths = paths[::3]
     found = read(in_node, {path.name: path.read_bytes() for path in paths})
     for path in paths:
@@ -274,7 +274,7 @@ def test_real_files_give_the_samples_of_the_package(in_node: InNode) -> None:
 def test_files_of_other_networks_are_refused(in_node: InNode) -> None:
     paths = [*sorted(FOLDER.glob("formats/*")), *FOLDER.glob("other/*")]
     if not paths:
-        pytest.skip("there are no records in ../shared/records")
+        pytest.skip(ABSENT)
     found = read(in_node, {path.name: path.read_bytes() for path in paths})
     assert all(set(each) == {"refused"} for each in found.values())
 

@@ -138,6 +138,7 @@ def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels() -> None:
     assert plots.bifurcation_curves(curves(), axes) is axes
 
 
+@pytest.mark.slow
 def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings() -> None:
     settings = dict(mpl.rcParams)
     assert plots.bifurcations(over_frequency()).figure is plt.gcf()
@@ -244,6 +245,7 @@ def test_bifurcations_that_end_stable_parts_are_named_with_their_places() -> Non
     assert "symmetry breaking" not in legend_of(axes), "all of them have their names"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [3.3, 8.0])
 def test_no_name_lies_on_another_or_on_a_mark(width: float) -> None:
     figure = Figure(figsize=(width, 4.0), layout="constrained")
@@ -270,6 +272,7 @@ def test_the_tipping_angle_is_a_dashed_limit_with_its_name() -> None:
     assert "tipping angle" not in words_of(low)
 
 
+@pytest.mark.slow
 def test_a_block_of_known_size_has_its_units_and_the_ratios_on_the_far_sides() -> None:
     block = Block.rectangle(width=0.4, height=2.0, restitution=0.8)
     shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)

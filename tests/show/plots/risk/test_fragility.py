@@ -125,6 +125,7 @@ def test_curve_and_median_are_named_beside_them_where_there_is_room() -> None:
     assert "in two stages" in entries(narrow)
 
 
+@pytest.mark.slow
 def test_a_name_hides_neither_its_curve_nor_a_share() -> None:
     for found in (two_stages(), two_stages(None), two_stages(None, 1.6), two_stages(0.15, 0.25)):
         drawn = plots.fragility(found, axes())

@@ -85,6 +85,7 @@ def test_mirror_images_count_once() -> None:
     assert found.text_at(1, 1).count("1x2") == 1
 
 
+@pytest.mark.slow
 def test_the_answer_does_not_depend_on_the_workers() -> None:
     few = Plane(restitution=0.8, amplitude=[1.0, 3.0, 5.0], frequency_ratio=[3.0, 6.0, 9.0])
     one, other = (

@@ -43,5 +43,5 @@ def test_the_page_shows_every_picture_and_every_sentence() -> None:
 
 def test_the_command_on_the_page_makes_this_atlas() -> None:
     assert command(plane()) == (
-        "rocksteady study atlas -r 0.8 -A 0.4:8:6 -W 0.6:12:7 -n 1 -n 3 -n 5 --out DIR"
+        "rocksteady study atlas -r 0.8 -A 0.4:8:5 -W 0.6:12:5 -n 1 -n 3 -n 5 --out DIR"
     )

@@ -14,6 +14,7 @@ from tests.studies.tso_wong_1989.whole import evidence
 pytestmark = pytest.mark.usefixtures("computed")
 
 
+@pytest.mark.slow
 def test_the_strip_of_fates_is_coloured_as_the_fates_are_on_its_side() -> None:
     case = evidence().histories["8b"]  # whose fates differ from end to end on either side
     figure = case.panel().draw()

@@ -35,6 +35,7 @@ def test_the_figures_have_the_papers_parameters() -> None:
     assert (HIGHEST_FREQUENCY, HIGHEST_AMPLITUDE) == (14.0, 6.0)
 
 
+@pytest.mark.slow
 @planes
 def test_the_axes_are_the_papers(plane: object) -> None:
     axes = drawn(plane.panel().draw())  # type: ignore[attr-defined]
@@ -45,6 +46,7 @@ def test_the_axes_are_the_papers(plane: object) -> None:
     assert "amplitude" in axes.get_ylabel()
 
 
+@pytest.mark.slow
 @every(
     ("name", "expected"),
     [("3a", {1, 2, 3, 4}), ("4a", {1, 2, 3, 4, 5}), ("4b", {1, 2, 4})],
@@ -61,6 +63,7 @@ def test_regions_are_numbered_as_in_the_paper(name: str, expected: set[int]) -> 
             assert printed_region(a, w, plane.restitution, plane.order) == int(text.get_text())
 
 
+@pytest.mark.slow
 @planes
 def test_every_equation_is_named_and_the_legend_stands_below_the_axes(plane: object) -> None:
     figure = plane.panel().draw()  # type: ignore[attr-defined]

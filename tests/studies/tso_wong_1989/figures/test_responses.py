@@ -22,6 +22,7 @@ def peak(name: str, value: float, x: float) -> float:
     return found
 
 
+@pytest.mark.slow
 @every(
     ("name", "end", "label"),
     [
