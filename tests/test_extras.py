@@ -30,13 +30,14 @@ ANSWERS = (
     "bifurcate -A 2 -W 3:5:9 -r 0.8 --plot branches.svg",
     "paper --only 3a --out paper",
 )
+NO_ZARR, NO_NETCDF = "cannot be written: zarr", "cannot be written: h5netcdf"
 REFUSED = {
-    f"{MAP} --out m.zarr": "--out = 'm.zarr' cannot be written: zarr",
-    f"{MAP} --out m.zarr --resume": "--out = 'm.zarr' cannot be written: zarr",
-    f"{MAP} --csv m.csv --netcdf m.nc": "--netcdf = 'm.nc' cannot be written: h5netcdf",
-    "fragility --example --netcdf r.nc": "--netcdf = 'r.nc' cannot be written: h5netcdf",
-    "assess --example --runs runs.zarr": "--runs = 'runs.zarr' cannot be written: zarr",
-    "study atlas --out atlas": "--out = 'atlas' cannot be written: zarr",
+    f"{MAP} --out m.zarr": f"--out = 'm.zarr' {NO_ZARR}",
+    f"{MAP} --out m.zarr --resume": f"--out = 'm.zarr' {NO_ZARR}",
+    f"{MAP} --csv m.csv --netcdf m.nc": f"--netcdf = 'm.nc' {NO_NETCDF}",
+    "fragility --example --csv r.csv --netcdf r.nc": f"--netcdf = 'r.nc' {NO_NETCDF}",
+    "assess --example --runs runs.zarr": f"--runs = 'runs.zarr' {NO_ZARR}",
+    "study atlas --out atlas": f"--out = 'atlas' {NO_ZARR}",
 }
 HINT = "is not installed; install it: pip install 'rocksteady[stores]'"
 
