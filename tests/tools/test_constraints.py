@@ -54,8 +54,8 @@ def test_every_installed_pin_admits_every_python() -> None:
         if not pin.specifier.contains(found.version):
             continue  # the pin of another Python
         read += 1
-        asked = [value for key, value in found.metadata.items() if key == "Requires-Python"]
-        allowed = Requirement("".join(["python", *asked[:1]])).specifier
+        (asked,) = found.metadata.get_all("Requires-Python") or [""]
+        allowed = Requirement(f"python{asked}").specifier
         refusing += [
             f"{pin} refuses Python {python}"
             for python, system in product(PYTHONS, SYSTEMS)
