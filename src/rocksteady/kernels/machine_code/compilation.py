@@ -281,10 +281,29 @@ def _kernel(
     function: FunctionT, *, forceinline: bool = False, allocates: bool = False
 ) -> FunctionT:
     if os.environ.get(CHOICE) == PYTHON:
-        return function
+        return _in_python(function)
     kernel: Any = Kernel(function, forceinline=forceinline, allocates=allocates)
     made: FunctionT = kernel
     return made
+
+
+def _in_python(function: FunctionT) -> FunctionT:
+    """Return a function whose numbers are Python's, as those of compiled code are."""
+
+    def call(*arguments: Any) -> Any:
+        return _plain(function(*arguments))
+
+    made: Any = functools.update_wrapper(call, function)
+    made.py_func = function
+    return made  # type: ignore[no-any-return]
+
+
+def _plain(value: Any) -> Any:
+    """Return a result with Python's numbers in place of NumPy's; arrays as they are."""
+    if isinstance(value, tuple):
+        items = [_plain(item) for item in value]
+        return value._make(items) if hasattr(value, "_make") else tuple(items)
+    return value.item() if hasattr(value, "dtype") and not value.shape else value
 
 
 def _tools() -> str:
