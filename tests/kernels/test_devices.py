@@ -31,7 +31,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")
 
 def plain(kernel: Any) -> Any:
     """Return the function of a kernel."""
-    return getattr(kernel, "py_func", kernel)
+    return kernel.py_func
 
 
 def test_there_is_a_case_for_each_form() -> None:

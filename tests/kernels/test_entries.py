@@ -24,6 +24,7 @@ from rocksteady.kernels.machine_code.types import signature_of
 from tests.public.calls import calls
 from tests.strategies import PLAIN
 
+KERNELS = "rocksteady.kernels."
 ROOT = Path(__file__).parents[2]
 MODELS = (rs.Linear(), rs.Nonlinear())
 
@@ -88,7 +89,7 @@ def print_kernels_that_run_as_python() -> None:
     def watched(kernel: Kernel, *arguments: Any) -> Any:
         caller = sys._getframe(2).f_globals["__name__"]
         result = first_call(kernel, *arguments)
-        if kernel._call is kernel.py_func and not caller.startswith("rocksteady.kernels."):
+        if kernel._call.__module__ == Kernel.__module__ and not caller.startswith(KERNELS):
             found.add(f"{kernel.py_func.__module__}.{kernel.py_func.__qualname__} by {caller}")
         return result
 

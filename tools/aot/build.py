@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
 
-from rocksteady.kernels.machine_code.compilation import CHOICE
 from rocksteady.kernels.machine_code.library import checksum_file
 from rocksteady.kernels.machine_code.sources import sources_hash, unchanged
 from tools.aot.emit import emit
@@ -91,9 +90,7 @@ def lowered(
         kept.parent.mkdir(parents=True, exist_ok=True)
         for old in kept.parent.glob(f"*.{kind}*"):
             old.unlink(missing_ok=True)
-        # Kernels, not the plain functions that this variable can ask for.
-        variables = {key: value for key, value in os.environ.items() if key != CHOICE}
-        subprocess.run([sys.executable, "-m", *command, str(kept)], check=True, env=variables)
+        subprocess.run([sys.executable, "-m", *command, str(kept)], check=True)
     return kept.read_bytes()
 
 

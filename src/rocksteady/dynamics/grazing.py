@@ -11,5 +11,5 @@ def grazes(landing: float, amplitude: float, frequency: float) -> bool:
     Parameters are those of `rocksteady.kernels.core.forcing.grazes`, which runs as Python here:
     one call decides for an orbit, and no entry of the library would be faster.
     """
-    rule: Any = getattr(forcing.grazes, "py_func", forcing.grazes)  # without kernels it is plain
-    return bool(rule(landing, amplitude, frequency))
+    kernel: Any = forcing.grazes
+    return bool(kernel.py_func(landing, amplitude, frequency))

@@ -119,4 +119,4 @@ _KERNELS: tuple[Any, ...] = (
     ),
 )
 ENTRIES: dict[str, Any] = {kernel.__name__: kernel for kernel in _KERNELS}
-"""By name; each a `Kernel`, or with compilation switched off the function itself."""
+"""By name; each a `Kernel`."""

@@ -167,4 +167,6 @@ def test_the_real_one_runs_and_takes_no_arguments() -> None:
     found = rocksteady("doctor --json").json
     assert found["versions"]["rocksteady"] == rs.__version__
     assert found["calls"] == sum(entry["calls"] for entry in found["checks"])
+    quoted = (Path(__file__).parents[3] / "docs" / "start" / "install.md").read_text("utf-8")
+    assert f"All {found['values']:,} recorded values agree bit for bit: this" in quoted
     assert "extra" in refused("doctor extra")

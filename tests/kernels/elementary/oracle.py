@@ -117,7 +117,7 @@ def check(name: str, draws: list[Any], count: int, *, bound: float | None = None
 
 def plain(kernel: Any) -> Any:
     """Return a kernel as a function of Python that calls nothing compiled."""
-    function = getattr(kernel, "py_func", kernel)
+    function = kernel.py_func
     names = dict(function.__globals__)
     for name in function.__code__.co_names:
         if hasattr(names.get(name), "py_func"):

@@ -68,6 +68,7 @@ def test_rows_begin_where_the_ones_before_end_and_impacts_are_between_them() -> 
         assert after == pytest.approx(0.8 * before, rel=1e-15)
         assert (facts.end, facts.passing) == (starts[-1] + facts.last, -1)
         assert math.isnan(facts.overturned)
+        assert {type(value) for value in (*facts[:-1], *facts.peaks)} == {float, int}
 
 
 @every(("push", "ratios"), [(0.0, (0.5, 0.5)), (0.3, (0.5, 0.5)), (-0.3, (0.4, 0.7))])

@@ -140,7 +140,7 @@ class Kernel:
             loaded = library()
             found = loaded.entry(self.py_func) if loaded else None
         # What the library does not hold is called by other kernels: from Python by tests alone.
-        self._call = found or self.py_func
+        self._call = found or _in_python(self.py_func)
         return self._call(*arguments)
 
 
@@ -164,14 +164,29 @@ def retyped(kernel: Any, name: str, **types: Any) -> Any:
     function = FunctionType(before.__code__, before.__globals__, name)
     function.__qualname__, function.__doc__ = name, before.__doc__
     function.__annotations__ = {**before.__annotations__, **types}
-    return Retyped(function, kernel) if isinstance(kernel, Kernel) else function
+    return Retyped(function, kernel)
 
 
 def _kernel(
     function: FunctionT, *, forceinline: bool = False, allocates: bool = False
 ) -> FunctionT:
-    if os.environ.get(CHOICE) == PYTHON:
-        return function
     kernel: Any = Kernel(function, forceinline=forceinline, allocates=allocates)
     made: FunctionT = kernel
     return made
+
+
+def _in_python(function: Callable[..., object]) -> Callable[..., Any]:
+    """Return a function whose numbers are Python's, as those of compiled code are."""
+
+    def call(*arguments: Any) -> Any:
+        return _plain(function(*arguments))
+
+    return call
+
+
+def _plain(value: Any) -> Any:
+    """Return a result with Python's numbers in place of NumPy's; arrays as they are."""
+    if isinstance(value, tuple):
+        items = [_plain(item) for item in value]
+        return value._make(items) if hasattr(value, "_make") else tuple(items)
+    return value.item() if hasattr(value, "dtype") and not value.shape else value

@@ -107,7 +107,8 @@ def _unusable(fault: str) -> MissingKernelsError:
         "the library of compiled kernels",
         Words(fault),
         "it must be whole, for this processor, and made from these sources",
-        "run `make library` in a checkout, or install the package again",
+        "run `make library` in a checkout; elsewhere `pip install .` once more, or the wheel with "
+        "--force-reinstall",
     )
 
 

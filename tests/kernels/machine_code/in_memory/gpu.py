@@ -38,7 +38,7 @@ def on_host(form: Form, host: Callable[..., None]) -> Callable[..., None]:
 
 
 def _arguments(kernel: Any) -> int:
-    function = getattr(kernel, "py_func", kernel)
+    function = kernel.py_func
     return int(function.__code__.co_argcount)
 
 
