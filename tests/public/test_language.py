@@ -14,6 +14,7 @@ import rocksteady as rs
 from rocksteady.errors import InputError
 from tests.every import every
 from tests.public.calls import calls as calls_that_succeed
+from tests.public.calls import room
 from tools.namespace import PLACES, THINGS
 
 INTERFACE = (Path(__file__).parents[2] / "docs" / "interface.md").read_text(encoding="utf-8")
@@ -106,7 +107,8 @@ def test_one_argument_has_one_default() -> None:
     assert {key: found for key, found in several.items() if key not in DEFAULTS} == {}
 
 
-def test_every_function_with_a_model_takes_its_name() -> None:
+def test_every_function_with_a_model_takes_its_name(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(room())
     takes = {
         label: call
         for label, call in calls_that_succeed().items()
