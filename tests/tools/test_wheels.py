@@ -12,7 +12,7 @@ import subprocess
 import sys
 import zipfile
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePath
 
 import pytest
@@ -36,7 +36,6 @@ from tools.wheels.building import (
     build,
     build_programs,
     deflated,
-    faults,
     programs,
 )
 from tools.wheels.first_start import sizes, wheel_of_this_machine
@@ -335,6 +334,11 @@ def test_a_package_weighs_what_its_libraries_beside_it_do(tmp_path: Path) -> Non
 
 
 # ------------------------------------------------------------------- what a library may need
+
+
+def faults(file: Path, tag: str, kernels: Sequence[str] = ()) -> list[str]:
+    (found,) = building.faults([file], tag, kernels)
+    return found
 
 
 @pytest.mark.slow
