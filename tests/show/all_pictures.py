@@ -78,14 +78,13 @@ def figures() -> dict[str, Callable[..., Figure]]:
 @cache
 def usual_pictures() -> dict[str, Callable[[], Figure]]:
     """Return what draws each kind of figure and each public plot once, by its name."""
-    whole: dict[str, Callable[[], Figure]] = {
+    found: dict[str, Callable[[], Figure]] = {
         name: partial(draw, page=Page()) for name, draw in figures().items()
     }
-    return whole | {
-        label: partial(_of_axes, partial(_called, call))
-        for label, call in calls().items()
-        if label.startswith("plot_")
-    }
+    for label, call in calls().items():
+        if label.startswith("plot_"):
+            found[label] = partial(_of_axes, partial(_called, call))
+    return found
 
 
 @cache

@@ -10,6 +10,7 @@ import struct
 import subprocess
 import sys
 import zipfile
+from collections.abc import Sequence
 from pathlib import Path, PurePath
 
 import pytest
@@ -28,7 +29,7 @@ from rocksteady.kernels.machine_code.sources import sources_hash
 from tests.every import every
 from tests.strategies import rest_slow
 from tools.wheels import building
-from tools.wheels.building import INSIDE, ROOT, build, build_programs, faults, programs
+from tools.wheels.building import INSIDE, ROOT, build, build_programs, programs
 from tools.wheels.first_start import sizes, wheel_of_this_machine
 from tools.wheels.platforms import PLATFORMS, PURE, Platform
 
@@ -314,6 +315,11 @@ def test_a_package_weighs_what_its_libraries_beside_it_do(tmp_path: Path) -> Non
 
 
 # ------------------------------------------------------------------- what a library may need
+
+
+def faults(file: Path, tag: str, kernels: Sequence[str] = ()) -> list[str]:
+    (found,) = building.faults([file], tag, kernels)
+    return found
 
 
 @pytest.mark.slow

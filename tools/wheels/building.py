@@ -1,5 +1,6 @@
 """Wheels of the package, and the wheel rocksteady-gpu, which brings its programs for GPUs."""
 
+import json
 import subprocess
 import sys
 import tomllib
@@ -90,9 +91,14 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     wrong = list(filter(None, [module.fault(page)]))
     if program.kept_scripts(scripts) is None:
         wrong.append(f"{scripts} is missing or was made from other parts")
-    for file in compiled:
-        found = faults(file, platform.tag, list(ENTRIES)) if file.is_file() else ["it is missing"]
-        wrong += [f"{file} does not fit {platform.tag}: {fault}" for fault in found]
+    there = [file for file in compiled if file.is_file()]
+    found = faults(there, platform.tag, list(ENTRIES)) if there else []
+    of_file = dict(zip(there, found, strict=True))
+    wrong += [
+        f"{file} does not fit {platform.tag}: {fault}"
+        for file in compiled
+        for fault in of_file.get(file, ["it is missing"])
+    ]
     config = _config()
     # In a checkout `make gpu` writes the programs, so that the extra of the sources has no package.
     asked = f"{PROGRAMS} == {__version__}; sys_platform != 'darwin'"
@@ -102,14 +108,15 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     return _Builder(config, platform, [*checked, scripts, noted], INSIDE).made(out, wrong)
 
 
-def faults(library: Path, tag: str, kernels: Sequence[str] = ()) -> list[str]:
-    """Return what `tools.wheels.needs` finds wrong with a library, as a process of its own."""
-    command = [sys.executable, "-m", "tools.wheels.needs", str(library), tag, *kernels]
+def faults(files: Sequence[Path], tag: str, kernels: Sequence[str] = ()) -> list[list[str]]:
+    """Return what `tools.wheels.needs` finds wrong with each library, as a process of its own."""
+    command = [sys.executable, "-m", "tools.wheels.needs", tag, " ".join(kernels), *map(str, files)]
     try:
-        found = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     except subprocess.CalledProcessError as error:
         raise SystemExit(error.stderr) from error
-    return found.stdout.splitlines()
+    found: list[list[str]] = json.loads(done.stdout)
+    return found
 
 
 def programs(folder: Path) -> list[Path]:

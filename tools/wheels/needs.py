@@ -1,9 +1,10 @@
 """What a shared library needs of the system that loads it, against what the tag promises.
 
-``python -m tools.wheels.needs FILE TAG KERNEL...`` prints why a system to which the tag belongs
-could not load the library.  It is a process of its own because lief reports leaks when it ends.
+``python -m tools.wheels.needs TAG KERNELS FILE...`` prints why a system to which the tag belongs
+could not load each library.  It is a process of its own because lief reports leaks when it ends.
 """
 
+import json
 import re
 import sys
 from collections.abc import Sequence
@@ -102,4 +103,6 @@ def _numbers(version: str) -> tuple[int, ...]:
 
 
 if __name__ == "__main__":
-    sys.stdout.write("\n".join(faults(Path(sys.argv[1]), sys.argv[2], sys.argv[3:])))
+    _, given_tag, given_kernels, *files = sys.argv
+    found = [faults(Path(file), given_tag, given_kernels.split()) for file in files]
+    sys.stdout.write(json.dumps(found))
