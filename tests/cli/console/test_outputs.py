@@ -11,7 +11,6 @@ import pytest
 from rocksteady import __version__, durable
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import command_line
-from rocksteady.kernels.machine_code import compilation
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 from tests.every import every
@@ -24,17 +23,6 @@ FLAGS = {
     "--animate": ("simulate -A 2 -W 4 -r 0.8 --cycles 1", "a.gif"),
     "--netcdf": ("map -A 1:2:3 -W 2:3:3 -r 0.8", "a.nc"),
 }
-
-
-@pytest.mark.skipif(compilation.runner() != compilation.LIBRARY, reason="there is no library")
-@pytest.mark.parametrize("given", FLAGS.values())
-def test_with_a_library_nothing_compiles_and_nothing_is_said(
-    given: tuple[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(compilation, "cache_folder", lambda: tmp_path)  # empty
-    ran = rocksteady(f"{given[0]} --json")
-    assert ran.code == 0
-    assert "compiling" not in ran.err
 
 
 @pytest.mark.slow

@@ -236,7 +236,7 @@ def test_what_is_refused_says_why() -> None:
         full(block, BaseMotion(record, shaking))
     with pytest.raises(InputError, match="vertical"):
         full(block, BaseMotion(record, 3))  # type: ignore[arg-type]
-    with pytest.raises(InputError, match="it must be a Linear or a Nonlinear"):
+    with pytest.raises(InputError, match="there are two equations of motion"):
         simulate(block, record, model="quadratic")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="tolerance"):
         full(block, record, model=Nonlinear(tolerance=1e-15))

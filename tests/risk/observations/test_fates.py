@@ -306,7 +306,7 @@ COLUMN = BLOCKS[:2]
         ({"outputs": []}, "outputs"),
         ({"outputs": ["peak"]}, "outputs"),
         ({"outputs": ["status", "status"]}, "outputs"),
-        ({"model": "linear"}, "model"),
+        ({"model": "elastic"}, "model"),
     ],
 )
 def test_wrong_arguments_are_refused_in_one_line(arguments: dict[str, Any], words: str) -> None:

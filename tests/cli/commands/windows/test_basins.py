@@ -21,8 +21,6 @@ from rocksteady import (
 from rocksteady.basins import SamplingOptions, compute_basin_shares
 from rocksteady.cli.app import run as run_program
 from rocksteady.cli.flags.parsing import axis
-from rocksteady.dynamics.batch import fates
-from rocksteady.kernels.machine_code import compilation
 from tests.cli.program import refused, rocksteady
 from tests.every import every
 
@@ -203,38 +201,6 @@ def test_an_interval_is_that_of_drawn_states_alone() -> None:
     assert rocksteady(f"{point} --json").json["confidence"] is None
     assert "90 % interval" in rocksteady(f"{point} --seed 1 --more").out
     assert rocksteady(f"{point} --seed 1 --json").json["confidence"] == 0.9
-
-
-@every(
-    ("shape", "kernel"),
-    [
-        ("-r 0.9", "driver.lane_fates"),
-        ("--left-m 0.15 --right-m 0.25 --height-m 1.2", "driver.lane_fates"),
-        ("--width-m 0.4 --height-m 1.2 --model nonlinear", "loop.nonlinear_lane_fates"),
-        (
-            "--left-m 0.15 --right-m 0.25 --height-m 1.2 --model nonlinear",
-            "loop.nonlinear_lane_fates",
-        ),
-    ],
-)
-def test_what_an_erosion_compiles_first_is_what_it_calls(
-    shape: str, kernel: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    asked: list[str] = []
-    called: list[str] = []
-    for name in ("lane_fates", "nonlinear_lane_fates"):
-        function = getattr(fates, name)
-
-        def noted(*arguments: Any, function: Any = function, name: str = name) -> None:
-            called.append(name)
-            function(*arguments)
-
-        monkeypatch.setattr(fates, name, noted)
-    monkeypatch.setattr(compilation, "must_compile", asked.append)
-    window = "--angles=-1:1:5 --velocities=-1.2:1.2:5 --cycles 5"
-    assert rocksteady(f"basins -A 0.5:1:2 -W 2 {window} {shape}").code == 0
-    assert asked == [kernel]
-    assert set(called) == {kernel.partition(".")[2]}
 
 
 FATES = "basins --pulse one-sine -A 2 -W 4 -r 0.9 --angles=-1.3:1.3:12 --velocities=-1.2:1.2:9"
