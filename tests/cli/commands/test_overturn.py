@@ -1,7 +1,6 @@
 """`rocksteady overturn`: its contract, its text, its files and what it refuses."""
 
 import csv
-import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -150,17 +149,6 @@ def test_the_files_hold_the_same(tmp_path: Path) -> None:
 )
 def test_what_is_refused_says_so_in_one_line(command: str, words: str) -> None:
     assert words in refused(command)
-
-
-@pytest.mark.slow
-def test_the_examples_in_the_help_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    examples = re.findall(r"^rocksteady (.*)$", overturn.EXAMPLES, flags=re.MULTILINE)
-    assert len(examples) == 6
-    for example in examples:
-        # Fewer frequencies show the same.
-        assert rocksteady(re.sub(r":200\b|:25\b", ":10", example)).code == 0, example
-    assert len(list(tmp_path.iterdir())) == 2
 
 
 def test_a_reversed_pulse_is_the_same_pulse_for_the_mirrored_block() -> None:
