@@ -2,7 +2,6 @@
 
 import re
 import shlex
-import shutil
 import tempfile
 from pathlib import Path
 
@@ -13,10 +12,10 @@ from rocksteady.results import rendering
 from rocksteady.results.answer import MOST_LINES, MOST_ROWS, Answer
 from rocksteady.results.rendering import WIDTH
 from tests.cli.program import rocksteady
+from tests.manual.lines import shortened
 from tests.outputs import unrendered
 from tests.show.assessment.pages import drawn_once
-from tests.test_pages import shortened
-from tools.freeze.commands import examples, template
+from tools.freeze.commands import examples, fresh
 
 LONG = re.compile(
     r"^(?:attractor -A 6|assess --example|basins --width-m|calibrate --example"
@@ -43,9 +42,7 @@ QUICK = {line.split()[0]: line for line in reversed(LINES) if not LONG.search(li
 def test_a_screen_is_eight_lines_and_what_follows_it_runs(
     line: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    shutil.copytree(template(), tmp_path, dirs_exist_ok=True)
-    if "--out fit" in line:
-        shutil.rmtree(tmp_path / "fit")
+    fresh(tmp_path, line)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     monkeypatch.setattr(groups, "print_answer", seen := Seen())

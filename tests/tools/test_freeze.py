@@ -14,8 +14,8 @@ import xarray as xr
 import rocksteady as rs
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code.sources import sources_hash
+from tests.manual.lines import TYPED, shortened
 from tests.strategies import PLAIN
-from tests.test_pages import TYPED, shortened
 from tools.freeze import __main__ as program
 from tools.freeze import commands, files, kernels, records
 from tools.freeze.run import Frozen

@@ -15,9 +15,9 @@ import typer
 
 from rocksteady.cli import app
 from rocksteady.cli.commands.documents import study
-from tests import test_pages as pages
 from tests.cli.bad_input import BAD_INPUT
 from tests.cli.program import rocksteady
+from tests.manual import lines as pages
 from tools.freeze.files import files_of, left
 from tools.freeze.records import FILE
 from tools.freeze.values import of_json, tidy
@@ -98,9 +98,16 @@ def program() -> Any:
 def template() -> Path:
     """Return a folder with the files that examples and pages name."""
     folder = Path(tempfile.mkdtemp(prefix="frozen-files-"))
-    pages.write_files(folder)
-    pages.write_fit(folder / "fit")
+    every = "\n\n".join(text for text in pages.PAGES.values() if pages.typed_lines(text))
+    pages.write_files(folder, pages.NAMES, pages.shown(every) | pages.YOURS)
+    shutil.copytree(folder / "fit", folder / "own")
     return folder
+
+
+def fresh(folder: Path, line: str) -> None:
+    """Fill a folder with the files of `template`, but for what a line is to write itself."""
+    out = re.findall(r"--out (own|fit|one\.json)", line)
+    shutil.copytree(template(), folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns(*out))
 
 
 def ran(line: str, folder: Path) -> Iterator[tuple[str, str]]:
@@ -127,9 +134,7 @@ def freeze_line(line: str) -> Iterator[tuple[str, str]]:
     """Yield what a line leaves in a folder; where its files are refused, without them too."""
     with tempfile.TemporaryDirectory(prefix="frozen-line-") as name:
         folder = Path(name)
-        shutil.copytree(template(), folder, dirs_exist_ok=True)
-        if "--out fit" in line:
-            shutil.rmtree(folder / "fit")
+        fresh(folder, line)
         with contextlib.chdir(folder):
             found = dict(ran(line, folder))
     yield from ((f"{line}{part}", text) for part, text in found.items())

@@ -287,6 +287,7 @@ def page_of(command: Command) -> str:
     examples = examples_of(command)
     if examples:
         lines += ["## Examples", *(f"```bash\n{example}\n```" for example in examples)]
+        lines += map(markdown, re.findall(r"^Your .*$", command.held.epilog, re.MULTILINE))
     if command.arguments:
         lines += ["## Arguments"]
         for each in command.arguments:

@@ -2,7 +2,6 @@
 
 import csv
 import math
-import re
 from pathlib import Path
 from typing import Any
 
@@ -156,21 +155,6 @@ def test_a_drift_is_said_and_a_line_taken_off_removes_it(tmp_path: Path) -> None
     assert (again.err, again.json["warnings"]) == ("", [])
     assert "straight line" in again.json["processing"][0]
     assert again.json["pgd_m"] < 0.5 * ran.json["pgd_m"]
-
-
-@pytest.mark.slow
-def test_the_examples_in_the_help_run(
-    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    file.rename("RSN77_PUL164.AT2")
-    Path("column.txt").write_text("\n".join(str(9.80665 * value) for value in samples()))
-    examples = re.findall(r"^rocksteady (.*)$", command.EXAMPLES, flags=re.MULTILINE)
-    assert len(examples) >= 3
-    for example in examples:  # of which a shell makes the names of files
-        ran = rocksteady(example.replace("*.AT2", "RSN77_PUL164.AT2"))
-        assert ran.code == 0, ran.err
-    assert Path("pacoima.png").is_file()
 
 
 def test_every_file_that_cannot_be_read_has_its_line(file: Path, tmp_path: Path) -> None:

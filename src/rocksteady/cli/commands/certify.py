@@ -47,7 +47,7 @@ EXAMPLES = (
     "rocksteady certify fate --pulse one-sine -A 2 -W 2 -r 0.9\n\n"
     "rocksteady certify region -A 0.3:6 -W 1:8 -r 0.8 --plot region.png\n\n"
     "rocksteady certify chaos -A 2.698 -W 2 -r 0.8 --kind homoclinic\n\n"
-    "rocksteady certify --check orbit.json"
+    "rocksteady certify --check one.json"
 )
 DOUBLINGS = 4
 """Of the cascade that is proved with the points: to 32 impacts."""

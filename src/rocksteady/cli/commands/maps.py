@@ -25,9 +25,9 @@ HELP = (
     "Attractor or fate of the block in every cell of a grid.\n\n"
     "Any flags of shaking, block and start may be axes, start:stop:count: two make a map, one a "
     "bifurcation diagram. With --fate each motion is followed for --cycles periods only, to see "
-    "whether the block falls. With --out the cells are kept on disk as they are finished, and "
-    "--resume continues after whatever ended the run. Exit code 3 where more than 1 cell in "
-    "1000 is undecided."
+    "whether the block falls. With --out (extra stores) the cells are kept on disk as they are "
+    "finished, and --resume continues after whatever ended the run. Exit code 3 where more than "
+    "1 cell in 1000 is undecided."
 )
 MAIN = "amplitude frequency_ratio restitution width_m height_m start fate cycles out plot"
 """Parameters that the short help shows."""

@@ -41,10 +41,11 @@ MAIN = "files channel units dt_s baseline width_m height_m damping plot csv"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
-    "rocksteady record RSN77_PUL164.AT2 --plot pacoima.png\n\n"
-    "rocksteady record *.AT2 --json\n\n"
+    "rocksteady record example:near-fault --plot near-fault.png\n\n"
+    "rocksteady record example:near-fault example:firm-ground example:soft-soil --json\n\n"
     "rocksteady record column.txt --units m/s^2 --dt-s 0.005 --csv record.csv --units-out gal\n\n"
-    "rocksteady record RSN77_PUL164.AT2 --width-m 0.5 --height-m 2"
+    "rocksteady record example:near-fault --width-m 0.5 --height-m 2\n\n"
+    "Your file: column.txt, accelerations alone."
 )
 
 

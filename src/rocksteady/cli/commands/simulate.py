@@ -53,7 +53,7 @@ EXAMPLES = (
     "rocksteady simulate --width-m 0.4 --height-m 0.8 -A 2 -W 4 --model nonlinear\n\n"
     "rocksteady simulate --width-m 1.6 --height-m 9.6 --columns 4 --cap-mass-ratio 2 --mass-kg "
     "4e5 --pulse one-sine --accel-g 0.2 --freq-hz 0.5\n\n"
-    "rocksteady simulate --width-m 0.5 --height-m 2 --record RSN77_PUL164.AT2 --scale 0.5\n\n"
+    "rocksteady simulate --width-m 0.5 --height-m 2 --record example:near-fault --scale 0.5\n\n"
     "rocksteady simulate --block tso-wong-1989 -A 4 -W 1.5 --animate fall.gif"
 )
 

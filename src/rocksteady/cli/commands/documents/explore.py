@@ -55,7 +55,7 @@ EXAMPLES = (
     "rocksteady explore --scene fall --embed --out fall.html\n\n"
     "rocksteady explore -A 2 -W 6 -r 0.8 --out explorer.html\n\n"
     "rocksteady explore --width-m 0.6 --height-m 2 --accel-g 0.4 --freq-hz 1.5\n\n"
-    "rocksteady explore --block server-rack --record RSN77_PUL164.AT2 --scale 0.8"
+    "rocksteady explore --block server-rack --record example:near-fault --scale 0.8"
 )
 FILE = "explorer.html"
 """Name of the page in a temporary folder."""

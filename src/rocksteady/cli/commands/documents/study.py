@@ -44,7 +44,9 @@ FACADE_HELP = (
 FACADE_EXAMPLES = (
     "Examples:\n\n"
     "rocksteady study facade-checks --out checks\n\n"
-    "rocksteady study facade-checks --records suite --pga-g 0.2,0.3 --height-m 3:9:4 --out checks"
+    "rocksteady study facade-checks --records suite --pga-g 0.2,0.3 --height-m 3:9:4 "
+    "--out own\n\n"
+    "Your folder of records: suite."
 )
 
 CHAOS_HELP = (

@@ -37,11 +37,12 @@ MAIN = "survey records prior measure draws limits plot csv example"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
+    "rocksteady back-analyse --example\n\n"
     "rocksteady back-analyse --survey cemetery.csv --records suite --plot region.png\n\n"
     "rocksteady back-analyse --survey cemetery.csv --records suite --measure sa_g:0.5 "
     "--measure pgv_m_s --prior prior.toml --json\n\n"
     "rocksteady back-analyse --survey cemetery.csv --records suite --limits 0.05:1.5 --draws 32\n\n"
-    "rocksteady back-analyse --example"
+    "Your files: cemetery.csv, a survey; prior.toml, a prior; suite, a folder of records."
 )
 survey_flag = Panel("Survey")
 scan_flag = Panel("Scan")

@@ -44,11 +44,14 @@ MAIN = "tests objects records prior draws gains out plot example"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
-    "rocksteady calibrate --tests tests.csv --records suite --out fit\n\n"
-    "rocksteady calibrate --tests tests.csv --objects blocks.csv --prior prior.toml "
+    "rocksteady calibrate --example --out fit\n\n"
+    "rocksteady calibrate --tests tests.csv --records suite --out own\n\n"
+    "rocksteady calibrate --tests tests.csv --records suite --prior prior.toml "
     "--folds session --draws 3000 --json\n\n"
-    "rocksteady calibrate --tests tests.csv --temper 1 --csv predictions.csv --plot fit.png\n\n"
-    "rocksteady calibrate --example --out fit"
+    "rocksteady calibrate --tests tests.csv --records suite --temper 1 --csv predictions.csv "
+    "--plot fit.png\n\n"
+    "Your files: tests.csv and objects.csv, tables; prior.toml, a prior; suite, a folder of "
+    "records."
 )
 ARGUMENTS = {"folds": "--folds", "model": "--model", "temper": "--temper"}
 """Flags of arguments of `rocksteady.calibrate`."""

@@ -29,9 +29,13 @@ MAIN = "fit record scale tests objects records object plot csv"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
-    "rocksteady predict --fit fit --tests next.csv --csv predictions.csv\n\n"
-    "rocksteady predict --fit fit --record quake.at2 --scale log:0.5:2:9 --plot quake.png\n\n"
-    "rocksteady predict --fit fit --record east.at2 --record north.at2 --object column --json"
+    "rocksteady predict --fit fit --record example:near-fault --scale log:0.5:2:9 "
+    "--plot quake.png\n\n"
+    "rocksteady predict --fit fit --record example:firm-ground --record example:soft-soil "
+    "--json\n\n"
+    "rocksteady predict --fit fit --tests next.csv --records suite --csv predictions.csv\n\n"
+    "Your files: fit, a calibration (calibrate --example --out fit makes one); next.csv and "
+    "objects.csv, tables; suite, a folder of records."
 )
 fit_flag = Panel("Calibration")
 

@@ -24,7 +24,8 @@ EXAMPLES = (
     "rocksteady restitution --peaks peaks.csv --width-m 0.05 --height-m 0.5\n\n"
     "rocksteady restitution --peaks peaks.csv --alpha-rad 0.1 --p-rad-s 5.4 --plot decay.png\n\n"
     "rocksteady restitution --peaks peaks.csv --left-m 0.15 --right-m 0.25 --height-m 1.2 "
-    "--each-side --json"
+    "--each-side --json\n\n"
+    "Your file: peaks.csv, a table of peaks."
 )
 peaks_flag = options.Panel("Peaks")
 

@@ -50,9 +50,11 @@ MAIN = "file records pga_g pgv_m_s width_m height_m friction target out example"
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady assess --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4\n\n"
-    "rocksteady assess statue.toml --records motions --hazard site.csv --out answer\n\n"
-    "rocksteady assess objects.csv --records motions --pga-g 0.35 --pgv-m-s 0.4 --csv answers.csv"
-    "\n\nrocksteady assess --example --out answer"
+    "rocksteady assess statue.toml --records suite --hazard site.csv --out answer\n\n"
+    "rocksteady assess objects.csv --records suite --pga-g 0.35 --pgv-m-s 0.4 --csv answers.csv"
+    "\n\nrocksteady assess --example --out example\n\n"
+    "Your files: statue.toml, an object; objects.csv, a table of objects; site.csv, a hazard "
+    "curve; suite, a folder of records."
 )
 USUAL_TARGET = 0.1
 MEANT = ("--hazard", "--out", "--runs", "--resume", "--workers")

@@ -46,10 +46,11 @@ MAIN = "file records pga_g limit_state restitution language out check plot examp
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
+    "rocksteady facade --example --plot wall.png\n\n"
     "rocksteady facade wall.toml --records suite --pga-g 0.25\n\n"
     "rocksteady facade wall.toml --records suite --out answer --language it\n\n"
     "rocksteady facade wall.toml --json --check\n\n"
-    "rocksteady facade --example --plot wall.png"
+    "Your files: wall.toml, a facade; suite, a folder of records."
 )
 T = TypeVar("T")
 EXAMPLE_MOTIONS = 10

@@ -33,12 +33,12 @@ MAIN = "width_m height_m restitution records measure levels states out plot exam
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
-    "rocksteady fragility --width-m 0.32 --height-m 1.8 --records suite --plot fragility.png\n\n"
+    "rocksteady fragility --width-m 0.32 --height-m 1.8 --example --plot fragility.png\n\n"
     "rocksteady fragility --width-m 0.6 --height-m 1.8 --records suite --measure pga_g "
     "--levels 0.2:2:10 --restitution 0.85:0.95 --draws 5 --json\n\n"
     "rocksteady fragility --alpha-rad 0.2 --p-rad-s 2 --records suite --measure sa_avg_g:1.5 "
     "--states uplift,0.5,overturned --csv runs.csv\n\n"
-    "rocksteady fragility --example"
+    "Your folder of records: suite."
 )
 curve_flag = Panel("Curves")
 EXAMPLE_MOTIONS = 24

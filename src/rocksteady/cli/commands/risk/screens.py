@@ -23,7 +23,8 @@ EXAMPLES = (
     "Examples:\n\n"
     "rocksteady screens --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4 --friction 0.4\n\n"
     "rocksteady screens --width-m 0.32 --height-m 1.8 --spectrum floor.txt --damping 0.05\n\n"
-    "rocksteady screens --width-m 0.32 --height-m 1.8 --record RSN77_PUL164.AT2 --json"
+    "rocksteady screens --width-m 0.32 --height-m 1.8 --record example:near-fault --json\n\n"
+    "Your file: floor.txt, a response spectrum."
 )
 
 
