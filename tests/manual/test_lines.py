@@ -29,7 +29,7 @@ ALL = {name: text for name, text in (PAGES | HELP).items() if typed_lines(text)}
 NOT_RUN = {
     r"git clone .+|cd \w+": "",  # has no address yet
     r"make( [a-z-]+)?": "checkout|clone",  # tests/test_pages.py has the targets
-    r"python3 -m venv \S+": "",  # makes environments, as the next two
+    r"python3 -m venv \S+( && \. \S+)?": "",  # makes environments, as the next two
     r"(\S+ -m |\S+/)?(pip|uv tool|pipx) install (-e )?(\.|\S+\.whl)": "source|wheels",
     r"python3 -m pip (download|install) .*\bwheels .*|.* --dest wheels": "make wheels",
     r'python3 -m pip install "rocksteady\[[\w,]+\]"': "extra|executor",
