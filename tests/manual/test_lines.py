@@ -30,7 +30,7 @@ NOT_RUN = {
     r"git clone .+|cd \w+": "",  # has no address yet
     r"make( [a-z-]+)?": "checkout|clone",  # tests/test_pages.py has the targets
     r"python3 -m venv \S+( && \. \S+)?": "",  # makes environments, as the next two
-    r"(\S+ -m |\S+/)?(pip|uv tool|pipx) install (-e )?(\.|\S+\.whl)": "source|wheels",
+    r"(\S+ -m |\S+/)?(pip|uv tool|pipx) install (-e )?(\.|\S+\.whl)": "source|wheels|git clone",
     r"python3 -m pip (download|install) .*\bwheels .*|.* --dest wheels": "make wheels",
     r'python3 -m pip install "rocksteady\[[\w,]+\]"': "extra|executor",
     r"dask (scheduler|worker) .+": "machine",  # serves until it is stopped
