@@ -1,6 +1,5 @@
 """Command lines of pages and of help texts, and the files that their reader has."""
 
-import math
 import re
 import shlex
 import shutil
@@ -94,11 +93,6 @@ ELSEWHERE = re.compile(r"--executor (?:gpu|tcp:)")
 """Lines whose answer another machine computes."""
 AXIS = re.compile(r"((?:log:)?-?[0-9.]+:-?[0-9.]+:)(\d+)")
 FEW = 6
-
-
-def cells(line: str) -> int:
-    """Return the number of cells that the axes of a command line have together."""
-    return math.prod(int(count) for _, count in AXIS.findall(line))
 
 
 def shortened(line: str) -> str:

@@ -34,8 +34,8 @@ EXAMPLES = (
     "rocksteady predict --fit fit --record example:firm-ground --record example:soft-soil "
     "--json\n\n"
     "rocksteady predict --fit fit --tests next.csv --records suite --csv predictions.csv\n\n"
-    "Your files: fit, a calibration (calibrate --example --out fit makes one); next.csv and "
-    "objects.csv, tables; suite, a folder of records."
+    "Your files: fit, a folder of calibrate; next.csv and objects.csv, tables; suite, a folder of "
+    "records."
 )
 fit_flag = Panel("Calibration")
 
