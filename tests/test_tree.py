@@ -33,7 +33,8 @@ TWICE = {
 ROOTS = {
     *(".ci", ".github", ".gitignore", "CHANGELOG.md", "CITATION.cff", "CODE_OF_CONDUCT.md"),
     *("CONTRIBUTING.md", "LICENSE", "Makefile", "README.md", "SECURITY.md", "bench"),
-    *("codemeta.json", "constraints.txt", "docs", "examples", "paper", "pyproject.toml", "src"),
+    *("codemeta.json", "constraints.txt", "docs", "examples", "hatch_build.py", "paper"),
+    *("pyproject.toml", "src"),
     *("tests", "tools"),
 }
 """What stands in the root of the repository."""

@@ -5,6 +5,8 @@ Standard library alone: the build hook of the package imports it.
 
 import hashlib
 import platform
+import sys
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -28,11 +30,23 @@ def inputs_hash() -> str:
         *tool_files(),
         *tool_files(Path(__file__).parent / "web"),
     ]
-    digest = hashlib.sha256(platform.node().encode())  # another machine may lack what this one has
+    digest = hashlib.sha256(f"{sys.platform} {platform.machine()} {_level()}".encode())
     for file in files:
         digest.update(f"\0{file.relative_to(ROOT).as_posix()}\0".encode())
         digest.update(file.read_bytes())
     return digest.hexdigest()
+
+
+def _level() -> int:
+    """Return the level of this processor, without importing the package."""
+    file = ROOT / "src/rocksteady/kernels/machine_code/_cpu.py"
+    spec = spec_from_file_location("_cpu", file)
+    assert spec is not None
+    assert spec.loader is not None
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    level: int = module.x86_64_level()
+    return level
 
 
 def is_made() -> bool:
