@@ -31,6 +31,7 @@ def written() -> dict[str, set[str]]:
         for text in loaded((FOLDER / f"{part}.txt").read_text(encoding="utf-8")).values():
             for schema in re.findall(r'^schema: "(\S+)"$', text, re.MULTILINE):
                 found[schema] |= set(re.findall(r"^(\w+): ", text, re.MULTILINE))
+                found[schema] -= {"rocksteady"}  # begins what stands on standard error
     return found
 
 
