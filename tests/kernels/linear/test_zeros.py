@@ -1,9 +1,10 @@
 """The first zero of a flight is never missed, never invented, and found to rounding."""
 
 import math
+from collections.abc import Callable
+from typing import TypeVar
 
 import mpmath
-import numba
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.core.tables import FOUND, NO_RETURN, SPAN_END
 from rocksteady.kernels.linear.flight import make_flight, wrapped
 from rocksteady.kernels.linear.zeros import Zero, next_zero
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import Kernel
 from tests.every import every
 from tests.oracles import ExactFlight, first_zero_in_double, mp
 from tests.strategies import (
@@ -30,14 +31,22 @@ from tests.strategies import (
     rest_slow,
     sample_size,
 )
+from tools.aot.dispatch import dispatcher
 
 Floats = NDArray[np.float64]
+FunctionT = TypeVar("FunctionT", bound=Callable[..., object])
 
 # Columns of what a search found.
 EVENT, TIME, END_ANGLE, END_VELOCITY, END_PHASE, CYCLE = range(6)
 
 
-@compiled
+def jit(function: FunctionT) -> FunctionT:
+    """Compile a function that calls kernels by numba, unless they run as plain Python."""
+    made: FunctionT = function if PLAIN else dispatcher(Kernel(function))
+    return made
+
+
+@jit
 def search(flight: Floats, span: float, endless: bool, guess: float) -> Zero:
     forcing = make_forcing(flight[0], flight[1], flight[2], flight[3])
     phase = flight[6]
@@ -45,7 +54,7 @@ def search(flight: Floats, span: float, endless: bool, guess: float) -> Zero:
     return next_zero(start, forcing, span, endless, False, guess)
 
 
-@compiled
+@jit
 def search_all(flights: Floats, endless: bool, guesses: Floats, found: Floats) -> None:
     for i in range(len(flights)):
         span = math.inf if endless else flights[i, 7]
@@ -58,7 +67,7 @@ def search_all(flights: Floats, endless: bool, guesses: Floats, found: Floats) -
         found[i, 5] = zero.cycle
 
 
-@numba.njit(error_model="numpy")
+@jit
 def oracle_all(flights: Floats, found: Floats) -> None:
     for i in range(len(flights)):
         f = flights[i]
