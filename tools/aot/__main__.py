@@ -85,6 +85,9 @@ def _make_all() -> None:
                 if process.wait():
                     raise subprocess.CalledProcessError(process.returncode, process.args)
         write_scripts(LIBRARIES)
+    for name in TARGETS.keys() - set(_needed()):  # of another machine that shares this folder
+        if not _is_current(name):
+            (LIBRARIES / TARGETS[name].file).unlink(missing_ok=True)
     sources_hash()  # kept beside them
     MADE.write_text(inputs, "ascii")
 
