@@ -58,7 +58,7 @@ from .model.motions.segments import Still as Still
 from .model.motions.synthetic import SyntheticMotion as SyntheticMotion
 from .outcomes import Status as Status
 from .records.read import read_record as read_record
-from .records.read import read_records as read_records
+from .records.suite import read_records as read_records
 from .risk.assess.assessment import assess_object as assess_object
 from .risk.assess.described.objects import read_object as read_object
 from .risk.assess.described.tables import read_objects as read_objects

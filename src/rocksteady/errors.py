@@ -130,6 +130,9 @@ class RecordFileError(InputError):
         Number of the line, the first one being 1.
     found
         What stands there.
+    kind
+        Word for a count of what is left out: ``velocity``, ``displacement``, ``spectra``,
+        ``counts``, ``no record``; ``damaged`` of a file that is cut or garbled.
 
     Examples
     --------
@@ -156,11 +159,13 @@ must state the number of samples and their interval; write it as NPTS= 12, DT= .
         hint: str,
         line: int | None = None,
         found: str | None = None,
+        kind: str = "",
     ) -> None:
         self.path = path
         self.line = line
         self.found = found
-        self._clause = valid
+        self.kind = kind
+        self.clause = valid
         place = "" if line is None else f"line {line}"
         if found is not None:
             place = f"{place}, {_shown(found)}" if place else _shown(found)
@@ -172,7 +177,7 @@ must state the number of samples and their interval; write it as NPTS= 12, DT= .
         )
 
     def __reduce__(self) -> tuple[object, ...]:
-        parts = (self.path, self._clause, self.hint, self.line, self.found)
+        parts = (self.path, self.clause, self.hint, self.line, self.found)
         return _rebuilt_of_file, parts, self.__dict__
 
 

@@ -6,5 +6,6 @@ from .pairing import pair_records as pair_records
 from .processing import correct_baseline as correct_baseline
 from .processing import resample as resample
 from .read import read_recordings as read_recordings
+from .suite import RecordSuite as RecordSuite
 
 __all__: list[str]

@@ -106,6 +106,7 @@ def read_example(path: Path) -> "Recording":
         path=path,
         units_in_file="g",
         orientation="horizontal",
+        position="surface",
         event="synthetic motion, no earthquake's",
         processing=(example.words,),
     )

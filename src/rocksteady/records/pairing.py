@@ -62,7 +62,7 @@ class RecordSet(Result):
             f"{recording.path.name}{f' ({recording.component})' if recording.component else ''} is "
             f"{recording.orientation}, in the place of a {place} channel"
             for recording, place in places
-            if recording.orientation not in {None, place}
+            if recording.orientation not in {"unknown", place}
         )
 
     @property
@@ -273,7 +273,7 @@ def _set(key: tuple[str, ...], recordings: list[Recording]) -> RecordSet:
     horizontal = tuple(
         recording for recording in recordings if recording.orientation == "horizontal"
     )
-    unknown = tuple(recording for recording in recordings if recording.orientation is None)
+    unknown = tuple(recording for recording in recordings if recording.orientation == "unknown")
     doubts: tuple[str, ...] = ()
     if len(vertical) > 1:
         doubts = (*doubts, f"{len(vertical)} vertical channels: the first is taken")
@@ -291,10 +291,10 @@ def _set(key: tuple[str, ...], recordings: list[Recording]) -> RecordSet:
 def _directed(recording: Recording) -> Recording:
     """Return a recording whose direction is that of its file's name, where the file has none."""
     tail = TAIL.search(recording.path.stem)
-    if recording.orientation is not None or tail is None:
+    if recording.orientation != "unknown" or tail is None:
         return recording
     orientation, azimuth = direction(tail[0].strip("-_. "))
-    return replace(recording, orientation=orientation, azimuth_deg=azimuth)
+    return replace(recording, orientation=orientation or "unknown", azimuth_deg=azimuth)
 
 
 def _doubts(channels: tuple[Recording, ...]) -> tuple[str, ...]:

@@ -13,10 +13,19 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.record import Record
 from rocksteady.records.core.assembling import Given
 from rocksteady.records.core.recording import Recording
-from rocksteady.records.core.text import RecordText, as_text, file_bytes
+from rocksteady.records.core.text import NO_RECORD, RecordText, as_text, file_bytes
 from rocksteady.records.examples import is_example, read_example
-from rocksteady.records.formats import columns, cosmos, csmip, esm, knet, peer, smc, waveforms
-from rocksteady.records.formats.unrecognised import network_of
+from rocksteady.records.formats import (
+    columns,
+    cosmos,
+    csmip,
+    esm,
+    knet,
+    peer,
+    smc,
+    unrecognised,
+    waveforms,
+)
 from rocksteady.records.processing import correct_baseline
 
 Reader = Callable[[RecordText, Given], tuple[Recording, ...]]
@@ -50,6 +59,7 @@ def read_recordings(
     dt_s: float | None = None,
     column: str | int | None = None,
     resample: bool = False,
+    ignore_header: bool = False,
 ) -> tuple[Recording, ...]:
     r"""Read all acceleration channels of a ground-motion file, in the file's order.
 
@@ -61,14 +71,17 @@ def read_recordings(
     format
         Its format by short name; by default found from what stands in it, never from its name.
     units
-        Unit of its numbers, where it does not state them, or states them wrongly: ``g``, ``mg``,
-        ``m/s^2``, ``cm/s^2``, ``mm/s^2``, ``gal``, ``mgal``, ``in/s^2``, ``ft/s^2``.
+        Unit of its numbers, where it does not state it: ``g``, ``mg``, ``m/s^2``, ``cm/s^2``,
+        ``mm/s^2``, ``gal``, ``mgal``, ``in/s^2``, ``ft/s^2``.
     dt_s
-        Interval between its samples [s], where it does not state it, or states it wrongly.
+        Interval between its samples [s], where it does not state it.
     column
         For a table: the column with the acceleration, by its number from 1 or its name.
     resample
         Whether a table whose times are unevenly spaced may be interpolated to even ones.
+    ignore_header
+        Whether the numbers are taken as plain columns by `units` and `dt_s` alone, whatever the
+        file states; it stands in `processing`.
 
     Returns
     -------
@@ -78,8 +91,9 @@ def read_recordings(
     Raises
     ------
     RecordFileError
-        If the file cannot be read, is in no known format, holds no acceleration, or does not state
-        what is needed; the message names the line.
+        If the file cannot be read, is in no known format, holds no acceleration, does not state
+        what is needed, or states another unit or interval than is given; the message names the
+        line.
     InputError
         If an argument is not valid.
 
@@ -93,7 +107,9 @@ def read_recordings(
     >>> recording.station, recording.component, recording.record
     ('Hut', '090', Record(name='hut', samples=3, dt_s=0.01, peak_acceleration_m_s2=1.96133))
     """
-    given = Given(units=units, dt_s=dt_s, column=column, resample=resample)
+    given = Given(
+        units=units, dt_s=dt_s, column=column, resample=resample, ignore_header=ignore_header
+    )
     if format is not None and format not in FORMATS:
         hint = f"use one of {', '.join(FORMATS)}, or leave it out"
         raise InputError("format", format, "it must be a format that can be read", hint)
@@ -114,6 +130,7 @@ def read_recordings(
         path=file,
         valid="it is in no format that can be read",
         hint=f"give a file of one of these: {', '.join(FORMATS)}",
+        kind=NO_RECORD,
     )
 
 
@@ -168,74 +185,6 @@ def read_record(
     return correct_baseline(chosen(recordings, channel), baseline).record
 
 
-@checked
-def read_records(
-    folder: str | PathLike[str],
-    *,
-    pattern: str = "*",
-    units: str | None = None,
-    dt_s: float | None = None,
-) -> tuple[Record, ...]:
-    r"""Read all horizontal records of a folder, a suite, in the order of the file names.
-
-    Channels of unknown direction count as horizontal.  `pair_records` brings vertical ones too.
-
-    Parameters
-    ----------
-    folder
-        The folder; hidden files and folders in it are left out.
-    pattern
-        Names of the files, as ``*.AT2``; by default all.
-    units, dt_s
-        As for `read_recordings`, for all files.
-
-    Returns
-    -------
-    tuple of Record
-        Samples [m/s^2] and interval of each channel.
-
-    Raises
-    ------
-    InputError
-        If there is no such folder, or no horizontal record in it.
-    RecordFileError
-        If a file cannot be read; the message names it.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> folder = Path(tempfile.mkdtemp())
-    >>> for name in ("b", "a"):
-    ...     _ = (folder / f"{name}.csv").write_text("t,acc (g)\n0,.1\n.01,-.2\n.02,.1\n")
-    >>> [record.name for record in read_records(folder, pattern="*.csv")]
-    ['a', 'b']
-    """
-    place = Path(folder)
-    if not place.is_dir():
-        raise InputError("folder", folder, "there is no such folder", "name a folder of records")
-    given: object = pattern
-    if not isinstance(given, str) or not Path(given).parts:  # as of "."
-        raise InputError("pattern", pattern, "it must be a text", 'give one as "*.AT2"')
-    files = [file for file in files_of(place) if file.match(pattern)]
-    recordings = [each for file in files for each in read_recordings(file, units=units, dt_s=dt_s)]
-    records = tuple(each.record for each in recordings if each.orientation != "vertical")
-    if not records:
-        raise InputError(
-            "folder",
-            folder,
-            f"none of its {len(files)} files named {pattern} has a horizontal record",
-            "name a folder of ground-motion files",
-        )
-    return records
-
-
-def files_of(folder: Path) -> list[Path]:
-    """Return the files of a folder by name, without hidden ones."""
-    return sorted(
-        each for each in folder.iterdir() if each.is_file() and not each.name.startswith(".")
-    )
-
-
 def _found(
     file: Path, data: bytes, wanted: str | None, given: Given
 ) -> tuple[Recording, ...] | None:
@@ -244,46 +193,78 @@ def _found(
     if binary in {waveforms.MSEED, waveforms.SAC}:
         return waveforms.read(file, data, binary, given)
     text = as_text(file, data)
+    if given.ignore_header:
+        return columns.read_samples(text, given)
     for names, recognises, read in _READERS:
         if wanted in names or (wanted is None and recognises(text)):
+            why: RecordFileError | tuple[str, int] | None = None
             if wanted is None and columns.CSV in names:
+                unrecognised.refuse_spectra(text)
                 columns.refuse_geonet(text)
-                _refuse_damaged(text)
-            return read(text, given)
+                why = unrecognised.network_of(text)
+            try:
+                return read(text, given) if why is None else _as_table(text, given, why)
+            except RecordFileError as error:
+                if error.kind or why is not None or wanted is not None or columns.CSV in names:
+                    raise
+                return _as_table(text, given, error)
     if wanted is None:
-        _refuse_damaged(text)
+        unrecognised.refuse_spectra(text)
         columns.refuse_without_rows(text)
     return None
 
 
-def _refuse_damaged(text: RecordText) -> None:
-    """Raise where lines of a network's header show a damaged file, which is no table.
+def _as_table(
+    text: RecordText, given: Given, why: RecordFileError | tuple[str, int]
+) -> tuple[Recording, ...]:
+    """Return the channels of a network's file whose header is not understood, read as a table.
+
+    Parameters
+    ----------
+    text
+        The file.
+    given
+        What the caller says.
+    why
+        What the network's reader finds wrong; or the network, and the index of a line of it.
 
     Raises
     ------
     RecordFileError
-        As above.
+        If it is no table that states all that is needed: its header may be half a network's.
     """
-    network = network_of(text)
-    if network is not None:
-        valid = f"it is a line of {network[0]}'s header, and the rest of that header is damaged"
-        hint = "fetch the file again, or give format columns where it is a table of its own"
-        raise text.error(valid, hint, at=network[1])
+    if isinstance(why, tuple):
+        found = f"it looks like a file of {why[0]}'s, in a form that is not read"
+    else:
+        found = why.valid
+    try:
+        columns.read(text, replace(given, units=None, dt_s=None))
+    except InputError as error:
+        if isinstance(why, RecordFileError):
+            raise why from error
+        if isinstance(error, RecordFileError) and error.kind not in {"", "damaged"}:
+            raise
+        valid = f"{found}, and as a table it fails: {error.valid}"
+        hint = "give its samples as a table that states unit and interval"
+        raise text.error(valid, hint, at=why[1]) from error
+    warning = f"it is read as a table: {found}"
+    return tuple(
+        replace(each, warnings=(warning, *each.warnings)) for each in columns.read(text, given)
+    )
 
 
 def _told_apart(recordings: tuple[Recording, ...]) -> tuple[Recording, ...]:
     """Return recordings of one file with names of their own: the file's, and their component's."""
     if len(recordings) < 2:
         return recordings
+    names = [each.component or f"channel {at}" for at, each in enumerate(recordings, 1)]
+    numbered = (
+        f"{name} (channel {at})" if names.count(name) > 1 else name
+        for at, name in enumerate(names, 1)
+    )
     return tuple(
-        replace(
-            recording,
-            record=replace(
-                recording.record,
-                name=f"{recording.record.name} {recording.component or f'channel {position}'}",
-            ),
-        )
-        for position, recording in enumerate(recordings, 1)
+        replace(each, record=replace(each.record, name=f"{each.record.name} {name}"))
+        for each, name in zip(recordings, numbered, strict=True)
     )
 
 

@@ -1,16 +1,23 @@
 """Recording built from a file's numbers: its unit, sampling interval and warnings."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.checks.validation import positive
 from rocksteady.model.motions.record import Record
-from rocksteady.records.core.directions import Pointing, pointing, pointing_of_name, tells_nothing
-from rocksteady.records.core.recording import Orientation, Recording
-from rocksteady.records.core.text import RecordText
-from rocksteady.records.core.units import UNITS, acceleration_unit, in_m_s2
+from rocksteady.records.core.directions import (
+    Pointing,
+    pointing,
+    pointing_of_name,
+    tells_nothing,
+    without_place,
+)
+from rocksteady.records.core.positions import position_of
+from rocksteady.records.core.recording import Orientation, Position, Recording
+from rocksteady.records.core.text import CONTRADICTION, RecordText
+from rocksteady.records.core.units import UNITS, acceleration_unit, in_m_s2, quantity_of
 
 if TYPE_CHECKING:
     from rocksteady.arrays import Floats
@@ -21,6 +28,11 @@ _LAST_STANDS_OUT: Final = 1.5
 _NO_RECORD_G: Final = 1000.0
 _INTERVALS: Final = (1.0e-4, 0.1)
 _PEAK_AGREES: Final = 0.01
+_LEAVE_OUT: Final = "leave out {} where the file is right, else read it with ignore_header"
+_INSTEAD: Final = {
+    "counts": "give the processed file, or convert it to acceleration (ObsPy's remove_response)",
+    "spectra": "give the file of acceleration (V1 or V2)",
+}
 TURNED: Final = "sign changed: {component} is positive downwards, and vertical motion upwards"
 """Note on a vertical channel that has been turned."""
 
@@ -39,12 +51,15 @@ class Given:
         Which column of a table holds the acceleration: its number from 1, or its name.
     resample
         Whether samples at unequal intervals may be brought to equal ones.
+    ignore_header
+        Whether the numbers are taken as plain columns, whatever stands above them.
     """
 
     units: str | None = None
     dt_s: float | None = None
     column: str | int | None = None
     resample: bool = False
+    ignore_header: bool = False
 
     def __post_init__(self) -> None:
         """Refuse an unknown unit or an invalid interval, before any file is opened."""
@@ -71,9 +86,14 @@ class Channel:
         Largest absolute value by the header, in the same unit.
     counts
         Whether the file holds an instrument's counts, which the reader has scaled.
-    component, orientation, azimuth_deg, station, event, start_time, warnings, processing
-        As for `~rocksteady.records.core.recording.Recording`; the orientation is found from the
-        component where it is None.
+    component, orientation, azimuth_deg, position, station, event, start_time, warnings, processing
+        As for `~rocksteady.records.core.recording.Recording`; orientation and position are found
+        from words where they are None.
+    place
+        Words about where the sensor stands, beside the component's.
+    name
+        What tells the channel from those of other files; by default the file's name without its
+        suffix.
     down
         Whether a code of the header states positive values to be downwards; None without a code.
     alone
@@ -90,6 +110,9 @@ class Channel:
     azimuth_deg: float | None = None
     down: bool | None = None
     alone: bool = True
+    position: Position | None = None
+    place: str = ""
+    name: str | None = None
     station: str | None = None
     event: str | None = None
     start_time: datetime | None = None
@@ -107,16 +130,19 @@ def built(text: RecordText, format_name: str, channel: Channel, given: Given) ->
     """
     import numpy as np
 
-    units, unit_warnings = unit(text, channel.units, given)
+    units = unit(text, channel.units, given)
     dt_s, interval_warnings = interval(text, channel.dt_s, given)
     size = in_m_s2(units)
+    component, beside = without_place(channel.component or "")
+    channel = replace(channel, component=component or None, place=f"{beside} {channel.place}")
     towards, direction_warnings = _pointing(text, channel)
     values = np.asarray(channel.values, dtype=np.float64) * size
     turned: tuple[str, ...] = ()
     if towards.down:
         values, turned = -values, (TURNED.format(component=channel.component or "file's name"),)
+    name = text.path.stem if channel.name is None else channel.name
     try:
-        record = Record(acceleration_m_s2=values, dt_s=dt_s, name=text.path.stem)
+        record = Record(acceleration_m_s2=values, dt_s=dt_s, name=name)
     except InputError as error:
         hint = "see whether this is the whole file"
         raise text.error(f"its samples are no record, {error.valid}", hint) from error
@@ -130,8 +156,9 @@ def built(text: RecordText, format_name: str, channel: Channel, given: Given) ->
         path=text.path,
         units_in_file=channel.units_in_file or units,
         component=channel.component,
-        orientation=towards.orientation,
+        orientation=towards.orientation or "unknown",
         azimuth_deg=towards.azimuth_deg,
+        position=channel.position or position_of(f"{channel.component or ''} {channel.place}"),
         station=channel.station,
         event=channel.event,
         start_time=channel.start_time,
@@ -139,7 +166,6 @@ def built(text: RecordText, format_name: str, channel: Channel, given: Given) ->
         warnings=(
             *channel.warnings,
             *direction_warnings,
-            *unit_warnings,
             *interval_warnings,
             *_doubts_about_peak(record, stated, units),
         ),
@@ -205,43 +231,65 @@ def _contradiction(one: Pointing, other: Pointing) -> tuple[str, str] | None:
     return None if apart <= 1.0 else (f"{one.azimuth_deg:g} deg", f"{other.azimuth_deg:g} deg")
 
 
-def unit(text: RecordText, stated: str | None, given: Given) -> tuple[str, tuple[str, ...]]:
-    """Return the unit of a file's numbers, and a warning where the caller's differs from its own.
+def unit(text: RecordText, stated: str | None, given: Given) -> str:
+    """Return the unit of a file's numbers.
 
     Raises
     ------
     RecordFileError
-        If neither states it.
+        If neither the file nor the caller states it, they differ, or it is one of another quantity.
     """
+    if (quantity := quantity_of(stated or "")) not in {None, "acceleration"}:
+        raise other_quantity(text, quantity or "", f"its numbers are in {stated}")
     of_file = None if stated is None else acceleration_unit(stated)
     if given.units is not None:
         chosen = acceleration_unit(given.units) or given.units
         if of_file is not None and in_m_s2(of_file) != in_m_s2(chosen):
-            return chosen, (f"the file states {of_file}; its numbers are taken in {chosen}",)
-        return chosen, ()
+            valid = f"the file states that its numbers are in {of_file}, and units in {chosen}"
+            raise text.error(valid, _LEAVE_OUT.format("units"), kind=CONTRADICTION)
+        return chosen
     if of_file is None:
         valid = "the file does not state the unit of its numbers"
         if stated is not None:
-            valid = f"the unit that the file states, {stated!r}, is none of acceleration"
+            valid = f"the unit that the file states, {stated!r}, is not understood"
         raise text.error(valid, f"give units: {', '.join(UNITS)}")
-    return of_file, ()
+    return of_file
+
+
+def other_quantity(
+    text: RecordText, quantity: str, valid: str, *, at: int | None = None
+) -> RecordFileError:
+    """Return the error that a file, or a line of it, is of no acceleration.
+
+    Parameters
+    ----------
+    text
+        The file.
+    quantity
+        Velocity, displacement, spectra, counts or another one.
+    valid
+        What shows it, as a clause.
+    at
+        Index of the line.
+    """
+    hint = _INSTEAD.get(quantity, "give the file of acceleration")
+    clause = f"{valid}: {quantity}, and the base moves by its acceleration"
+    return text.error(clause, hint, at=at, kind=quantity)
 
 
 def interval(text: RecordText, stated: float | None, given: Given) -> tuple[float, tuple[str, ...]]:
-    """Return the interval between samples [s], and a warning where it is unusual or overruled.
+    """Return the interval between samples [s], and a warning where it is unusual.
 
     Raises
     ------
     RecordFileError
-        If neither the file nor the caller states it, or the file's is not above 0.
+        If neither the file nor the caller states it, they differ, or it is not above 0.
     """
-    warnings: tuple[str, ...] = ()
     if given.dt_s is not None:
         if stated is not None and abs(stated - given.dt_s) > 1.0e-6 * given.dt_s:
-            warnings = (
-                f"the file states {stated:g} s between samples; {given.dt_s:g} s are taken",
-            )
-        return given.dt_s, warnings
+            valid = f"the file states {stated:g} s between samples, and dt_s {given.dt_s:g} s"
+            raise text.error(valid, _LEAVE_OUT.format("dt_s"), kind=CONTRADICTION)
+        return given.dt_s, ()
     if stated is None:
         raise text.error(
             "the file does not state the interval between samples", "give dt_s, in seconds"
@@ -249,11 +297,11 @@ def interval(text: RecordText, stated: float | None, given: Given) -> tuple[floa
     if not stated > 0.0:
         raise text.error(
             f"the interval between samples that it states, {stated:g} s, is not above 0",
-            "give dt_s, in seconds",
+            "correct it in the file",
         )
     if not _INTERVALS[0] <= stated <= _INTERVALS[1]:
-        warnings = (f"samples {stated:g} s apart are unusual: see whether the header is right",)
-    return stated, warnings
+        return stated, (f"samples {stated:g} s apart are unusual: see whether the header is right",)
+    return stated, ()
 
 
 def _doubts_about_peak(record: Record, stated: float | None, units: str) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ from typing import Final, Literal
 
 from rocksteady.records.core.directions import direction, pointing
 from rocksteady.records.core.numbers import number
-from rocksteady.records.core.units import acceleration_unit, in_m_s2, in_seconds
+from rocksteady.records.core.units import acceleration_unit, in_m_s2, in_seconds, quantity_of
 
 _BRACKETS: Final = re.compile(r"[(\[]((?:[^()\[\]]|\([^()]*\))*)[)\]]")
 _OF_UNITS: Final = re.compile(r"(?:units?\s*(?:of|in|[:=])*|in)\s+", re.IGNORECASE)
@@ -40,6 +40,14 @@ _OTHER: Final = re.compile(
     re.IGNORECASE,
 )
 """Words of quantities that are no acceleration against time."""
+
+_QUANTITIES: Final = {"velocity", "displacement", "counts"}
+OTHER: Final = "another quantity"
+_NAMED: Final = {
+    "velocity": re.compile(r"vel|speed", re.IGNORECASE),
+    "displacement": re.compile(r"disp|drift", re.IGNORECASE),
+    "spectra": re.compile(r"spect|fourier|fft|fas|p?s[avd]\b|pseudo", re.IGNORECASE),
+}
 
 _PLOT: Final = re.compile(
     r"(?<=[)\]])\s*[-:,]?\s*(?:plot|graph|chart|trace|series|run|sheet)\s*\d+\s*$", re.IGNORECASE
@@ -116,6 +124,8 @@ class ColumnName:
         What is not understood in it; nothing where all is.
     leftover
         Its first word or sign that is not known, of which the meaning may be any.
+    quantity
+        Velocity, displacement, spectra, counts or another quantity that it names.
     """
 
     kind: Literal["time", "acceleration", "other", "unknown"]
@@ -124,6 +134,7 @@ class ColumnName:
     seconds: float | None = None
     uncertain: str = ""
     leftover: str = ""
+    quantity: str = ""
 
 
 def column_name(name: str) -> ColumnName:
@@ -136,7 +147,7 @@ def column_name(name: str) -> ColumnName:
     >>> column_name("time (min)").seconds, column_name("1000*acc (g)").uncertain
     (60.0, '1000*acc')
     """
-    name = _PLOT.sub("", name)
+    name = _PLOT.sub("", name).replace("(+)", "")
     brackets = [_OF_UNITS.sub("", text.strip()) for text in _BRACKETS.findall(name)]
     if len(brackets) == 1 and not _BRACKETS.sub("", name).strip():
         name, brackets = brackets[0], []
@@ -149,8 +160,13 @@ def column_name(name: str) -> ColumnName:
         return _time(label, timed["rest"], brackets)
     if label.lower() in {"s", "sec", "secs", "second", "seconds"}:
         return _time(label, label, brackets)
-    if _OTHER.search(name):
-        return ColumnName(kind="other", label=label, unit=_of_brackets(brackets))
+    last = label.replace("_", " ").split()[-1:] if "/" in label else []
+    measured = {quantity_of(written) for written in (*brackets, *last)} & _QUANTITIES
+    if measured or _OTHER.search(name):
+        quantity = measured.pop() if len(measured) == 1 else quantity_named(name) or OTHER
+        return ColumnName(
+            kind="other", label=label, unit=_of_brackets(brackets), quantity=quantity or OTHER
+        )
     if brackets:
         return _acceleration(label, brackets)
     unit, shorter = _tail(label)
@@ -159,9 +175,19 @@ def column_name(name: str) -> ColumnName:
         kind="acceleration" if known else "unknown",
         label=shorter,
         unit=unit,
-        uncertain=shorter if _UNCERTAIN.search(shorter) and known else "",
+        uncertain=shorter if known and _uncertain(shorter) else "",
         leftover=_leftover(shorter),
     )
+
+
+def _uncertain(label: str) -> bool:
+    """Return whether a name may hold a factor; the letter of a direction alone is none."""
+    return _UNCERTAIN.search(label) is not None and label.upper() != "U"
+
+
+def quantity_named(words: str) -> str | None:
+    """Return the quantity other than acceleration that words name, or None."""
+    return next((quantity for quantity, named in _NAMED.items() if named.search(words)), None)
 
 
 def _time(label: str, rest: str, brackets: list[str]) -> ColumnName:
@@ -199,7 +225,7 @@ def _acceleration(label: str, brackets: list[str]) -> ColumnName:
         label = shorter
         units.append(of_label)
     known = bool(units) or _ACCELERATION.search(label) or direction(label)[0] is not None
-    uncertain = label if _UNCERTAIN.search(label) else ""
+    uncertain = label if _uncertain(label) else ""
     for written in rest:
         if not units or _UNCERTAIN.search(written) or re.match(r"[\dx×]", written):
             uncertain = written

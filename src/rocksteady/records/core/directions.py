@@ -8,15 +8,18 @@ from rocksteady.records.core.recording import Orientation
 
 _VERTICAL: Final = frozenset(
     {"up", "u", "ud", "u-d", "updo", "updown", "dwn", "down", "dn", "d"}
-    | {"v", "vert", "vertical", "vrt", "ver", "z", "v1"}
+    | {"v", "vert", "vertical", "vrt", "ver", "z", "v1", "vertikal", "verticale", "d\u00fc\u015fey"}
+    | {"dusey", "az", "accz", "agz"}
 )
 _UPWARDS: Final = frozenset({"up", "u", "upward", "upwards"})
 _DOWNWARDS: Final = frozenset({"dwn", "down", "dn", "downward", "downwards"})
 _NEGATIVE: Final = frozenset({"negative", "neg", "minus"})
-_WITHOUT_SENSE: Final = frozenset({"v", "vert", "vertical", "vrt", "ver", "z", "ud", "updown"})
+_WITHOUT_SENSE: Final = frozenset(
+    {"v", "vert", "vertical", "vrt", "ver", "z", "ud", "updown", "vertikal", "verticale"}
+)
 _FILLERS: Final = re.compile(
     r"a|ag|acc\w*|ch(?:a?n(?:nel)?)?|column|comp(?:onent)?|ground|base|input|table|motion|time|hist"
-    r"|history|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|direction"
+    r"|history|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|dir(?:ection)?|axis"
 )
 """Words beside those of a direction that carry no direction."""
 
@@ -27,23 +30,46 @@ _SIGNED: Final = re.compile(
 """Names of a vertical channel with a sign, or from below to above, whose sense may be either."""
 
 _OF_A_STRUCTURE: Final = frozenset(
-    {"h", "h1", "h2", "l", "l1", "t", "t1", "long", "tran", "fn", "fp", "radial", "transverse"}
-    | {"hor", "hor1", "hor2"}
+    {"h", "h1", "h2", "l", "l1", "t", "t1", "long", "tran", "trans", "transverse", "transversal"}
+    | {"longitudinal", "lateral", "hor", "hor1", "hor2", "horizontal"}
 )
-"""Horizontal directions of a structure, a fault or a path, whose azimuth is not in their name."""
+"""Horizontal directions of an instrument or a structure, whose azimuth is not in their name."""
+
+_ROTATED: Final = re.compile(
+    r"r|radial|[fs][np]|(?:fault|strike)[\s_-]?(?:normal|parallel)|(?:gm)?rot[id]?\d+\w*"
+    r"|rotated\b.*|(?:gm)?rot[id]|[a-z][ghnl][rt](?:\d\d)?|geo(?:metric)?[\s_-]?mean|srss|larger|maxrot|resultant"
+)
+"""Components that somebody turned, or combined, from those that were recorded."""
 
 _COMPASS: Final = {
-    **dict.fromkeys(("n", "ns", "n-s", "north", "north-south", "s-n", "sn"), 0.0),
-    **dict.fromkeys(("e", "ew", "e-w", "east", "east-west", "w-e", "we"), 90.0),
-    **dict.fromkeys(("s", "south"), 180.0),
-    **dict.fromkeys(("w", "west"), 270.0),
+    **dict.fromkeys(("n", "ns", "n-s", "north", "north-south", "s-n", "sn", "nord", "norte"), 0.0),
+    **dict.fromkeys(("e", "ew", "e-w", "east", "east-west", "w-e", "we", "este", "est"), 90.0),
+    **dict.fromkeys(("eo", "e-o", "o-e", "est-ouest", "ost"), 90.0),
+    **dict.fromkeys(
+        ("nord-sud", "norte-sur", "nord-s\u00fcd", "norte-sul", "kuzey-g\u00fcney"), 0.0
+    ),
+    **dict.fromkeys(
+        ("este-oeste", "est-ovest", "ost-west", "leste-oeste", "do\u011fu-bat\u0131"), 90.0
+    ),
+    **dict.fromkeys(("s", "south", "sud", "sur"), 180.0),
+    **dict.fromkeys(("w", "west", "oeste", "ouest", "ovest"), 270.0),
 }
 _QUADRANT: Final = re.compile(r"([ns])\s*(\d+(?:\.\d*)?)\s*(?:deg\w*)?\s*([ew])")
 # 1, 2 and 3 alone number channels.
 _DEGREES: Final = re.compile(r"(?:[nh]\s*(?=\d{3}))?(?![123]$)(\d{1,3}(?:\.\d*)?)\s*(?:deg\w*)?")
-# Band, instrument, direction: the three letters of a SEED channel whose instrument is one that
-# measures acceleration.
-_SEED: Final = re.compile(r"[a-z][gnl]([enz123xyrt])")
+# Band, instrument, direction: the three letters of a SEED channel, with its location behind them.
+# Of seismometers (H) the bands are named, as letters of words would else pass for theirs.
+_SEED: Final = re.compile(r"(?:[a-z][gnl]|[behlmsv]h)([enz123xyrt])(?:\d\d|--)?")
+_SEED_ID: Final = re.compile(
+    r"(?:(?:[A-Z0-9]{1,2}[._])?[A-Z0-9]{1,5}[._])?(?:\d\d|--)?[._]?([A-Z][GHNL][ENZ123XYRT])"
+    r"(?:[._](?:\d\d|--|[A-Z]))?"
+)
+"""Network, station, location and channel of SEED, as in ``XX_HUT_00_HNE_M``."""
+
+_BESIDE: Final = re.compile(
+    r"\s*(?:\((?:sta|rcrdr)\.?\s*ch[^)]*\)|,?\s*(?:location|loc)\s*:.*)$", re.IGNORECASE
+)
+"""Number and place of a channel, behind its direction: ``(STA CHN: 14)``, ``Location: Roof``."""
 
 
 TAIL: Final = re.compile(
@@ -72,12 +98,15 @@ class Pointing:
         is stated, which networks use for upwards.
     unclear
         Whether a vertical sense is named and not understood as a whole: a sign, DU, "not up".
+    rotated
+        Whether the name is one of a component that was turned from those recorded.
     """
 
     orientation: Orientation | None = None
     azimuth_deg: float | None = None
     down: bool | None = None
     unclear: bool = False
+    rotated: bool = False
 
 
 def pointing(component: str | None) -> Pointing:
@@ -93,14 +122,19 @@ def pointing(component: str | None) -> Pointing:
     >>> [pointing(name).down for name in ("DWN", "Vert, positive down", "UP", "HNZ", "090")]
     [True, True, False, None, None]
     """
-    text = "" if component is None else component.strip().strip("()[]").lower()
+    written = "" if component is None else without_place(component)[0]
+    written = written.replace("(+)", "").replace("(-)", "-").strip("()[] ")
+    if (of_seed := _SEED_ID.fullmatch(written)) is not None:
+        written = of_seed[1]
+    text = written.lower().replace("/", "-") if len(written) == 3 else written.lower()
+    rotated = _ROTATED.fullmatch(text) is not None
     signed = _SIGNED.fullmatch(text) is not None
     if signed or text in _VERTICAL:
         down = True if text in _DOWNWARDS or text == "d" else _or_none(text)
         return Pointing(orientation="vertical", down=None if signed else down, unclear=signed)
     azimuth = _azimuth(text)
-    if azimuth is not None or text in _OF_A_STRUCTURE:
-        return Pointing(orientation="horizontal", azimuth_deg=azimuth)
+    if azimuth is not None or text in _OF_A_STRUCTURE or rotated:
+        return Pointing(orientation="horizontal", azimuth_deg=azimuth, rotated=rotated)
     words = [word for word in re.split(r"[^a-z0-9]+", text) if word and not _filler(word)]
     named = set(words) & (_UPWARDS | _DOWNWARDS | _WITHOUT_SENSE - {"v", "z"}) - {"u"}
     named = named or set(re.findall(r"(?<![a-z])(?:u-?d|d-?u)(?![a-z])", text))
@@ -118,6 +152,18 @@ def pointing(component: str | None) -> Pointing:
         orientation=towards.get(seed[1], "horizontal"),
         azimuth_deg={"n": 0.0, "e": 90.0}.get(seed[1]),
     )
+
+
+def without_place(component: str) -> tuple[str, str]:
+    """Return the name of a channel without its number and place, and these.
+
+    Examples
+    --------
+    >>> without_place("UP       (STA CHN: 15)"), without_place("90 Deg  Location: Roof")
+    (('UP', '(STA CHN: 15)'), ('90 Deg', 'Location: Roof'))
+    """
+    at = beside.start() if (beside := _BESIDE.search(component)) else len(component)
+    return component[:at].strip(), component[at:].strip(" ,")
 
 
 def direction(component: str | None) -> tuple[Orientation | None, float | None]:

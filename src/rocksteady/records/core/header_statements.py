@@ -5,12 +5,12 @@ A statement is understood as a whole or refused with its line, and several of on
 
 import math
 import re
-from collections.abc import Iterator
-from typing import Final
+from collections.abc import Callable, Iterator
+from typing import Final, TypeVar
 
 from rocksteady.errors import RecordFileError
 from rocksteady.records.core.numbers import NUMBER, number
-from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.text import CONTRADICTION, RecordText
 from rocksteady.records.core.units import (
     UNITS,
     acceleration_unit,
@@ -18,15 +18,27 @@ from rocksteady.records.core.units import (
     in_seconds,
     leading,
     modifies,
+    quantity_of,
 )
 
+T = TypeVar("T")
+
 _EXPLICIT: Final = re.compile(
-    r"\bunits?\b\s*(?:(?:of|in(?!\s*/)|is|are|for)\b\s*)*(?:the\s+)?(?:acc\w*|data|samples|values)?\s*"
+    r"(?:(?:\b|(?<=_)|(?<=[a-z]))units?|\b(?:unidad(?:es)?|unit[aà]|unit[ée]s?|einheit(?:en)?|birim\w*))\b"
+    r"\s*(?:(?:of|in(?!\s*/)|is|are|for|de|di|der|los|las|del)\b\s*)*(?:the\s+)?"
+    r"(?:acc\w*|acel\w*|data|datos|dati|samples|values|misura)?\s*"
     r"(?:(?:of|in(?!\s*/)|is|are)\b\s*)*[:=(\[]*\s*(?:in\s+)?",
     re.IGNORECASE,
 )
 _IN: Final = re.compile(r"(?<![A-Za-z])in\s+(?!units?\b)|[(\[]\s*(?!units?\b)", re.IGNORECASE)
-_OF_A_PEAK: Final = re.compile(r"(?:pga|peak|max\w*)\W*(?:\w*acc\w*\W*)?$", re.IGNORECASE)
+PEAK: Final = re.compile(r"pga|peak|\bpk\b|max(?![a-z]*\s*freq)|m[aá]xim", re.IGNORECASE)
+"""Words of a largest value."""
+_OF_ANOTHER: Final = re.compile(
+    rf"(?:{PEAK.pattern}|\bmin\b|trigger|threshold|umbral|sensor|sensit|full[\s-]?scale|\besc\.|escala"
+    r"|\brange\b|resolution|noise|instr|rms|limit).*$",
+    re.IGNORECASE,
+)
+"""Words before a unit that is not that of the samples."""
 _EQUALS: Final = re.compile(r"\s*[(\[]\s*(?:1\s*)?(?:g\s*=\s*)?([^)\]=]*)[)\]]", re.IGNORECASE)
 _POWER_OF_TEN: Final = re.compile(
     r"[x*×]\s*10\s*(?:\^|\*\*|e\s*[+-]?\d|[⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹])", re.IGNORECASE
@@ -88,14 +100,20 @@ _FACTOR: Final = re.compile(
     re.IGNORECASE,
 )
 _NAMES: Final = {
-    "interval": r"dt|d\.t\.|Δt|delta(?:[ _]*t)?|time[ _-]?(?:step|interval|increment)"
-    r"|sampl(?:e|ing)[ _-](?:interval|period|step|time)",
-    "rate": r"sampl(?:e|ing)[ _-](?:rate|freq\w*)|fs",
-    "duration": r"duration|(?:record|total)[ _-]length|length[ _-]of[ _-]record",
+    "interval": r"dt|d\.t\.|Δt|delta(?:[ _]*t)?|time[ _-]?(?:step|interval|increment|spacing)"
+    r"|sampl(?:e|ing)[ _-]?(?:interval|period|step|time|spacing)|(?:equally|evenly)[ -]spaced[ -]"
+    r"(?:at|intervals?)|digiti[sz]ation[ _]interval|(?:intervall?o|pass?o?)(?:[ _]d[ei][ _]\w+)?"
+    r"|abtast(?:intervall|zeit)|zeitschritt|[öo]rnekleme aral\w+",
+    "rate": r"(?:data[ _])?sampl(?:e|ing)[ _-]?(?:rate|freq\w*)|fs|samples? ?(?:/|per) ?s(?:ec\w*)?"
+    r"|(?:vel\w*\.?|frec\w*\.?|tasa)[ _]de[ _]muestreo|freq\w*[ _]di[ _]campionamento"
+    r"|fr[ée]quence[ _]d.[ée]chantillonnage|abtast(?:rate|frequenz)|[öo]rnekleme (?!aral)\w+",
+    "duration": r"duration|duraci[oó]n|durata|(?:record|total)[ _-]?length"
+    r"|length[ _-]of[ _-]record",
 }
 _STATED: Final = {
     name: re.compile(
-        rf"(?<![A-Za-z])(?:{words})(?=[\s:=(\[,])\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*"
+        rf"(?<![A-Za-z])(?:{words})(?:_(?P<tail>hz|s|sec|ms))?(?=[\s:=(\[,])\s*"
+        r"(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*"
         r"(?:(?:is|of|at)\b)?\s*[:=,]?\s*(?P<value>[+-]?(?:[\d.]|nan\b|inf)[^\n]*)",
         re.IGNORECASE,
     )
@@ -105,21 +123,29 @@ _OTHER_DURATION: Final = re.compile(
     r"(?:signif\w*|bracket\w*|strong|uniform|effective|d5|5-95)[^,;]*$", re.IGNORECASE
 )
 _COUNT: Final = re.compile(
-    r"(?<![A-Za-z])(?:npts|ndata|(?:number|num|no\.?|nr\.?)[ _]of[ _](?:\w+[ _])?"
-    r"(?:data|points|samples|values|records|steps)(?:[ _]points)?|samples|points)"
+    r"(?<![A-Za-z])(?:npts|ndata|n[ _]?samp\w*|(?:number|num|no\.?|nr\.?)[ _]of[ _](?:\w+[ _])?"
+    r"(?:data|points|samples|values|records|steps)(?:[ _]points)?|samples|points|sample[ _]count"
+    r"|n[uú]m\w*\.?[ _](?:total[ _])?d[ei][ _](?:\w+[ _])?(?:mues|dat|punt|camp)\w+"
+    r"|nombre[ _]d(?:e[ _]|.)(?:points|[ée]chant\w+)|anzahl[ _](?:der[ _])?(?:werte|daten|punkte)"
+    r"|(?:veri|[öo]rnek)[ _]say\w+|data[ _](?:length|count|points))"
     r"\s*[:=]\s*(?P<value>[+-]?(?:[\d.]|nan\b|inf)[^\n]*)",
     re.IGNORECASE,
 )
 _DECIMAL_COMMA: Final = re.compile(r"([+-]?\d+),(\d+)(?![\d,.])")
 _THOUSANDS: Final = re.compile(r"\+?[1-9]\d{0,2}(?:,\d{3})+(?![\d,.])")
 _FIRST_WORD: Final = re.compile(r"\s*[A-Za-zµμ%][\w/^%*-]*+(?!\s*[=:])")
+_NEXT_KEY: Final = re.compile(r"\s+[A-Za-z]+\s+[A-Za-z]+\s*[=:]")
+"""What may stand behind a number whose unit stands before it."""
 _COARSEST: Final = 0.005
 """Part by which an interval and a rate may differ for the digits that they are written with."""
+_CORRECT: Final = "take out the line that is wrong"
 _HINT_UNITS: Final = f"give units: {', '.join(UNITS)}, with a factor before it where there is one"
 
 
 def stated_unit(text: RecordText, lines: list[int], *, explicit: bool = False) -> str | None:
     """Return the unit of acceleration that lines of words state, or None.
+
+    Where they state one of another quantity alone, it is returned as it is written.
 
     Parameters
     ----------
@@ -139,10 +165,15 @@ def stated_unit(text: RecordText, lines: list[int], *, explicit: bool = False) -
     for at in lines:
         for unit in _units_in(text, at, explicit=explicit):
             units.setdefault(unit, at)
+    others = {unit: at for unit, at in units.items() if acceleration_unit(unit) is None}
+    if others and (explicit or len(others) < len(units)):
+        units = {unit: at for unit, at in units.items() if unit not in others}
+    elif others:
+        return next(iter(others))
     sizes = {in_m_s2(unit) for unit in units}
     if len(sizes) > 1:
         valid = f"its header states {' and '.join(units)}, which are not one unit"
-        raise text.error(valid, _HINT_UNITS, at=max(units.values()))
+        raise text.error(valid, _CORRECT, at=max(units.values()), kind=CONTRADICTION)
     return next(iter(units), None)
 
 
@@ -156,13 +187,15 @@ def _units_in(text: RecordText, at: int, *, explicit: bool) -> Iterator[str]:
             yield acceleration_unit(unit) or unit
         elif (listed := _of_a_list(phrase)) is not None:
             yield listed
+        elif unit is None and (other := leading(phrase, quantity_of)[0]) is not None:
+            yield other
         elif phrase.strip() and not _OTHER_QUANTITY.match(phrase):
             raise _not_understood(text, at)
     if explicit:
         return
     for statement in _IN.finditer(line):
         unit, rest = leading(line[statement.end() :])
-        if unit is None or _OF_A_PEAK.search(line[: statement.start()]):
+        if unit is None or _OF_ANOTHER.search(line[: statement.start()]):
             continue
         if _modified(unit, rest):
             raise _not_understood(text, at)
@@ -182,14 +215,16 @@ def _of_a_list(phrase: str) -> str | None:
     others = [
         piece
         for piece, unit in zip(pieces, units, strict=True)
-        if unit is None and in_seconds(piece) is None and piece.lower() not in _OTHER_UNITS
+        if unit is None
+        and in_seconds(piece) is None
+        and quantity_of(piece) is None
+        and piece != "-"
     ]
     named = {unit for unit in units if unit is not None}
     return named.pop() if len(named) == 1 and not others else None
 
 
 _OTHER_QUANTITY: Final = re.compile(r"(?:of|in)?\s*(?:vel|disp|time|sec)", re.IGNORECASE)
-_OTHER_UNITS: Final = frozenset({"cm/s", "m/s", "cm", "m", "mm", "in", "in/s", "ft", "ft/s", "-"})
 
 
 def _modified(unit: str, rest: str) -> bool:
@@ -241,6 +276,22 @@ def refuse_factors(text: RecordText, lines: list[int], *, names: int | None = No
             raise text.error(valid, hint, at=at)
 
 
+def unless_given(given: object, state: Callable[[], T]) -> T | None:
+    """Return what a file states; None where that is not understood and the caller says it.
+
+    Raises
+    ------
+    RecordFileError
+        If it is not understood and not given, contradicts itself or is of another quantity.
+    """
+    try:
+        return state()
+    except RecordFileError as error:
+        if given is None or error.kind:
+            raise
+        return None
+
+
 def _is_unity(written: str, rest: str) -> bool:
     """Return whether a factor is 1, and nothing behind it changes that."""
     return number(written) == 1.0 and not _GOES_ON.match(rest) and not _PER.match(rest)
@@ -275,12 +326,13 @@ def time_value(text: RecordText, at: int, written: str, unit: str | None = None)
     if not digits:
         raise text.error(nothing, hint, at=at)
     value = number(digits)
-    after, beyond = leading(rest.lstrip(" ("), time=True)
+    after, beyond = leading(rest.lstrip(" ("), in_seconds)
     if value is None or _goes_on(rest) or (after is not None and not _PLAIN_UNIT.fullmatch(after)):
         raise text.error("its number of seconds is not understood as a whole", hint, at=at)
     before = None if unit is None or not unit.strip() else in_seconds(unit)
     unknown = unit is not None and unit.strip() != "" and before is None
-    if after is None and (unknown or _FIRST_WORD.match(rest)):
+    odd = _FIRST_WORD.match(rest) and not (before is not None and _NEXT_KEY.match(rest))
+    if after is None and (unknown or odd):
         raise text.error("its unit of time is not understood as a whole", hint, at=at)
     if _TWO_TIMES.match(beyond) or _goes_on(beyond):
         raise text.error("it states two times", hint, at=at)
@@ -300,12 +352,7 @@ def interval_value(
     text: RecordText, at: int, written: str, unit: str | None, given: float | None
 ) -> float | None:
     """Return a time [s] as `time_value`; None where it is not understood and another is given."""
-    try:
-        return time_value(text, at, written, unit)
-    except RecordFileError:
-        if given is None:
-            raise
-        return None
+    return unless_given(given, lambda: time_value(text, at, written, unit))
 
 
 def _goes_on(rest: str) -> bool:
@@ -328,10 +375,10 @@ def stated_interval(text: RecordText, lines: list[int]) -> float | None:
     for at in lines:
         for name in ("interval", "rate"):
             for stated in find_values(_STATED[name], text.heads[at]):
-                unit = stated["unit"]
+                unit = stated["unit"] or stated["tail"]
                 written = stated["value"]
                 after = re.sub(rf"^\s*{NUMBER}\s*\(?", "", written)
-                if name == "rate" and not unit and leading(after, time=True)[0] is None:
+                if name == "rate" and not unit and leading(after, in_seconds)[0] is None:
                     unit = "Hz"
                 value = time_value(text, at, written, unit)
                 intervals.append((_relative_place(written), value, at))
@@ -343,7 +390,7 @@ def stated_interval(text: RecordText, lines: list[int]) -> float | None:
     for place, value, at in intervals[1:]:
         if abs(value - intervals[0][1]) > 1.01 * (place + intervals[0][0] + 1e-9) * value:
             valid = f"its header states {intervals[0][1]:g} s and {value:g} s between samples"
-            raise text.error(valid, "give dt_s, in seconds", at=at)
+            raise text.error(valid, _CORRECT, at=at, kind=CONTRADICTION)
     return intervals[0][1] if intervals else None
 
 
@@ -369,7 +416,7 @@ def stated_time_unit(text: RecordText, lines: list[int]) -> float | None:
         for stated in _TIME_IN.finditer(text.heads[at]):
             if _OTHER_TIME.search(text.heads[at][: stated.start()]):
                 continue
-            unit, rest = leading(stated["rest"], time=True)
+            unit, rest = leading(stated["rest"], in_seconds)
             clock = stated["how"] in {":", "="} or stated["rest"][:1].isdigit()
             if unit is None and clock:
                 continue
@@ -412,7 +459,7 @@ def stated_count(text: RecordText, lines: list[int]) -> tuple[int, int] | None:
             counts.setdefault(int(alone["value"] or alone["before"]), at)
     if len(counts) > 1:
         valid = f"its header states {' and '.join(map(str, counts))} samples"
-        raise text.error(valid, "correct one of the lines", at=max(counts.values()))
+        raise text.error(valid, _CORRECT, at=max(counts.values()), kind=CONTRADICTION)
     return next(iter(counts.items()), None)
 
 
@@ -427,7 +474,7 @@ def count_value(text: RecordText, at: int, written: str) -> int:
     match = _THOUSANDS.match(written) or re.match(NUMBER, written)
     value = None if match is None else number(match[0].replace(",", ""))
     rest = "" if match is None else written[match.end() :]
-    of_time, _ = leading(rest.lstrip(" ("), time=True)
+    of_time, _ = leading(rest.lstrip(" ("), in_seconds)
     if value is None or value != int(value) or of_time is not None or _GOES_ON.match(rest):
         raise text.error("it must state a whole number, once", "correct the line", at=at)
     return int(value)

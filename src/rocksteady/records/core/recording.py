@@ -11,8 +11,37 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import quantity
 from rocksteady.results.result import Result
 
-Orientation = Literal["horizontal", "vertical"]
+Orientation = Literal["horizontal", "vertical", "unknown"]
 """Which way a channel points."""
+
+Position = Literal["surface", "borehole", "structure", "unknown"]
+"""Where its sensor stands: on the ground, below it, or in or on a building, a bridge or a dam."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LeftOut:
+    """A channel, or a file, that shakes nothing, and why.
+
+    Parameters
+    ----------
+    file
+        The file.
+    channel
+        The channel, or None where the whole file is meant.
+    kind
+        Word by which it is counted: ``vertical``, ``velocity``, ``borehole``, ``no record``, ...
+    why
+        The reason, as a clause.
+    """
+
+    file: Path
+    channel: str | None = None
+    kind: str
+    why: str
+
+    def to_dict(self) -> dict[str, str | None]:
+        """Return an object of JSON."""
+        return {"file": str(self.file), "channel": self.channel, "why": self.why}
 
 
 @checked_result
@@ -35,9 +64,11 @@ class Recording(Result):
     component
         The channel's direction as the file names it (``N-S``, ``360``).
     orientation
-        Whether the channel is horizontal or vertical; None where it is unknown.
+        Whether the channel is horizontal or vertical, or unknown.
     azimuth_deg
         Direction of positive values of a horizontal channel, clockwise from north [degrees].
+    position
+        Where the sensor stands, as far as the file states it.
     station, event
         Station and earthquake, as stated in the file.
     start_time
@@ -49,6 +80,8 @@ class Recording(Result):
     processing
         What has been done to the numbers beyond converting their unit, in order: an offset taken
         off, a baseline correction, a new interval.
+    left_out
+        Channels of the same file that are no acceleration.
 
     Examples
     --------
@@ -69,14 +102,21 @@ class Recording(Result):
     path: Path
     units_in_file: str
     component: str | None = None
-    orientation: Orientation | None = None
+    orientation: Orientation = "unknown"
     azimuth_deg: float | None = None
+    position: Position = "unknown"
     station: str | None = None
     event: str | None = None
     start_time: datetime | None = None
     stated_peak_m_s2: float | None = None
     warnings: tuple[str, ...] = ()
     processing: tuple[str, ...] = ()
+    left_out: tuple[LeftOut, ...] = ()
+
+    @property
+    def quantity(self) -> str:
+        """What the samples are: an acceleration, for no other quantity is read."""
+        return "acceleration"
 
     @property
     def name(self) -> str:
@@ -101,6 +141,8 @@ class Recording(Result):
             Fact("component", self.component),
             Fact("orientation", self.orientation),
             Fact("azimuth_deg", self.azimuth_deg),
+            Fact("quantity", self.quantity),
+            Fact("position", self.position),
             Fact("station", self.station),
             Fact("event", self.event),
             Fact("start_time", self.start_time and self.start_time.isoformat()),
@@ -122,6 +164,7 @@ class Recording(Result):
             ),
             *(Fact("", done, "processing", done) for done in self.processing),
             Fact("processing", list(self.processing)),
+            Fact("left_out", [each.to_dict() for each in self.left_out]),
             Fact("warnings", list(self.warnings)),
         ]
         return Description(headline=self.title, facts=facts, notes=self.warnings)

@@ -117,7 +117,7 @@ def evenly_spaced(
             "ask for resampling (resample) to have it interpolated",
             at=line_of(odd),
         )
-    step = usual if given.dt_s is None else given.dt_s
+    step = _rounded(usual, 1.0e-9 * usual) if given.dt_s is None else given.dt_s
     count = int((times[-1] - times[0]) / step * (1.0 + 1.0e-12)) + 1
     if not 2 <= count <= _MOST_SAMPLES:
         raise text.error(f"{count} samples {step:g} s apart would be needed", "give another dt_s")

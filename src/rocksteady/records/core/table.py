@@ -6,9 +6,10 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Final
 
+from rocksteady.records.core.column_names import column_name
 from rocksteady.records.core.numbers import apart, number, numbers
 from rocksteady.records.core.text import RecordText
-from rocksteady.records.core.units import acceleration_unit, in_seconds
+from rocksteady.records.core.units import in_seconds, quantity_of
 
 _COMMENT: Final = ("#", "%", "//")
 """What a comment between rows begins with; stars stand for a number that did not fit."""
@@ -19,7 +20,12 @@ _SAMPLE: Final = 200
 _DECIMAL_COMMA: Final = re.compile(r"[+-]?\d*,\d+(?:[eEdD][+-]?\d+)?|[+-]?\d+(?:[eEdD][+-]?\d+)?")
 _LONGEST_HEADER: Final = 200
 _LONGEST_NAME: Final = 40
-_OTHER_UNITS: Final = frozenset({"", "-", "cm/s", "m/s", "cm", "m", "mm"})
+_RULE: Final = re.compile(r"\W*|.{0,20}\(?\d*[fFeE]\d+\.\d+\)?\s*")
+"""A line of dashes, or the format of the rows."""
+_KEY: Final = re.compile(r"^[A-Za-z ]+:\s+")
+_OF_SENTENCES: Final = frozenset({"in", "of", "the", "and", "is", "are", "at", "for", "from", "de"})
+_NEAR: Final = 3
+"""Lines above the rows among which their names are looked for."""
 _TRUE_SPACES: Final = re.compile(r"\t|\s{2,}")
 _NO_VALUE: Final = re.compile(
     r"[+-]?(?:nan|inf(?:inity)?|null|none|n/?a|\*+|#\w+[!?/].*)", re.IGNORECASE
@@ -109,12 +115,12 @@ def table(text: RecordText) -> Table | None:
         rows.append(row)
         lines.append(at)
     header = tuple(text.heads[at].strip().lstrip("#%!*/ ") for at in filled[:first])
-    names = _names(header, separator, max(map(len, rows)))
+    named, names = _names(header, separator, max(map(len, rows)))
     return Table(
         header=header,
         header_lines=tuple(filled[:first]),
         names=names,
-        names_at=filled[first - 1] if first else 0,
+        names_at=filled[named] if first else 0,
         rows=tuple(rows),
         lines=tuple(lines),
         separator=separator,
@@ -206,25 +212,48 @@ def _row(line: str, separator: str | None, *, comma: bool) -> tuple[float, ...] 
     return kept if kept and len(kept) == len(values) else None
 
 
-def _names(header: tuple[str, ...], separator: str | None, columns: int) -> tuple[str, ...]:
-    """Return the names of the columns with their units, or nothing where there are none."""
+def _names(
+    header: tuple[str, ...], separator: str | None, columns: int
+) -> tuple[int, tuple[str, ...]]:
+    """Return the place of the columns' names in the header, and the names with their units.
+
+    They are nothing where there are none. Below them may stand a rule, a format or their units.
+    """
     if not header:
-        return ()
-    last = _fields(header[-1], separator, columns)
-    # A line such as "units: cm/s^2" is not one of names.
-    if len(last) != columns or (separator is None and set(header[-1]) & set(":=")):
-        return ()
-    above = _fields(header[-2], separator, columns) if len(header) > 1 else ()
+        return 0, ()
+    place = len(header) - 1
+    while place > 0 and len(header) - place <= _NEAR and _RULE.fullmatch(header[place]):
+        place -= 1
+    line = header[place]
+    last = _fields(line, separator, columns)
+    if place < len(header) - 1:
+        last = _fields(_KEY.sub("", line).replace(";", " "), separator, columns)
+        if not all(map(_known, last)):
+            return len(header) - 1, ()
+    elif separator is None:
+        # A line such as "units: cm/s^2" or "acceleration time series in g" is not one of names.
+        sentence = {field.lower() for field in last} & _OF_SENTENCES
+        last = () if sentence or set(line) & set(":=") else last
+    elif len(last) != columns:
+        last = tuple(name for name in _fields(line, None, columns) if _known(name))
+    if len(last) != columns:
+        return len(header) - 1, ()
+    above = _fields(header[place - 1], separator, columns) if place else ()
     if columns > 1 and len(above) == columns and all(map(_is_unit, last)):
         pairs = zip(above, last, strict=True)
-        return tuple(f"{name} ({unit.strip('()[] ')})" for name, unit in pairs)
-    return last
+        return place, tuple(f"{name} ({unit.strip('()[] ')})" for name, unit in pairs)
+    return place, last
+
+
+def _known(field: str) -> bool:
+    """Return whether a name states what its column holds."""
+    return column_name(field).kind != "unknown"
 
 
 def _is_unit(field: str) -> bool:
     """Return whether a field below a name is its unit."""
-    known = acceleration_unit(field) is not None or in_seconds(field) is not None
-    return known or field.strip("()[] ").lower() in _OTHER_UNITS
+    known = quantity_of(field) is not None or in_seconds(field) is not None
+    return known or field.strip("()[] ") in {"", "-"}
 
 
 def _fields(line: str, separator: str | None, columns: int) -> tuple[str, ...]:

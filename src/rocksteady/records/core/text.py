@@ -11,6 +11,28 @@ from rocksteady.errors import RecordFileError
 LARGEST_FILE: Final = 64 * 2**20
 """Bytes of the largest file that is read; three channels of an hour at 200 Hz take some 26 MB."""
 
+FETCH: Final = "fetch the file again"
+"""What a hint about a damaged file begins with."""
+
+DAMAGED: Final = "damaged"
+NO_RECORD: Final = "no record"
+CONTRADICTION: Final = "contradiction"
+"""Kinds of faults: a file is cut or garbled; it is none of ground motion; it states two things, or
+another than its reader is told."""
+
+_SHEET: Final = ("it is a spreadsheet", "save the sheet as CSV (UTF-8), and give that")
+_SHEETS: Final = (b"xl/work", b"opendocument.spreadsheet", b"W\0o\0r\0k\0b\0o\0o\0k")
+_ARCHIVE: Final = ("it is an archive", "unpack it, and give a record of it")
+_NO_TEXT: Final = {
+    **dict.fromkeys(
+        (b"PK\x03\x04", b"\x1f\x8b", b"BZh", b"7z\xbc\xaf", b"\xfd7zXZ", b"Rar!"), _ARCHIVE
+    ),
+    b"\xd0\xcf\x11\xe0": ("it is a document of an office program", "give a record as text"),
+    b"%PDF": ("it is a PDF", "give a record as text"),
+    **dict.fromkeys((b"{", b"<"), ("it is JSON, XML or HTML", "give a record as text")),
+}
+"""What files that are no records begin with, and what to say of them."""
+
 _BEGINNING: Final = 4096
 _LONGEST_HEAD: Final = 400
 # More than one \r is what a conversion to DOS makes of a file that was one already.
@@ -51,27 +73,34 @@ class RecordText:
         """The first line that is not blank, cut as `heads` are."""
         return next((line for line in self.heads if line.strip()), "")
 
-    def error(self, valid: str, hint: str, *, at: int | None = None) -> RecordFileError:
+    def error(
+        self, valid: str, hint: str, *, at: int | None = None, kind: str = ""
+    ) -> RecordFileError:
         """Return the error about a line.
 
         Parameters
         ----------
-        valid, hint
-            As for `~rocksteady.errors.RecordFileError`.
+        valid, hint, kind
+            As for `~rocksteady.errors.RecordFileError`; one whose hint is to fetch the file again
+            is about a damaged file.
         at
             Index of the line, the first one being 0; one past the last means the end of the file.
         """
+        kind = kind or (DAMAGED if hint.startswith(FETCH) else "")
         if at is None:
-            return RecordFileError(path=self.path, valid=valid, hint=hint)
+            return RecordFileError(path=self.path, valid=valid, hint=hint, kind=kind)
         if at >= len(self.lines):
             return RecordFileError(
                 path=self.path,
                 line=len(self.lines),
                 valid=f"the file ends here: {valid}",
                 hint=hint,
+                kind=kind,
             )
         text = self.heads[at].strip()
-        return RecordFileError(path=self.path, line=at + 1, found=text, valid=valid, hint=hint)
+        return RecordFileError(
+            path=self.path, line=at + 1, found=text, valid=valid, hint=hint, kind=kind
+        )
 
     def refuse_repeated(self, first: int, at: int) -> None:
         """Raise where a line repeats the key of an earlier line of the header with another value.
@@ -91,7 +120,7 @@ class RecordText:
         )
         if first_text != second_text:
             valid = f"line {first + 1} states the same with another value"
-            raise self.error(valid, "take out the line that is wrong", at=at)
+            raise self.error(valid, "take out the line that is wrong", at=at, kind=CONTRADICTION)
 
 
 def file_bytes(path: Path) -> bytes:
@@ -117,7 +146,7 @@ def file_bytes(path: Path) -> bytes:
         valid = f"it has {size} bytes, and {LARGEST_FILE} are the most"
         raise RecordFileError(path=path, valid=valid, hint="give a file of one record")
     if not data.strip(b"\x00\x1a \t\r\n"):
-        raise RecordFileError(path=path, valid="it is empty", hint="fetch it again")
+        raise RecordFileError(path=path, valid="it is empty", hint="fetch it again", kind=DAMAGED)
     return data
 
 
@@ -148,13 +177,21 @@ def as_text(path: Path, data: bytes) -> RecordText:
     filled = content.rstrip(_PADDING + " \t\r\n")
     ended = any(end in content[len(filled) :] for end in "\r\n")
     content = filled
+    valid, hint = next(
+        (words for mark, words in _NO_TEXT.items() if data.startswith(mark)), ("", "")
+    )
+    if valid:
+        sheet = any(part in data for part in _SHEETS)
+        valid, hint = _SHEET if sheet else (valid, hint)
+        raise RecordFileError(path=path, valid=valid, hint=hint, kind=NO_RECORD)
     beginning = content[:_BEGINNING]
     odd = sum(character < " " and character not in "\t\r\n\f\v" for character in beginning)
     if odd > len(beginning) // 100:
         raise RecordFileError(
             path=path,
             valid="it is not text",
-            hint="give a record as its network publishes it, unpacked",
+            hint="give a record as its network publishes it",
+            kind=NO_RECORD,
         )
     plain = content.replace("\r\n", "\n")
     lines = _LINE_ENDS.split(plain) if "\r" in plain else plain.split("\n")

@@ -8,6 +8,7 @@ is standard gravity and one gal 1 cm/s^2, both by definition.
 import math
 import re
 import unicodedata
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import repeat
@@ -35,6 +36,9 @@ UNITS: Final = {
 _ACCELERATION: Final = (1, -2)
 _TIME: Final = (0, 1)
 _RATE: Final = (0, -1)
+_QUANTITIES: Final = {_ACCELERATION: "acceleration", (1, -1): "velocity", (1, 0): "displacement"}
+_COUNTS: Final = re.compile(r"counts?|cnts?|lsb|(?:digital|ad|raw) ?counts?|bits?|mv|volts?")
+"""What an instrument's numbers are in before its scale is applied."""
 
 _BASES: Final[dict[str, tuple[float, tuple[int, int]]]] = {
     **dict.fromkeys(("g", "gs", "g's", "gee", "gees", "gn", "g0", "gravity"), (9.80665, (1, -2))),
@@ -46,7 +50,7 @@ _BASES: Final[dict[str, tuple[float, tuple[int, int]]]] = {
     **dict.fromkeys(("min", "mins", "minute", "minutes"), (60.0, (0, 1))),
     **dict.fromkeys(("h", "hr", "hrs", "hour", "hours"), (3600.0, (0, 1))),
     **dict.fromkeys(("hz", "hertz", "sps", "cps"), (1.0, (0, -1))),
-    **dict.fromkeys(("sample", "samples", "pts", "points", "cycles"), (1.0, (0, 0))),
+    **dict.fromkeys(("sample", "samples", "pts", "points", "cycles", "muestras"), (1.0, (0, 0))),
 }
 """Size in SI and powers of length and time of what may have a prefix, or not."""
 
@@ -130,6 +134,7 @@ def _parsed(written: str) -> tuple[float, tuple[int, int]] | None:
         at = match.end()
     if not parts or len(parts) > 24:
         return None
+    other = None
     for together in (False, True):
         tokens = _Tokens(parts)
         try:
@@ -140,7 +145,8 @@ def _parsed(written: str) -> tuple[float, tuple[int, int]] | None:
             return None
         if powers in {_ACCELERATION, _TIME, _RATE}:
             return size, powers
-    return None
+        other = other or ((size, powers) if powers in _QUANTITIES else None)
+    return other
 
 
 def _product(tokens: _Tokens, *, together: bool) -> tuple[float, tuple[int, int]]:
@@ -303,9 +309,23 @@ def in_seconds(written: str) -> float | None:
     That of a rate is negative: 100 in such a unit are its size divided by 100.
     """
     parsed = _parsed(written) if len(written) <= 60 else None
-    if parsed is None or parsed[1] == _ACCELERATION:
+    if parsed is None or parsed[1] not in {_TIME, _RATE}:
         return None
     return parsed[0] if parsed[1] == _TIME else -1.0 / parsed[0]
+
+
+def quantity_of(written: str) -> str | None:
+    """Return the quantity that a unit is one of: acceleration, velocity, displacement, counts.
+
+    Examples
+    --------
+    >>> [quantity_of(unit) for unit in ("gal", "CM/SEC", "mm", "Counts", "kPa", "M")]
+    ['acceleration', 'velocity', 'displacement', 'counts', None, 'displacement']
+    """
+    parsed = _parsed(written) if len(written) <= 60 else None
+    if parsed is None:
+        return "counts" if _COUNTS.fullmatch(_plain(written)) else None
+    return _QUANTITIES.get(parsed[1])
 
 
 _MODIFIES: Final = re.compile(
@@ -316,15 +336,18 @@ _MODIFIES: Final = re.compile(
 )
 
 
-def leading(text: str, *, time: bool = False) -> tuple[str | None, str]:
+def leading(
+    text: str, known: Callable[[str], object] = acceleration_unit
+) -> tuple[str | None, str]:
     """Return the longest unit that a text begins with, up to a blank or a mark, and the rest.
 
     Parameters
     ----------
     text
         What follows ``in`` or ``units:``.
-    time
-        Whether a unit of time or rate is looked for, in place of one of acceleration.
+    known
+        Which units are looked for: `acceleration_unit`, `in_seconds` (of time and of rates) or
+        `quantity_of` (of any motion).
 
     Examples
     --------
@@ -336,8 +359,7 @@ def leading(text: str, *, time: bool = False) -> tuple[str | None, str]:
     ]
     for end in sorted({*ends}, reverse=True):
         piece = text[:end]
-        known = in_seconds(piece) if time else acceleration_unit(piece)
-        if piece.strip() and known is not None:
+        if piece.strip() and known(piece) is not None:
             return piece.strip(), text[end:]
     return None, text
 

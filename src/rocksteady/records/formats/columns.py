@@ -6,13 +6,16 @@ times. Names are understood with their unit, as in ``time [s]``, ``Acc (g)`` or 
 
 import re
 from dataclasses import replace
-from itertools import pairwise
+from datetime import datetime
+from functools import partial
+from itertools import groupby, pairwise
 from typing import Final
 
 from rocksteady.errors import InputError, RecordFileError
-from rocksteady.records.core.assembling import Channel, Given, built
-from rocksteady.records.core.column_names import column_name
+from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
+from rocksteady.records.core.column_names import OTHER, column_name, quantity_named
 from rocksteady.records.core.consistency import Lines, agreed, layout, timing
+from rocksteady.records.core.directions import tells_nothing
 from rocksteady.records.core.header_statements import (
     refuse_factors,
     stated_count,
@@ -20,18 +23,40 @@ from rocksteady.records.core.header_statements import (
     stated_interval,
     stated_time_unit,
     stated_unit,
+    unless_given,
 )
-from rocksteady.records.core.recording import Recording
+from rocksteady.records.core.moments import moment
+from rocksteady.records.core.numbers import apart, numbers
+from rocksteady.records.core.recording import LeftOut, Recording
 from rocksteady.records.core.sampling import Spaced, evenly_spaced, places
+from rocksteady.records.core.stated_words import (
+    stated_direction,
+    stated_name,
+    stated_start,
+    unit_of_peaks,
+)
 from rocksteady.records.core.table import Table, table
-from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.text import NO_RECORD, RecordText
 from rocksteady.records.core.units import UNITS, in_m_s2
 from rocksteady.results.numbers import plural
 
 CSV: Final = "csv"
 COLUMNS: Final = "columns"
 
+_DATED: Final = re.compile(r"\s*\"?(\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d(?:\.\d+)?)Z?\"?(?=[\s,;])")
+_TIMESERIES: Final = re.compile(
+    r"TIMESERIES (\S+), (\d+) samples, ([\d.]+ sps), ([^,]+), \w+, \w+, (.+)"
+)
+_OF_TIMESERIES: Final = r"channel: \1; samples: \2; sampling rate: \3; start time: \4; units: \5"
+"""The header of EarthScope's lists of samples."""
+_EQUAL: Final = re.compile(r"([:=]\s*)/([^/\s]+)(?:/\2)+\s*$")
+_PER_CHANNEL: Final = re.compile(r",?\s*C1-C\d+(?=\s*[,(:])")
+"""Values of several channels that are one, and the words that number the channels."""
+_DATA_TYPE: Final = re.compile(r"\bdata[ _]type\s*[:=]\s*([A-Za-z]+)", re.IGNORECASE)
+_HEADER: Final = 200
+_LONGEST_INTERVAL: Final = 0.1
 _BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
+_NO_ROWS: Final = "it holds no rows of numbers"
 _FEW_LINES: Final = 40
 _AS_CHANNELS: Final = 4
 """Columns without names that may be channels as well as consecutive samples."""
@@ -43,7 +68,7 @@ def recognises(text: RecordText) -> bool:
 
 
 def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
-    """Return the channels of a table.
+    """Return the channels of a table, or of several one below the other.
 
     Raises
     ------
@@ -53,19 +78,119 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         If the file has no such column.
     """
     refuse_geonet(text)
+    text, start = _plain(text)
+    recordings: list[Recording] = []
+    others: list[RecordFileError] = []
+    for block in _blocks(text):
+        try:
+            recordings += _read(block, given, start)
+        except RecordFileError as error:
+            if error.kind not in {"velocity", "displacement"}:
+                raise
+            others.append(error)
+    if not recordings:
+        raise others[0]
+    return tuple(recordings)
+
+
+def read_samples(text: RecordText, given: Given) -> tuple[Recording, ...]:
+    """Return the numbers below the header by the options alone.
+
+    Raises
+    ------
+    RecordFileError
+        If unit or interval are not given, or the file has several blocks of numbers.
+    """
+    runs = [
+        list(lines)
+        for numeric, lines in groupby(
+            (at for at, line in enumerate(text.lines) if line.strip(" \t,;")),
+            key=lambda at: bool(apart(re.split(r"[\s,;]+", text.lines[at].strip(" \t,;")), None)),
+        )
+        if numeric
+    ]
+    longest = max(runs, key=len, default=[])
+    if len(longest) < 2:
+        raise text.error(_NO_ROWS, "give a record as text", kind=NO_RECORD)
+    if sum(2 * len(lines) > len(longest) for lines in runs) > 1:
+        valid = "it holds several blocks of numbers, of which its header alone tells which is which"
+        raise text.error(valid, "give a file of one block")
+    samples = range(longest[0], longest[-1] + 1)
+    lines = tuple(line if at in samples else "" for at, line in enumerate(text.lines))
+    plain = replace(text, lines=lines)
+    note = (
+        f"header ignored: the numbers from line {longest[0] + 1} on are read by the options alone"
+    )
+    return tuple(
+        replace(each, processing=(note, *each.processing)) for each in _read(plain, given, None)
+    )
+
+
+def _plain(text: RecordText) -> tuple[RecordText, datetime | None]:
+    """Return a file with lists of equal values as one, and dates as seconds; and its first date."""
+    lines = [_PER_CHANNEL.sub("", _EQUAL.sub(r"\1\2", line)) for line in text.lines[:_HEADER]]
+    lines = [_TIMESERIES.sub(_OF_TIMESERIES, line) for line in lines] + [*text.lines[_HEADER:]]
+    dates = {at: match for at, line in enumerate(lines) if (match := _DATED.match(line))}
+    if 2 * len(dates) < len(lines):
+        return replace(text, lines=tuple(lines)), None
+    times = {at: moment(match[1]) for at, match in dates.items()}
+    first = next(iter(times.values()))
+    for at, time in times.items():
+        if time is not None and first is not None:
+            seconds = f"{(time - first).total_seconds():.6f}"
+            lines[at] = f"{seconds}{lines[at][dates[at].end() :]}"
+    return replace(text, lines=tuple(lines)), first
+
+
+def _blocks(text: RecordText) -> list[RecordText]:
+    """Return the tables of a file, each with the words above it; one where it is one table.
+
+    Each of several must have a line that states its number of samples, for a line of words among
+    samples may be one that is damaged.
+    """
+    kinds = groupby(
+        (at for at, line in enumerate(text.lines) if line.strip(" \t,;")),
+        key=lambda at: numbers(text.lines[at].replace(",", " ")) is not None,
+    )
+    parts: list[list[int]] = [[]]
+    for numeric, lines in kinds:
+        held = list(lines)
+        if not numeric and parts[-1] and len(held) > 1:
+            parts.append([])
+        parts[-1] += held
+    if len(parts) < 2:
+        return [text]
+    blocks = []
+    for part in parts:
+        kept = set(part)
+        block = replace(
+            text, lines=tuple(line if at in kept else "" for at, line in enumerate(text.lines))
+        )
+        rows = [at for at in part if numbers(block.lines[at].replace(",", " ")) is not None]
+        words = [at for at in part if at not in set(rows)]
+        try:
+            stated = stated_count(block, words)
+        except RecordFileError:
+            return [text]
+        held_numbers = sum(len(block.lines[at].replace(",", " ").split()) for at in rows)
+        if stated is None or stated[0] not in {len(rows), held_numbers}:
+            return [text]
+        blocks.append(block)
+    return blocks
+
+
+def _read(text: RecordText, given: Given, start: datetime | None) -> tuple[Recording, ...]:
+    """Return the channels of one table."""
     data_table = table(text)
     if data_table is None:
-        raise text.error("it holds no rows of numbers", "give a record as text")
+        raise text.error(_NO_ROWS, "give a record as text", kind=NO_RECORD)
     at = data_table.lines[0]
-    count, interval, data_table = _without_counts(text, data_table)
+    count, interval, data_table = _without_counts(text, data_table, given)
     named = data_table.columns > 1 and bool(data_table.names)
     format_name = CSV if named or data_table.separator is not None else COLUMNS
     _refuse_other_quantities(text, data_table)
     if count is None:
         _refuse_short_rows(text, data_table)
-    if given.units is None:
-        names = data_table.names_at if data_table.names and data_table.columns > 1 else None
-        refuse_factors(text, list(data_table.header_lines), names=names)
     header = list(data_table.header_lines) if data_table.columns == 1 else _words(data_table)
     timed = data_table.columns > 1 and _time_column(data_table) is not None
     stated, unread = _interval(text, header, given, timed=timed)
@@ -86,20 +211,54 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         )
     if given.dt_s is None:
         warnings += timing(values[:, 0], interval, duration=stated_duration(text, header))
+    labels = [column_name(name).label or name or None for name in picked]
+    if len(picked) == 1 and tells_nothing(labels[0]):
+        direction, doubts = stated_direction(text, header)
+        labels, warnings = [direction or labels[0]], (*warnings, *doubts)
+    level = _three_axes(labels)
+    peaks = [float(abs(column).max()) for column in values.T]
     recordings = []
     for index, name in enumerate(picked):
-        units, doubts = _unit_of(text, name, data_table, given)
+        of_name = partial(_unit_of, text, name, data_table)
+        units, doubts = unless_given(given.units, of_name) or (None, ())
         channel = Channel(
             values=values[:, index],
-            units=units,
+            units=units or unit_of_peaks(text, header, peaks),
             dt_s=interval,
-            component=column_name(name).label or name or None,
+            component=labels[index],
+            orientation="horizontal" if index in level else None,
             alone=len(picked) == 1,
+            place=" ".join(data_table.header),
+            station=stated_name(text, header, "station"),
+            event=stated_name(text, header, "event"),
+            start_time=start or stated_start(text, header),
             warnings=(*warnings, *doubts),
             processing=spaced.notes,
         )
         recordings.append(built(text, format_name, channel, given))
-    return tuple(recordings)
+    left = _left_out(text, data_table, given)
+    return tuple(replace(each, left_out=left) for each in recordings)
+
+
+def _three_axes(labels: list[str | None]) -> set[int]:
+    """Return which of three channels called after x, y and z are the level ones, x and y."""
+    axes = [
+        re.search(r"(?:^|[^a-z]|a|acc)([xyz])(?:$|[^a-z])", (name or "").lower()) for name in labels
+    ]
+    found = [match[1] if match else "" for match in axes]
+    return {found.index("x"), found.index("y")} if sorted(found) == ["x", "y", "z"] else set()
+
+
+def _left_out(text: RecordText, data_table: Table, given: Given) -> tuple[LeftOut, ...]:
+    """Return the named columns that are another quantity."""
+    if given.column is not None or data_table.columns == 1:
+        return ()
+    named = [(column_name(name), name) for name in data_table.names]
+    return tuple(
+        LeftOut(file=text.path, channel=name, kind=found.quantity, why=found.quantity)
+        for found, name in named
+        if found.kind == "other"
+    )
 
 
 def _interval(
@@ -112,12 +271,10 @@ def _interval(
     RecordFileError
         If it is not understood as a whole, and the table has no times.
     """
-    if given.dt_s is not None:
-        return None, ()
     try:
-        return stated_interval(text, header), ()
+        return unless_given(given.dt_s, lambda: stated_interval(text, header)), ()
     except RecordFileError as error:
-        if not timed:
+        if not timed or error.kind:
             raise
         return None, (f"{error.valid}: the times of the table are taken",)
 
@@ -190,15 +347,16 @@ def _values(
 
 def _has_times(data_table: Table) -> bool:
     """Return whether a table without names has times in its first column."""
-    rows = data_table.rows[: 2000 if len(data_table.rows) > 2 else 0]
+    rows = data_table.rows
     if any(len(row) < 2 for row in rows[:-1]) or len(rows) < 3:
         return False
     times = [row[0] for row in rows]
     steps = sorted(later - before for before, later in pairwise(times))
-    # Times grow, and nearly all by the same; samples of a record do neither for long.
+    # Times grow, and nearly all by the same; samples of a record do neither to the end.
     usual = steps[len(steps) // 2]
     near = sum(abs(step - usual) <= 0.5 * usual for step in steps)
-    return usual > 0.0 and (steps[0] >= 0.0 or near >= 0.9 * len(steps))
+    grows = sum(step >= 0.0 for step in steps) >= 0.9 * len(steps) and times[-1] == max(times)
+    return usual > 0.0 and (steps[0] >= 0.0 or (near >= 0.9 * len(steps) and grows))
 
 
 def _time_column(data_table: Table) -> int | None:
@@ -236,7 +394,12 @@ def _columns(
 ) -> tuple[int, ...]:
     """Return the columns of acceleration."""
     if given.column is not None:
-        return (_asked_for(data_table, given.column),)
+        chosen = _asked_for(data_table, given.column)
+        quantity = column_name(data_table.names[chosen]).quantity if data_table.names else ""
+        if quantity in {"velocity", "displacement", "counts"}:
+            valid = f"its column is {data_table.names[chosen]}"
+            raise other_quantity(text, quantity, valid, at=data_table.names_at)
+        return (chosen,)
     others = [at for at in range(data_table.columns) if at != time]
     if not data_table.names:
         return tuple(others)
@@ -248,10 +411,15 @@ def _columns(
     raise _no_acceleration(text, data_table)
 
 
-def _no_acceleration(text: RecordText, data_table: Table) -> InputError:
+def _no_acceleration(text: RecordText, data_table: Table) -> RecordFileError:
     """Return the error that no column is one of acceleration."""
+    listed = ", ".join(data_table.names)
+    found = map(column_name, data_table.names)
+    quantities = {each.quantity for each in found if each.kind != "time"}
+    if len(quantities) == 1 and (quantity := quantities.pop()) not in {"", OTHER}:
+        return other_quantity(text, quantity, f"its columns are {listed}", at=data_table.names_at)
     return text.error(
-        f"none of its columns is called an acceleration: {', '.join(data_table.names)}",
+        f"none of its columns is called an acceleration: {listed}",
         "give column, by its name or its number from 1",
     )
 
@@ -283,9 +451,7 @@ def _words(data_table: Table) -> list[int]:
     ]
 
 
-def _unit_of(
-    text: RecordText, name: str, data_table: Table, given: Given
-) -> tuple[str | None, tuple[str, ...]]:
+def _unit_of(text: RecordText, name: str, data_table: Table) -> tuple[str | None, tuple[str, ...]]:
     """Return the unit of a column: by its name, else by the words above the table; and warnings.
 
     Raises
@@ -293,11 +459,8 @@ def _unit_of(
     RecordFileError
         If one of them is not understood as a whole, or they contradict each other.
     """
-    if given.units is not None:
-        try:
-            return _unit_of(text, name, data_table, Given())[0], ()
-        except InputError:
-            return None, ()
+    names = data_table.names_at if data_table.names and data_table.columns > 1 else None
+    refuse_factors(text, list(data_table.header_lines), names=names)
     words = _words(data_table)
     named = column_name(name)
     title = data_table.columns == 1 and bool(data_table.names)
@@ -329,16 +492,39 @@ def _unit_of(
     return named.unit, doubts
 
 
-def _without_counts(text: RecordText, data_table: Table) -> tuple[int | None, float | None, Table]:
-    """Return what a row of count and interval above the samples states, and the table without it.
+def _without_counts(
+    text: RecordText, data_table: Table, given: Given
+) -> tuple[int | None, float | None, Table]:
+    """Return what rows of count and interval above the samples state, and the table without them.
 
-    Some programs write such a row: a whole number, and mostly the interval after it.
+    Some programs write such a row: a whole number, and mostly the interval after it, or below it. A
+    1 in place of the count is a scale.
+
+    Raises
+    ------
+    RecordFileError
+        If it may be scale and interval, and neither a count nor the caller shows which.
     """
     first, rest = data_table.rows[0], data_table.rows[1:]
-    if len(first) > 3 or len(rest) < 2:
+    if len(first) > 3 or len(rest) < 2 or given.ignore_header:
         return None, None, data_table
     words, next_words = (text.lines[at].replace(",", " ").split() for at in data_table.lines[:2])
-    whole = words[0].isdecimal() and first[0] >= 2.0 and all("." in word for word in next_words)
+    whole = words[0].isdecimal() and all("." in word for word in next_words)
+    below = rest[0][0] if data_table.columns == 1 and len(rest) > 2 and whole else None
+    if below is not None and 0.0 < below <= _LONGEST_INTERVAL:
+        counted = first[0] == len(rest) - 1
+        if counted or (first[0] == 1.0 and below == given.dt_s):
+            lines = data_table.lines[2:]
+            return (
+                int(first[0]) if counted else None,
+                below,
+                replace(data_table, rows=rest[1:], lines=lines),
+            )
+        if first[0] == 1.0:
+            valid = f"this line and the next, {below:g}, may be a scale and the interval"
+            hint = f"give dt_s {below:g} where they are, else ignore_header with dt_s"
+            raise text.error(valid, hint, at=data_table.lines[0])
+    whole = whole and first[0] >= 2.0
     unlike = len(first) != len(rest[0]) or (len(first) == 1 and first[0] > 99.0)
     # Above times and samples the row is as wide as theirs, and counts them.
     unlike = unlike or (len(first) == 2 and first[0] == len(rest))
@@ -376,16 +562,21 @@ def refuse_geonet(text: RecordText) -> None:
 
 
 def _refuse_other_quantities(text: RecordText, data_table: Table) -> None:
-    """Raise where the words above name counts, or velocity or displacement and no acceleration."""
+    """Raise where the words above name counts, or another quantity and no acceleration."""
     words = " ".join(data_table.header)
     if re.search(r"\(\s*gal\s*\)\s*/\s*\d", words, re.IGNORECASE):
         valid = "its header states the scale of an instrument's counts, which is not applied here"
-        raise text.error(valid, "give the file as its network publishes it (K-NET, KiK-net)")
-    if data_table.names or not words or re.search("acc", words, re.IGNORECASE):
+        hint = "give the file as its network publishes it (K-NET, KiK-net)"
+        raise text.error(valid, hint, kind="counts")
+    stated = _DATA_TYPE.search(words)
+    if stated is None and (
+        data_table.names or not words or re.search(r"acc|acel|beschl", words, re.IGNORECASE)
+    ):
         return
-    if re.search(r"velocit|displacement", words, re.IGNORECASE):
-        valid = "its header names another quantity, and the base moves by its acceleration"
-        raise text.error(valid, "give the file of acceleration")
+    named = {"VL": "velocity", "DS": "displacement"}.get(stated[1].upper()) if stated else None
+    quantity = named or quantity_named(words if stated is None else stated[1])
+    if quantity and not (stated is None and quantity == "spectra"):
+        raise other_quantity(text, quantity, "its header names another quantity")
 
 
 def _written(text: RecordText, data_table: Table, column: int) -> list[str]:

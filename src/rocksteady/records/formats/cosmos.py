@@ -13,12 +13,14 @@ from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Final
 
-from rocksteady.records.core.assembling import Channel, Given, built
+from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
+from rocksteady.records.core.column_names import OTHER, quantity_named
 from rocksteady.records.core.consistency import Lines, agreed, timing
 from rocksteady.records.core.directions import pointing
 from rocksteady.records.core.fortran_format import fixed_values, stated_width
 from rocksteady.records.core.header_statements import interval_value
 from rocksteady.records.core.numbers import NUMBER, samples
+from rocksteady.records.core.positions import of_station
 from rocksteady.records.core.recording import Orientation, Recording
 from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import acceleration_unit, in_m_s2
@@ -41,6 +43,7 @@ _DATA: Final = re.compile(
 _UNKNOWN: Final = re.compile(
     rf"Values used when.*?:\s*({NUMBER})\s*,?\s*({NUMBER})?", re.IGNORECASE
 )
+_PLACE: Final = re.compile(r"\b(?:location|loc)\s*:", re.IGNORECASE)
 _CODES: Final = {2: "g", 4: "cm/s^2", 7: "in/s^2", 10: "gal", 11: "mg"}
 _COUNTS_CODE: Final = 50
 _VERTICAL: Final[dict[int, bool | None]] = {400: False, 401: True, 402: None}
@@ -89,7 +92,8 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         If there is none, its header cannot be understood or samples are missing.
     """
     recordings: list[Recording] = []
-    start, others = 0, 0
+    start = 0
+    others: list[str | None] = []
     while (at := _next_data(text, start)) is not None:
         described = _DATA.match(text.heads[at])
         head = _head(text, start, at)
@@ -98,7 +102,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
             text.lines, at + 1, at_most=max(count, 1), width=stated_width(text.heads[at])
         )
         if described is None or not described["quantity"].lower().startswith("accel"):
-            others += 1
+            others.append(quantity_named(described["quantity"]) if described else None)
             agreed(text, values, count, Lines(stated=at, start=at + 1, end=end, alone=False))
         else:
             where = Lines(stated=at, start=at + 1, end=end, alone=False)
@@ -106,9 +110,9 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
             recordings.append(_recording(text, given, head, at, kept, warnings))
         start = end
     if not recordings:
-        valid = "no line of it states samples (as in: 7000 acceleration pts, ... units=cm/sec2)"
         if others:
-            valid = "it holds no acceleration, and the base moves by its acceleration"
+            raise other_quantity(text, others[0] or OTHER, "it announces no acceleration")
+        valid = "no line of it states samples (as in: 7000 acceleration pts, ... units=cm/sec2)"
         raise text.error(valid, "give a file of processed acceleration (V1 or V2)")
     if any("Integer-header" in line for line in text.heads[start:]):
         raise text.error("a channel begins, and its samples are missing", _HINT, at=len(text.lines))
@@ -176,10 +180,7 @@ def _recording(
         raise text.error("it must announce samples", _HINT, at=at)
     code = int(described["code"]) if described["code"] else None
     written = described["unit"].strip()
-    if (code == _COUNTS_CODE or "count" in written.lower()) and given.units is None:
-        valid = "its samples are an instrument's counts, whose scale is not applied yet"
-        raise text.error(valid, "give the processed file (V1 or V2), or units", at=at)
-    units = written
+    units = "counts" if code == _COUNTS_CODE or "count" in written.lower() else written
     if code in _CODES:
         of_words, units = acceleration_unit(written), _CODES[code]
         if of_words is None or in_m_s2(of_words) != in_m_s2(units):
@@ -199,6 +200,7 @@ def _recording(
     if given.dt_s is None:
         warnings += timing(values, interval, peak_at=head.number(65))
     component, orientation, azimuth, down = _pointing(head)
+    station = head.word(r"Statn No:.*?Code:\s*(\S.*?)\s*$")
     channel = Channel(
         values=values,
         units=units,
@@ -209,8 +211,9 @@ def _recording(
         azimuth_deg=azimuth,
         down=down,
         alone=False,
-        station=head.word(r"Statn No:.*?Code:\s*(\S.*?)\s*$"),
+        station=station,
         event=head.words[1].strip() or None if len(head.words) > 1 else None,
+        position=of_station(station or "", " ".join(filter(_PLACE.search, head.words))),
         start_time=_start(head),
         warnings=(*warnings, *doubt),
     )

@@ -10,11 +10,13 @@ import re
 from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Final
 
-from rocksteady.records.core.assembling import Channel, Given, built
+from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
+from rocksteady.records.core.column_names import OTHER, quantity_named
 from rocksteady.records.core.consistency import Lines, agreed, timing
 from rocksteady.records.core.fortran_format import stated_width
 from rocksteady.records.core.header_statements import interval_value
 from rocksteady.records.core.numbers import NUMBER, number, samples
+from rocksteady.records.core.positions import of_station
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.sampling import evenly_spaced
 from rocksteady.records.core.text import RecordText
@@ -46,6 +48,7 @@ _PEAK: Final = re.compile(
 _MAX: Final = re.compile(rf"Max\s*=\s*({NUMBER})\s*([A-Za-z/0-9^]+)", re.IGNORECASE)
 _SPACED: Final = re.compile(rf"equally-spaced intervals of\s+({NUMBER})\s*sec", re.IGNORECASE)
 _CHANNEL: Final = re.compile(r"^\s*Chan\s+(\d+)\s*:\s*(.*?)\s*$", re.IGNORECASE)
+_PLACE: Final = re.compile(r"\b(?:location|loc)\s*:|^\s*chan\s+\d+\s*:", re.IGNORECASE)
 _STATION: Final = re.compile(r"\s*Station\s+(?:No|Id)\.?\s*(\S+)", re.IGNORECASE)
 _START: Final = re.compile(
     r"Start time:\s*(\d+)[/-](\d+)[/-](\d+),\s*(\d+):\s*(\d+):\s*([\d.]+)\s*(?:UTC|GMT)",
@@ -71,6 +74,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         If there is none, its header cannot be understood or samples are missing.
     """
     recordings: list[Recording] = []
+    others: list[str] = []
     start = 0
     while (at := _next_announced(text, start)) is not None:
         announced = _announced(text.heads[at])
@@ -84,10 +88,11 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         kept, warnings = agreed(text, values, count, where)
         if _is_acceleration(announced):
             recordings.append(_recording(text, given, range(start, at + 1), kept, warnings))
+        else:
+            others.append(quantity_named(announced["quantity"]) or OTHER)
         start = end
     if not recordings and start:
-        valid = "it holds no acceleration, and the base moves by its acceleration"
-        raise text.error(valid, "give a file with acceleration")
+        raise other_quantity(text, others[0], "it announces no samples of acceleration")
     if not recordings:
         recordings = _old_volume_1(text, given)
     return tuple(recordings)
@@ -180,6 +185,7 @@ def _channel(
         component=channel[2] if channel else None,
         alone=False,
         station=name,
+        position=of_station(name or "", " ".join(filter(_PLACE.search, head))),
         event=_event(head),
         start_time=_start(head),
         warnings=warnings,

@@ -4,17 +4,19 @@ The header is a line a key, ``UNITS: cm/s^2``, and ends where a line of numbers 
 """
 
 import re
-from datetime import UTC, datetime
 from typing import Final
 
-from rocksteady.records.core.assembling import Channel, Given, built
+from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
+from rocksteady.records.core.column_names import OTHER, quantity_named
 from rocksteady.records.core.consistency import Lines, agreed, timing
 from rocksteady.records.core.header_statements import (
     count_value,
     interval_value,
     last_place,
     refuse_factors,
+    unless_given,
 )
+from rocksteady.records.core.moments import moment
 from rocksteady.records.core.numbers import number, numbers, samples
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.text import RecordText
@@ -46,9 +48,14 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         if key not in lines:
             raise text.error(f"its header does not state {key}", "fetch the file again")
     _refuse_other_quantities(text, lines)
-    if given.units is None:
-        free = ("USER", "INSTRUMENT", "PROCESSING", "DATA_")
-        refuse_factors(text, [at for key, at in lines.items() if not key.startswith(free)])
+    free = ("USER", "INSTRUMENT", "PROCESSING", "DATA_")
+    stated = [at for key, at in lines.items() if not key.startswith(free)]
+
+    def state() -> str | None:
+        refuse_factors(text, stated)
+        return _value(text, lines, "UNITS") or None
+
+    units = unless_given(given.units, state)
     count = count_value(text, lines[_COUNT], _value(text, lines, _COUNT))
     at = lines[_INTERVAL]
     interval = interval_value(text, at, _value(text, lines, _INTERVAL), "s", given.dt_s)
@@ -63,7 +70,6 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     peak_at = number(_value(text, lines, "TIME_PGA_S"))
     if given.dt_s is None:
         warnings += timing(kept, interval, duration=duration, peak_at=peak_at)
-    units = _value(text, lines, "UNITS") or None
     channel = Channel(
         values=kept,
         units=units,
@@ -73,7 +79,10 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         component=_value(text, lines, "STREAM") or None,
         station=_value(text, lines, "STATION_CODE") or _value(text, lines, "STATION_NAME") or None,
         event=_value(text, lines, "EVENT_ID") or _value(text, lines, "EVENT_NAME") or None,
-        start_time=_start(_value(text, lines, "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS")),
+        start_time=moment(_value(text, lines, "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS")),
+        position="borehole"
+        if (number(_value(text, lines, "SENSOR_DEPTH_M")) or 0.0) > 0.0
+        else None,
         warnings=warnings,
     )
     return (built(text, FORMAT, channel, given),)
@@ -106,11 +115,8 @@ def _refuse_other_quantities(text: RecordText, lines: dict[str, int]) -> None:
     """Raise where a file holds velocity, displacement or a spectrum."""
     quantity = _value(text, lines, "DATA_TYPE").upper()
     if quantity and quantity != "ACCELERATION":
-        raise text.error(
-            "the base moves by its acceleration, and this is another quantity",
-            "give the file of acceleration (ACC)",
-            at=lines["DATA_TYPE"],
-        )
+        valid = "it states what the samples are"
+        raise other_quantity(text, quantity_named(quantity) or OTHER, valid, at=lines["DATA_TYPE"])
 
 
 def _peak(written: str, units: str | None) -> float | None:
@@ -119,13 +125,3 @@ def _peak(written: str, units: str | None) -> float | None:
 
     value, name = number(written), acceleration_unit(units or "")
     return None if value is None or name is None else value * in_m_s2("cm/s^2") / in_m_s2(name)
-
-
-def _start(written: str) -> datetime | None:
-    """Return the time of the first sample (UTC)."""
-    for pattern in ("%Y%m%d_%H%M%S.%f", "%Y%m%d_%H%M%S"):
-        try:
-            return datetime.strptime(written, pattern).replace(tzinfo=UTC)
-        except ValueError:
-            continue
-    return None

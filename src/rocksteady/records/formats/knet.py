@@ -9,14 +9,15 @@ A KiK-net station has two instruments: directions 1 to 3 (north, east, up) are i
 """
 
 import re
-from datetime import UTC, datetime, timedelta, timezone
+from datetime import datetime, timedelta
 from typing import Final
 
 from rocksteady.records.core.assembling import Channel, Given, built
 from rocksteady.records.core.consistency import Lines, agreed
 from rocksteady.records.core.header_statements import time_value
+from rocksteady.records.core.moments import moment
 from rocksteady.records.core.numbers import NUMBER, number, samples
-from rocksteady.records.core.recording import Recording
+from rocksteady.records.core.recording import Position, Recording
 from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import COUNTS
 
@@ -44,9 +45,10 @@ _KEYS: Final = (
     "Memo.",
 )
 _SCALE: Final = re.compile(rf"({NUMBER})\s*\(\s*gal\s*\)\s*/\s*({NUMBER})\s*", re.IGNORECASE)
-_JAPAN: Final = timezone(timedelta(hours=9))
 _DELAY: Final = timedelta(seconds=15)
 _DIRECTIONS: Final = ("N-S", "E-W", "U-D")
+_SUFFIXES: Final = {"NS", "EW", "UD"}
+"""Suffixes of the three files of one station, whose names are else the same."""
 
 
 def recognises(text: RecordText) -> bool:
@@ -87,7 +89,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     offset = float(kept.mean())
     peak = _value(text, lines, "Max. Acc. (gal)")
     written = _value(text, lines, "Dir.")
-    network, component, station = _named(written, _value(text, lines, "Station Code"))
+    network, component, station, place = _named(written, _value(text, lines, "Station Code"))
     channel = Channel(
         values=(kept - offset) * gal,
         units="gal",
@@ -95,7 +97,9 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         dt_s=interval,
         stated_peak=number(peak),
         component=component,
+        position=place,
         station=station,
+        name=text.path.name if text.path.suffix[1:].rstrip("12").upper() in _SUFFIXES else None,
         event=_event(text, lines),
         start_time=_start(_value(text, lines, "Record Time")),
         warnings=warnings,
@@ -146,13 +150,13 @@ def _time(text: RecordText, lines: dict[str, int], key: str, unit: str) -> float
     return time_value(text, at, stated, unit)
 
 
-def _named(written: str, station: str) -> tuple[str, str | None, str | None]:
-    """Return network, component and station."""
+def _named(written: str, station: str) -> tuple[str, str | None, str | None, Position]:
+    """Return network, component, station and position."""
     if written in {"1", "2", "3", "4", "5", "6"}:
-        place = "borehole" if int(written) <= 3 else "surface"
+        place: Position = "borehole" if int(written) <= 3 else "surface"
         component = _DIRECTIONS[(int(written) - 1) % 3]
-        return KIKNET, component, f"{station} {place}".strip()
-    return KNET, written or None, station or None
+        return KIKNET, component, f"{station} {place}".strip(), place
+    return KNET, written or None, station or None, "surface"
 
 
 def _event(text: RecordText, lines: dict[str, int]) -> str | None:
@@ -164,8 +168,5 @@ def _event(text: RecordText, lines: dict[str, int]) -> str | None:
 
 def _start(written: str) -> datetime | None:
     """Return the time of the first sample (UTC)."""
-    try:
-        local = datetime.strptime(written, "%Y/%m/%d %H:%M:%S").replace(tzinfo=_JAPAN)
-    except ValueError:
-        return None
-    return (local - _DELAY).astimezone(UTC)
+    local = moment(written, "GMT+09")
+    return None if local is None else local - _DELAY

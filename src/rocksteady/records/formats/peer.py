@@ -8,8 +8,8 @@ velocity (VT2) and displacement (DT2) look the same except for their units, and 
 import re
 from typing import TYPE_CHECKING, Final
 
-from rocksteady.errors import RecordFileError
-from rocksteady.records.core.assembling import Channel, Given, built
+from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
+from rocksteady.records.core.column_names import quantity_named
 from rocksteady.records.core.consistency import Lines, agreed
 from rocksteady.records.core.header_statements import (
     count_value,
@@ -17,16 +17,19 @@ from rocksteady.records.core.header_statements import (
     interval_value,
     refuse_factors,
     stated_unit,
+    unless_given,
 )
 from rocksteady.records.core.numbers import NUMBER, number, samples
 from rocksteady.records.core.recording import Recording
-from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.text import CONTRADICTION, RecordText
 
 if TYPE_CHECKING:
     from rocksteady.arrays import Floats
 
 FORMAT: Final = "peer-at2"
 
+_MOST_WORDS: Final = 4
+_WORDS: Final = re.compile(r"\s*[A-Za-z]{3}")
 _WITHIN: Final = 40
 """Lines among which the one with the counts is looked for."""
 
@@ -45,6 +48,7 @@ _INTERVAL: Final = re.compile(
 _OTHER: Final = re.compile(
     r"\s*(VELOCITY|DISPLACEMENT|(?:PSEUDO[\s-]*)?(?:SPECTRAL|RESPONSE)\s+\w+)\b", re.IGNORECASE
 )
+_ACCELERATION: Final = re.compile(r"\s*acc", re.IGNORECASE)
 _OWNER: Final = re.compile(
     r"\s*\((?![^()]*(?:posit|negat|\bup|\bdo?wn|\bdown|rever|invert|flip|turn|oppos|minus|sign))"
     r"[^()]*\)\s*$",
@@ -79,6 +83,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     count, dt_s, last = _counts(text, at, given)
     if count is None or (dt_s is None and given.dt_s is None):
         raise text.error("it must state the number of samples and their interval", hint, at=at)
+    last = _last_words(text, last)
     head = [line for line in text.heads[:at] if line.strip()]
     values, end = samples(text.lines, last + 1, at_most=count)
     _refuse_times(text, values, dt_s, last + 1)
@@ -86,7 +91,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     event, station, component = _words(head[1] if len(head) > 1 else "")
     channel = Channel(
         values=kept,
-        units=_units(text, at, given),
+        units=_units(text, last, given),
         dt_s=dt_s,
         component=component,
         station=station,
@@ -94,6 +99,12 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         warnings=warnings,
     )
     return (built(text, FORMAT, channel, given),)
+
+
+def _last_words(text: RecordText, last: int) -> int:
+    """Return the index of the last line of words below the counts, where words follow them."""
+    below = range(last + 1, min(last + 1 + _MOST_WORDS, len(text.heads)))
+    return max((at for at in below if _WORDS.match(text.heads[at])), default=last)
 
 
 def _line_of_counts(text: RecordText) -> int | None:
@@ -114,8 +125,9 @@ def _counts(text: RecordText, at: int, given: Given) -> tuple[int | None, float 
             for statement in find_values(pattern, text.heads[place])
         )
         values = {number(match[0]) for value in stated if (match := re.match(NUMBER, value))}
-        if len(values) > 1 and (pattern is _COUNT or given.dt_s is None):
-            raise text.error("it is stated twice, with two values", "correct one of them", at=at)
+        if len(values) > 1:
+            valid, hint = "it is stated twice, with two values", "correct one of them"
+            raise text.error(valid, hint, at=at, kind=CONTRADICTION)
     line = text.heads[at]
     numbers_first = _NUMBERS_FIRST.match(line)
     if numbers_first is not None:
@@ -132,7 +144,7 @@ def _counts(text: RecordText, at: int, given: Given) -> tuple[int | None, float 
     return count, None, at
 
 
-def _units(text: RecordText, at: int, given: Given) -> str | None:
+def _units(text: RecordText, last: int, given: Given) -> str | None:
     """Return the units that the header states.
 
     Raises
@@ -141,17 +153,18 @@ def _units(text: RecordText, at: int, given: Given) -> str | None:
         If they, or the header's words, are those of velocity or displacement, they are not
         understood as a whole, or a factor is stated.
     """
-    for index, line in enumerate(text.heads[:at]):
+    for index, line in enumerate(text.heads[: last + 1]):
         if index > 0 and (match := _OTHER.match(line)):
-            valid = f"it is a file of {match[1].lower()}, and the base moves by its acceleration"
-            raise text.error(valid, "give the record's file of acceleration (AT2)", at=index)
-    if given.units is None:
-        refuse_factors(text, list(range(at + 2)))
-        return stated_unit(text, list(range(at + 1)), explicit=True)
-    try:
-        return stated_unit(text, list(range(at + 1)), explicit=True)
-    except RecordFileError:
-        return None
+            quantity = quantity_named(match[1]) or "spectra"
+            raise other_quantity(text, quantity, "it is a file of another quantity", at=index)
+    lines = list(range(last + 1))
+    named = [at for at in lines if _ACCELERATION.match(text.heads[at])]
+
+    def state() -> str | None:
+        refuse_factors(text, lines)
+        return stated_unit(text, lines, explicit=True) or stated_unit(text, named)
+
+    return unless_given(given.units, state)
 
 
 def _refuse_times(text: RecordText, values: "Floats", dt_s: float | None, at: int) -> None:

@@ -7,23 +7,31 @@ together. An uncorrected file without a sampling rate holds times and samples in
 
 import re
 from datetime import UTC, datetime, timedelta
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-from rocksteady.records.core.assembling import Channel, Given, built
+from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
+from rocksteady.records.core.column_names import OTHER, quantity_named
 from rocksteady.records.core.consistency import Lines, agreed, timing
 from rocksteady.records.core.numbers import numbers, samples
 from rocksteady.records.core.recording import Orientation, Recording
-from rocksteady.records.core.sampling import evenly_spaced
-from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.sampling import evenly_spaced, places
+from rocksteady.records.core.text import FETCH, RecordText
+
+if TYPE_CHECKING:
+    from rocksteady.arrays import Floats
 
 FORMAT: Final = "smc"
 
+_GROW: Final = 0.95
+"""Part of the times of a file that grow; fewer where some are damaged."""
 _WORDS, _WHOLE, _REAL = 11, 6, 10
 """Lines of each part of the header."""
 
-_KIND: Final = re.compile(r"\s*(?:\d+\s+(?:UN)?CORRECTED\s+ACCELEROGRAM|\*)\s*", re.IGNORECASE)
+_KIND: Final = re.compile(
+    r"\s*(?:\d+\s+(?:(?:UN)?CORRECTED\s+ACCELEROGRAM|UNKNOWN)|\*)\s*", re.IGNORECASE
+)
 _OTHER: Final = re.compile(r"\s*\d+\s+.*(VELOCITY|DISPLACEMENT|SPECTR)", re.IGNORECASE)
-_HINT: Final = "fetch the file again, as text"
+_HINT: Final = f"{FETCH}, as text"
 
 
 def recognises(text: RecordText) -> bool:
@@ -43,8 +51,14 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         If it is not one of acceleration, its header cannot be understood or samples are missing.
     """
     if _KIND.fullmatch(text.heads[0]) is None:
-        valid = "it must be an accelerogram: the base moves by its acceleration"
-        raise text.error(valid, "give the file of acceleration", at=0)
+        quantity = quantity_named(text.heads[0]) or OTHER
+        raise other_quantity(text, quantity, "it must be an accelerogram", at=0)
+    unknown = "unknown" in text.heads[0].lower()
+    if unknown and given.units is None:
+        valid = "the file states neither its quantity nor a unit"
+        raise text.error(valid, "give units where it is an acceleration (TSPP: cm/s^2)", at=0)
+    import numpy as np
+
     whole = _values(text, _WORDS, _WHOLE, 48)
     real = _values(text, _WORDS + _WHOLE, _REAL, 50)
     known = [None if value == whole[0] else value for value in whole]
@@ -68,14 +82,19 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         peak_at = max(sizes, key=lambda pair: pair[0])[1]
         if given.dt_s is None:
             warnings += timing(kept, interval, peak_at=peak_at)
-    elif len(kept) >= 4 and bool((kept[2::2] > kept[:-2:2]).all()):
+    elif _in_turn(kept):
         kept = kept[: len(kept) // 2 * 2]
+        rounding = places([f"{time:.4E}" for time in kept[0::2]])
+        # Two times that are written alike lie within the last digit.
+        alike = np.flatnonzero(np.diff(kept[0::2]) == 0.0) + 1
+        times = kept[0::2].copy()
+        times[alike] += 0.5 * rounding[alike]
         spaced = evenly_spaced(
             text,
-            kept[0::2],
+            times,
             kept[1::2],
             given,
-            rounding=5.0e-5,
+            rounding=rounding,
             line_of=lambda sample: start + sample // 4,
         )
         kept, interval, notes = spaced.values, spaced.dt_s, spaced.notes
@@ -88,7 +107,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     orientation, azimuth, down = _pointing(known[12], known[13])
     channel = Channel(
         values=kept,
-        units="cm/s^2",
+        units=None if unknown else "cm/s^2",
         dt_s=interval,
         stated_peak=max((abs(peak) for peak in (stated[29], stated[31]) if peak), default=None),
         component=_after(text, 5, "component") or None,
@@ -102,6 +121,15 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         processing=notes,
     )
     return (built(text, FORMAT, channel, given),)
+
+
+def _in_turn(values: "Floats") -> bool:
+    """Return whether times and samples follow each other: every second number grows to the end."""
+    import numpy as np
+
+    times = values[0::2]
+    grows = np.diff(times) >= 0.0
+    return len(values) >= 4 and bool(grows.mean() >= _GROW and times[-1] == times.max() > times[0])
 
 
 def _values(text: RecordText, start: int, lines: int, count: int) -> list[float]:

@@ -1,11 +1,12 @@
 """Remains of a network's header in a file that the network's reader does not recognise.
 
-Such a file is damaged. As a table its counts, or half its header, would pass for samples.
+As a table its counts, or half its header, could pass for samples.
 """
 
 import re
 from typing import Final
 
+from rocksteady.records.core.assembling import other_quantity
 from rocksteady.records.core.text import RecordText
 
 _WITHIN: Final = 120
@@ -45,19 +46,40 @@ _TRACES: Final = {
         re.IGNORECASE,
     ),
 }
-"""A line that only files of this network have."""
+"""A line that files of this network have."""
+
+_SPECTRA: Final = re.compile(
+    r"\W*(?:pseudo\W*)?(?:response|fourier)\b.*\bspectr(?:a|um)\b(?!.*(?:compatib|match))",
+    re.IGNORECASE,
+)
 
 
 def network_of(text: RecordText) -> tuple[str, int] | None:
-    """Return the network whose header stands in a file in part, and the index of a line of it.
+    """Return the network of which two different traces stand in a file, and the line of one.
 
     Parameters
     ----------
     text
         A file that no reader of a network recognises.
     """
+    seen: dict[str, set[str]] = {}
     for at, line in enumerate(text.heads[:_WITHIN]):
         for network, trace in _TRACES.items():
-            if trace.match(line):
-                return network, at
+            if match := trace.match(line):
+                found = seen.setdefault(network, set())
+                found.add(match[0].strip().lower())
+                if len(found) > 1:
+                    return network, at
     return None
+
+
+def refuse_spectra(text: RecordText) -> None:
+    """Raise where the first line is that of a file of spectra.
+
+    Raises
+    ------
+    RecordFileError
+        As above.
+    """
+    if _SPECTRA.match(text.first) is not None:
+        raise other_quantity(text, "spectra", "its first line names another quantity")

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol, cast
 
 from rocksteady.errors import RecordFileError, check_installed
-from rocksteady.records.core.assembling import Channel, Given, built
+from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
 from rocksteady.records.core.recording import Orientation, Recording
 from rocksteady.records.core.text import RecordText
 
@@ -203,8 +203,7 @@ def _of_sac(
     """
     quantity = _SAC_QUANTITY.get(int(_number(header, "idep")))
     if quantity is not None:
-        valid = f"its header states {quantity}, and the base moves by its acceleration"
-        raise text.error(valid, "give the file of acceleration")
+        raise other_quantity(text, quantity, "its header states IDEP")
     from_up, azimuth = _number(header, "cmpinc"), _number(header, "cmpaz")
     if from_up in {0.0, 180.0}:
         return "vertical", None, from_up == 180.0

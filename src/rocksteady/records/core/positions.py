@@ -1,0 +1,60 @@
+"""Where a sensor stands, by words about it: on the ground, below it, or in a structure."""
+
+import re
+from typing import Final
+
+from rocksteady.records.core.recording import Position
+
+_PLACES: Final[dict[Position, re.Pattern[str]]] = {
+    "borehole": re.compile(
+        r"\b(?:bore|down)[\s-]?hole|\bin[\s-]hole\b|\bGL\s?-\s?\d|\b(?:sensor|burial|installation|instrument)[\s_-]depth\w*\W*(?!0+(?:\.0*)?\b)\d"
+        r"|\d\s*(?:m|ft|met(?:er|re)s?|feet)\s*(?:deep|depth|below|down\b)|\bpozo\b|\bforage\b"
+        r"|\bpozzo\b|\bgeotech\w*\s+array",
+        re.IGNORECASE,
+    ),
+    "surface": re.compile(
+        r"\bfree[\s-]?field|\bFF\b|\b(?:ground|soil|rock)[\s-]?surface|^\s*surface\b|"
+        r"\bcampo libre\b|\bcampo libero\b|\bchamp libre\b",
+        re.IGNORECASE,
+    ),
+    "structure": re.compile(
+        r"\broof\b|\bfloor\b|\b\d+(?:st|nd|rd|th)\s+(?:fl|level|lvl)|\bstor(?:e?y|ies)\b|\bstorey"
+        r"|\bbasement\b|\bpenthouse\b|\bmezzanine\b|\b(?:bridge|upper|lower|top)\s+deck\b|\bdeck\b"
+        r"|\bgirder|\bpile\s?cap\b|\bcrest\b|\b(?:azotea|piso|s[oó]tano|techo|tetto|toit|dach)\b",
+        re.IGNORECASE,
+    ),
+}
+
+_BUILT: Final = re.compile(
+    r"\bbldg\b|\bbuilding\b|\b\d+[\s-]stor(?:e?y)\b|\bover(?:crossing|pass)\b|\bviaduct\b"
+    r"|\bbridge\b|\binterchange\b|\bhospital\b.*\bfloor\b",
+    re.IGNORECASE,
+)
+"""Names of stations that are structures, where a network has instruments all over them."""
+
+
+def of_station(name: str, words: str) -> Position:
+    """Return where a channel of a network's array stands: by words about it, else by its station.
+
+    Parameters
+    ----------
+    name
+        Name of the station, which may be that of a building.
+    words
+        What is said of the channel.
+    """
+    place = position_of(words)
+    if place == "unknown":
+        place = position_of(name)
+    return "structure" if place == "unknown" and _BUILT.search(name) else place
+
+
+def position_of(words: str) -> Position:
+    """Return where a sensor stands by words about it, or unknown.
+
+    Examples
+    --------
+    >>> [position_of(words) for words in ("90 Deg Location: Roof", "Downhole 30 m", "HNE")]
+    ['structure', 'borehole', 'unknown']
+    """
+    return next((place for place, named in _PLACES.items() if named.search(words)), "unknown")

@@ -1,0 +1,113 @@
+"""Direction, station, event, start and place stated in the text above the samples of a table."""
+
+import re
+from collections.abc import Iterator
+from datetime import datetime
+from typing import Final
+
+from rocksteady.records.core.directions import pointing, tells_nothing
+from rocksteady.records.core.header_statements import PEAK
+from rocksteady.records.core.moments import moment
+from rocksteady.records.core.numbers import NUMBER
+from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.units import acceleration_unit, in_m_s2
+
+_KEYS: Final = {
+    "direction": r"comp(?:onent\w*|\.)?|orienta\w+|dire(?:c|z)\w*|dir\.?|azimut\w*|chan(?:nel)?"
+    r"(?:[ _](?:code|name))?|canal\w*|komponente?|composante|bile[sş]en|stream|rumbo"
+    r"|sid|seed[ _]id",
+    "station": r"(?:recording[ _])?station(?:[ _]?(?:code|name|id|no))?(?:[ _/]+name)?"
+    r"|site[ _]?code|(?:c\w+[ _]de[ _](?:la[ _])?)?estaci[oó]n|stazione|istasyon\w*",
+    "event": r"(?:earthquake|event|evento|s[ie]smo|terremoto)"
+    r"(?:[ _]?(?:name|id|date(?:[ _]&[ _]time)?))?",
+    "start": r"(?:data[ _])?start(?:[ _]?(?:date|time))?|record(?:ing)?[ _]?time|initial[ _]?time"
+    r"|(?:date[ _&/]*)?time[ _]of[ _](?:the[ _])?first[ _](?:sample|point)"
+    r"|first[ _]sample(?:[ _]time)?|hora[ _]de[ _](?:la[ _]primera[ _]\w+|inicio)",
+}
+_VALUE: Final = (
+    r"\s*(?:\((?P<zone>[^)]*)\))?\s*[:=]\s*(?P<value>\S.*?)\s*(?:;|,?\s+[\w/]+\s?[:=]|\s{3,}|$)"
+)
+_STATED: Final = {
+    name: re.compile(rf"(?:^|[\s,;#|*])(?P<key>{words}){_VALUE}", re.IGNORECASE)
+    for name, words in _KEYS.items()
+}
+_LONGEST: Final = 30
+
+
+def _values(text: RecordText, lines: list[int], name: str) -> Iterator[re.Match[str]]:
+    """Yield what lines of words state under a name."""
+    for at in lines:
+        yield from _STATED[name].finditer(text.heads[at])
+
+
+def stated_name(text: RecordText, lines: list[int], name: str) -> str | None:
+    """Return the station or event that lines of words state first, or None."""
+    return next((match["value"] for match in _values(text, lines, name)), None)
+
+
+def stated_start(text: RecordText, lines: list[int]) -> datetime | None:
+    """Return the time of the first sample that lines of words state (UTC), or None."""
+    found = (moment(each["value"], each["zone"] or "") for each in _values(text, lines, "start"))
+    return next((time for time in found if time is not None), None)
+
+
+def stated_direction(text: RecordText, lines: list[int]) -> tuple[str | None, tuple[str, ...]]:
+    """Return the direction of the one channel as lines of words name it, and a warning.
+
+    A line that is nothing but a direction, as ``090 DEGREES``, states it too.
+
+    Returns
+    -------
+    component
+        None where there is none, or two differ.
+    warnings
+        That two differ.
+    """
+    written = [
+        match["value"]
+        for match in _values(text, lines, "direction")
+        # The number of a channel is no azimuth.
+        if not (match["value"].isdecimal() and match["key"].lower().startswith(("ch", "can")))
+    ]
+    alone = (text.heads[at].strip(" \t#%!*/") for at in lines)
+    written += [
+        line
+        for line in alone
+        if len(line) <= _LONGEST and not line.isdecimal() and pointing(line).orientation is not None
+    ]
+    known = {
+        (found.orientation, found.azimuth_deg, found.down): name
+        for name in written
+        if (found := pointing(name)).orientation is not None
+    }
+    if len(known) > 1:
+        return None, (f"its header states {' and '.join(known.values())}: the direction is open",)
+    odd = (name for name in written if not tells_nothing(name))
+    return next(iter(known.values()), next(odd, None)), ()
+
+
+def unit_of_peaks(text: RecordText, lines: list[int], peaks: list[float]) -> str | None:
+    """Return the unit in which a line of words states the peak of one of the channels, or None.
+
+    Parameters
+    ----------
+    text
+        The file.
+    lines
+        Indices of its lines of words.
+    peaks
+        Largest absolute number of each channel.
+    """
+    units: dict[float, str] = {}
+    for at in lines:
+        line = text.heads[at]
+        if PEAK.search(line) is None:
+            continue
+        words = re.findall(rf"[(\[]([^)\]]+)[)\]]|{NUMBER}\s*([A-Za-z%][\w/^*]*)", line)
+        named = [unit for pair in words for word in pair if (unit := acceleration_unit(word))]
+        values = [
+            abs(float(number)) for number in re.findall(r"[-+]?\d+\.\d+(?:[eE][-+]?\d+)?", line)
+        ]
+        if any(abs(value - peak) <= 0.005 * peak for value in values for peak in peaks):
+            units |= {in_m_s2(unit): unit for unit in named}
+    return next(iter(units.values())) if len(units) == 1 else None
