@@ -10,10 +10,9 @@ from typing import Final, overload
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.record import Record
-from rocksteady.records.core.directions import pointing, tells_nothing
+from rocksteady.records.core.directions import pointing
 from rocksteady.records.core.recording import LeftOut, Recording
 from rocksteady.records.core.text import CONTRADICTION, DAMAGED, NO_RECORD
-from rocksteady.records.formats.columns import COLUMNS, CSV
 from rocksteady.records.read import read_recordings
 from rocksteady.results.numbers import plural
 
@@ -222,9 +221,8 @@ def _kind(recording: Recording, *, alone: bool) -> str:
         return recording.position
     if pointing(recording.component).rotated:
         return "rotated"
-    # The name of a table's column need not be that of a direction.
-    unnamed = recording.format in {CSV, COLUMNS} or tells_nothing(recording.component)
-    return "unknown" if recording.orientation == "unknown" and not (alone and unnamed) else ""
+    open_ = recording.orientation == "unknown" and (recording.directed or not alone)
+    return "unknown" if open_ else ""
 
 
 def files_of(folder: Path) -> list[Path]:

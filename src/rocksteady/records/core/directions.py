@@ -1,6 +1,7 @@
 """Direction of a channel, from its name in the file or from the file's own name."""
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final
 
@@ -9,7 +10,7 @@ from rocksteady.records.core.recording import Orientation
 _VERTICAL: Final = frozenset(
     {"up", "u", "ud", "u-d", "updo", "updown", "dwn", "down", "dn", "d"}
     | {"v", "vert", "vertical", "vrt", "ver", "z", "v1", "vertikal", "verticale", "d\u00fc\u015fey"}
-    | {"dusey", "az", "accz", "agz"}
+    | {"dusey", "az", "accz", "agz", "\u4e0a\u4e0b", "\u5782\u76f4", "\u7ad6\u5411"}
 )
 _UPWARDS: Final = frozenset({"up", "u", "upward", "upwards"})
 _DOWNWARDS: Final = frozenset({"dwn", "down", "dn", "downward", "downwards"})
@@ -18,7 +19,7 @@ _WITHOUT_SENSE: Final = frozenset(
     {"v", "vert", "vertical", "vrt", "ver", "z", "ud", "updown", "vertikal", "verticale"}
 )
 _FILLERS: Final = re.compile(
-    r"a|ag|acc\w*|ch(?:a?n(?:nel)?)?|column|comp(?:onent)?|ground|base|input|table|motion|time|hist"
+    r"a|ag|acc\w*|acel\w*|beschl\w*|i?vme|i|samples?|values?|data|\u52a0\u901f\u5ea6|ch(?:a?n(?:nel)?)?|column|comp(?:onent)?|ground|base|input|table|motion|time|hist"
     r"|history|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|dir(?:ection)?|axis"
 )
 """Words beside those of a direction that carry no direction."""
@@ -37,7 +38,7 @@ _OF_A_STRUCTURE: Final = frozenset(
 
 _ROTATED: Final = re.compile(
     r"r|radial|[fs][np]|(?:fault|strike)[\s_-]?(?:normal|parallel)|(?:gm)?rot[id]?\d+\w*"
-    r"|rotated\b.*|(?:gm)?rot[id]|[a-z][ghnl][rt](?:\d\d)?|geo(?:metric)?[\s_-]?mean|srss|larger|maxrot|resultant"
+    r"|rotated\b.*|radl|tang(?:ential)?|(?:gm)?rot[id]|[a-z][ghnl][rt](?:\d\d)?|geo(?:metric)?[\s_-]?mean|srss|larger|maxrot|resultant"
 )
 """Components that somebody turned, or combined, from those that were recorded."""
 
@@ -51,6 +52,8 @@ _COMPASS: Final = {
     **dict.fromkeys(
         ("este-oeste", "est-ovest", "ost-west", "leste-oeste", "do\u011fu-bat\u0131"), 90.0
     ),
+    **dict.fromkeys(("k-g", "\u5357\u5317"), 0.0),
+    **dict.fromkeys(("d-b", "o-w", "\u6771\u897f", "\u4e1c\u897f"), 90.0),
     **dict.fromkeys(("s", "south", "sud", "sur"), 180.0),
     **dict.fromkeys(("w", "west", "oeste", "ouest", "ovest"), 270.0),
 }
@@ -61,13 +64,15 @@ _DEGREES: Final = re.compile(r"(?:[nh]\s*(?=\d{3}))?(?![123]$)(\d{1,3}(?:\.\d*)?
 # Of seismometers (H) the bands are named, as letters of words would else pass for theirs.
 _SEED: Final = re.compile(r"(?:[a-z][gnl]|[behlmsv]h)([enz123xyrt])(?:\d\d|--)?")
 _SEED_ID: Final = re.compile(
-    r"(?:(?:[A-Z0-9]{1,2}[._])?[A-Z0-9]{1,5}[._])?(?:\d\d|--)?[._]?([A-Z][GHNL][ENZ123XYRT])"
+    r"(?:(?:[A-Z0-9]{1,2}[._])?[A-Z0-9]{1,5}[._])?(?:\d\d|--)?[._]?([A-Z]_?[GHNL]_?[ENZ123XYRT])"
     r"(?:[._](?:\d\d|--|[A-Z]))?"
 )
 """Network, station, location and channel of SEED, as in ``XX_HUT_00_HNE_M``."""
 
 _BESIDE: Final = re.compile(
-    r"\s*(?:\((?:sta|rcrdr)\.?\s*ch[^)]*\)|,?\s*(?:location|loc)\s*:.*)$", re.IGNORECASE
+    r"\s*(?:\((?:sta|rcrdr)\.?\s*ch[^)]*\)|,?\s*(?:location|loc)\s*:.*"
+    r"|\(?\bGL\s?[+-]?\s?\d+(?:\.\d+)?\s?m?\)?)$",
+    re.IGNORECASE,
 )
 """Number and place of a channel, behind its direction: ``(STA CHN: 14)``, ``Location: Roof``."""
 
@@ -125,8 +130,9 @@ def pointing(component: str | None) -> Pointing:
     written = "" if component is None else without_place(component)[0]
     written = written.replace("(+)", "").replace("(-)", "-").strip("()[] ")
     if (of_seed := _SEED_ID.fullmatch(written)) is not None:
-        written = of_seed[1]
-    text = written.lower().replace("/", "-") if len(written) == 3 else written.lower()
+        written = of_seed[1].replace("_", "")
+    text = written.lower().replace("\u0307", "")  # of a Turkish capital I
+    text = text.replace("/", "-") if len(text) == 3 else text
     rotated = _ROTATED.fullmatch(text) is not None
     signed = _SIGNED.fullmatch(text) is not None
     if signed or text in _VERTICAL:
@@ -135,7 +141,7 @@ def pointing(component: str | None) -> Pointing:
     azimuth = _azimuth(text)
     if azimuth is not None or text in _OF_A_STRUCTURE or rotated:
         return Pointing(orientation="horizontal", azimuth_deg=azimuth, rotated=rotated)
-    words = [word for word in re.split(r"[^a-z0-9]+", text) if word and not _filler(word)]
+    words = [word for word in re.split(r"[\W_]+", text) if word and not _filler(word)]
     named = set(words) & (_UPWARDS | _DOWNWARDS | _WITHOUT_SENSE - {"v", "z"}) - {"u"}
     named = named or set(re.findall(r"(?<![a-z])(?:u-?d|d-?u)(?![a-z])", text))
     vertical = _vertical(text)
@@ -143,9 +149,9 @@ def pointing(component: str | None) -> Pointing:
         return vertical
     seed = _SEED.fullmatch(words[0] if len(words) == 1 else text)
     if seed is None:
-        if len(words) == 1 and words[0] != text and len(words[0]) > 1:
-            return pointing(words[0])
-        return Pointing()
+        rest = re.sub(r"[^\W_]+", lambda word: "" if _filler(word[0]) else word[0], text)
+        rest = rest.strip(" _-,.:;()")
+        return pointing(rest) if len(rest) > 1 and rest != text else Pointing()
     # A channel named 3 is the vertical one of some networks and not of others.
     towards: dict[str, Orientation | None] = {"z": "vertical", "3": None}
     return Pointing(
@@ -164,6 +170,41 @@ def without_place(component: str) -> tuple[str, str]:
     """
     at = beside.start() if (beside := _BESIDE.search(component)) else len(component)
     return component[:at].strip(), component[at:].strip(" ,")
+
+
+def contradiction(one: Pointing, other: Pointing) -> tuple[str, str] | None:
+    """Return two directions in words where they cannot both be true."""
+    if one.orientation is None or other.orientation is None:
+        return None
+    if one.orientation != other.orientation:
+        return one.orientation, other.orientation
+    if one.orientation == "vertical":
+        # Without a sense, vertical is upwards, but not against a name that states one.
+        if None in {one.down, other.down} or one.down == other.down:
+            return None
+        return ("downwards", "upwards") if one.down else ("upwards", "downwards")
+    if one.azimuth_deg is None or other.azimuth_deg is None:
+        return None
+    apart = abs((one.azimuth_deg - other.azimuth_deg + 180.0) % 360.0 - 180.0)
+    return None if apart <= 1.0 else (f"{one.azimuth_deg:g} deg", f"{other.azimuth_deg:g} deg")
+
+
+def together(names: Iterable[str]) -> str | None:
+    """Return the first name of a direction, or all that differ; None where none is understood.
+
+    Examples
+    --------
+    >>> together(("090 DEG", "E")), together(("UP", "E", "x")), together(("x",))
+    ('090 DEG', 'UP / E', None)
+    """
+    known: list[str] = []
+    for name in names:
+        found = pointing(name)
+        if found.orientation is None:
+            continue
+        if not known or any(contradiction(found, pointing(other)) for other in known):
+            known.append(name)
+    return " / ".join(known) or None
 
 
 def direction(component: str | None) -> tuple[Orientation | None, float | None]:
@@ -204,7 +245,7 @@ def pointing_of_name(stem: str) -> Pointing:
 
 def tells_nothing(component: str | None) -> bool:
     """Return whether no word of a channel's name can be about its direction."""
-    words = re.split(r"[^a-z0-9]+", (component or "").lower())
+    words = re.split(r"[\W_]+", (component or "").lower())
     return all(_filler(word) or word.isdecimal() for word in words if word)
 
 
@@ -224,7 +265,7 @@ def _vertical(text: str) -> Pointing:
     A sense may be stated twice, as in ``DWN (positive down)``, and must be the same.
     """
     plain = re.sub(r"(?<![a-z])u-d(?![a-z])", "ud", text)
-    words = {word for word in re.split(r"[^a-z0-9]+", plain) if word and not _filler(word)}
+    words = {word for word in re.split(r"[\W_]+", plain) if word and not _filler(word)}
     known = _UPWARDS | _DOWNWARDS | _WITHOUT_SENSE | _NEGATIVE | {"hnz", "hlz"}
     others = words - known
     if not words - _NEGATIVE or (others and not words & known):

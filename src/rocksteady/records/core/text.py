@@ -14,6 +14,9 @@ LARGEST_FILE: Final = 64 * 2**20
 FETCH: Final = "fetch the file again"
 """What a hint about a damaged file begins with."""
 
+CORRECT: Final = "take out the line that is wrong"
+"""What to do about two lines of a header that differ."""
+
 DAMAGED: Final = "damaged"
 NO_RECORD: Final = "no record"
 CONTRADICTION: Final = "contradiction"
@@ -120,7 +123,7 @@ class RecordText:
         )
         if first_text != second_text:
             valid = f"line {first + 1} states the same with another value"
-            raise self.error(valid, "take out the line that is wrong", at=at, kind=CONTRADICTION)
+            raise self.error(valid, CORRECT, at=at, kind=CONTRADICTION)
 
 
 def file_bytes(path: Path) -> bytes:
@@ -159,6 +162,18 @@ def _problem(path: Path) -> str:
     return "it is not a regular file" if path.exists() else "there is no such file"
 
 
+def _in_east_asia(data: bytes) -> str | None:
+    """Return text in Japanese or Chinese, by words of directions or times; else None."""
+    for encoding in ("cp932", "gb18030"):
+        content = data.decode(encoding, errors="ignore")
+        if re.search(
+            "\u5357\u5317|\u4e0a\u4e0b|\u52a0\u901f\u5ea6|\u65f6\u95f4|\u6642\u9593",
+            content[:_BEGINNING],
+        ):
+            return content
+    return None
+
+
 def as_text(path: Path, data: bytes) -> RecordText:
     """Return the lines of a file: UTF-8, UTF-16 with its mark, else Latin-1.
 
@@ -173,7 +188,7 @@ def as_text(path: Path, data: bytes) -> RecordText:
         try:
             content = data.decode("utf-8-sig")
         except UnicodeDecodeError:
-            content = data.decode("latin-1")
+            content = _in_east_asia(data) or data.decode("latin-1")
     filled = content.rstrip(_PADDING + " \t\r\n")
     ended = any(end in content[len(filled) :] for end in "\r\n")
     content = filled

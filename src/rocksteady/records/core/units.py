@@ -46,7 +46,7 @@ _BASES: Final[dict[str, tuple[float, tuple[int, int]]]] = {
     **dict.fromkeys(("m", "meter", "meters", "metre", "metres"), (1.0, (1, 0))),
     **dict.fromkeys(("in", "inch", "inches"), (0.0254, (1, 0))),
     **dict.fromkeys(("ft", "foot", "feet"), (0.3048, (1, 0))),
-    **dict.fromkeys(("s", "sec", "secs", "second", "seconds"), (1.0, (0, 1))),
+    **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "seg", "sek", "sn"), (1.0, (0, 1))),
     **dict.fromkeys(("min", "mins", "minute", "minutes"), (60.0, (0, 1))),
     **dict.fromkeys(("h", "hr", "hrs", "hour", "hours"), (3600.0, (0, 1))),
     **dict.fromkeys(("hz", "hertz", "sps", "cps"), (1.0, (0, -1))),

@@ -21,7 +21,7 @@ from rocksteady.records.core.fortran_format import fixed_values, stated_width
 from rocksteady.records.core.header_statements import interval_value
 from rocksteady.records.core.numbers import NUMBER, samples
 from rocksteady.records.core.positions import of_station
-from rocksteady.records.core.recording import Orientation, Recording
+from rocksteady.records.core.recording import Orientation, Position, Recording
 from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import acceleration_unit, in_m_s2
 
@@ -44,6 +44,11 @@ _UNKNOWN: Final = re.compile(
     rf"Values used when.*?:\s*({NUMBER})\s*,?\s*({NUMBER})?", re.IGNORECASE
 )
 _PLACE: Final = re.compile(r"\b(?:location|loc)\s*:", re.IGNORECASE)
+_TYPES: Final[dict[int, Position]] = {
+    **dict.fromkeys((1, 2, 4, 6, 8, 9), "surface"),
+    **dict.fromkeys((5, 10, 11, 12, 13, 14, 15, 20), "structure"),
+}
+"""Codes of the types of stations; those of arrays are told by the words of each channel."""
 _CODES: Final = {2: "g", 4: "cm/s^2", 7: "in/s^2", 10: "gal", 11: "mg"}
 _COUNTS_CODE: Final = 50
 _VERTICAL: Final[dict[int, bool | None]] = {400: False, 401: True, 402: None}
@@ -213,7 +218,8 @@ def _recording(
         alone=False,
         station=station,
         event=head.words[1].strip() or None if len(head.words) > 1 else None,
-        position=of_station(station or "", " ".join(filter(_PLACE.search, head.words))),
+        position=_TYPES.get(head.integer(19) or 0)
+        or of_station(station or "", " ".join(filter(_PLACE.search, head.words))),
         start_time=_start(head),
         warnings=(*warnings, *doubt),
     )

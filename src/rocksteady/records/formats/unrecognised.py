@@ -16,7 +16,7 @@ _TRACES: Final = {
     "K-NET or KiK-net": re.compile(
         r"\s*(?:Origin Time|Depth\. \(km\)|Station (?:Code|Lat\.|Long\.|Height\(m\))|Record Time|"
         r"Sampling Freq\(Hz\)|Duration Time\(s\)|Scale Factor .*\(gal\)|Max\. Acc\. \(gal\)|"
-        r"Last Correction|Memo\.)\s",
+        r"Last Correction|Memo\.)\s(?!\s*:)",
         re.IGNORECASE,
     ),
     "ESM, ITACA or AFAD": re.compile(
@@ -49,7 +49,7 @@ _TRACES: Final = {
 """A line that files of this network have."""
 
 _SPECTRA: Final = re.compile(
-    r"\W*(?:pseudo\W*)?(?:response|fourier)\b.*\bspectr(?:a|um)\b(?!.*(?:compatib|match))",
+    r"peer\b.*\bspectrum\b|\W*(?:pseudo\W*)?(?:response|fourier)\b.*\bspectr(?:a|um)\b(?!.*(?:compatib|match))",
     re.IGNORECASE,
 )
 
