@@ -1,4 +1,4 @@
-"""Direction, station, start and unit of the peak stated in the text above the samples of a table."""
+"""Direction, station, start and unit of the peak stated in the words above a table."""
 
 import re
 from collections.abc import Iterator
@@ -8,14 +8,14 @@ from typing import Final
 from rocksteady.records.core.directions import pointing, tells_nothing, together
 from rocksteady.records.core.header_statements import PEAK
 from rocksteady.records.core.moments import moment
-from rocksteady.records.core.numbers import NUMBER
+from rocksteady.records.core.numbers import NUMBER, number
 from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import acceleration_unit, in_m_s2
 
 _KEYS: Final = {
     "direction": r"comp(?:onent\w*|\.)?|orienta\w+(?:[ _]of[ _]\w+)?|dire(?:c|z)\w*|dir\.?"
-    r"|azimut\w*|chan(?:nel)?(?:[ _](?:code|name))?|canal\w*|komponente?|composante|bile[sş]en|stream|rumbo"
-    r"|sid|seed[ _]id",
+    r"|azimut\w*|chan(?:nel)?(?:[ _](?:code|name))?|canal\w*|komponente?"
+    r"|composante|bile[sş]en|stream|rumbo|sid|seed[ _]id",
     "station": r"(?:recording[ _])?station(?:[ _]?(?:code|name|id|no))?(?:[ _/]+name)?"
     r"|site[ _]?code|(?:c\w+[ _]de[ _](?:la[ _])?)?estaci[oó]n|stazione|istasyon\w*",
     "start": r"(?:data[ _])?start(?:[ _]?(?:date|time))?|record(?:ing)?[ _]?time|initial[ _]?time"
@@ -88,11 +88,10 @@ def unit_of_peaks(text: RecordText, lines: list[int], peaks: list[float]) -> str
         line = text.heads[at]
         if PEAK.search(line) is None:
             continue
-        words = re.findall(rf"[(\[]([^)\]]+)[)\]]|{NUMBER}\s*([A-Za-z%][\w/^*]*)", line)
-        named = [unit for pair in words for word in pair if (unit := acceleration_unit(word))]
-        values = [
-            abs(float(number)) for number in re.findall(r"[-+]?\d+\.\d+(?:[eE][-+]?\d+)?", line)
-        ]
-        if any(abs(value - peak) <= 0.005 * peak for value in values for peak in peaks):
-            units |= {in_m_s2(unit): unit for unit in named}
+        before = re.search(r"[(\[]([A-Za-z%][^)\]]*)[)\]]", line)
+        for value in re.finditer(rf"({NUMBER})\s*([A-Za-z%][\w/^*]*)?", line):
+            unit = acceleration_unit(value[2] or (before[1] if before else ""))
+            size = abs(number(value[1]) or 0.0)
+            if unit is not None and any(abs(size - peak) <= 0.005 * peak for peak in peaks):
+                units[in_m_s2(unit)] = unit
     return next(iter(units.values())) if len(units) == 1 else None

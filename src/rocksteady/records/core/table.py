@@ -16,7 +16,8 @@ _COMMENT: Final = ("#", "%", "//")
 """What a comment between rows begins with; stars stand for a number that did not fit."""
 
 _NO_ROW: Final = "it must be a row of numbers, as the ones around it"
-_TAKE_OUT: Final = "correct the line, or give each block of numbers as a file of its own"
+_TAKE_OUT: Final = "correct the line"
+_BLOCKS: Final = "below it numbers follow that may be another channel or quantity"
 _SAMPLE: Final = 200
 _DECIMAL_COMMA: Final = re.compile(r"[+-]?\d*,\d+(?:[eEdD][+-]?\d+)?|[+-]?\d+(?:[eEdD][+-]?\d+)?")
 _LONGEST_HEADER: Final = 200
@@ -27,6 +28,7 @@ _KEY: Final = re.compile(r"^[A-Za-z ]+:\s+")
 _OF_SENTENCES: Final = {"history", "histories", "series", "corrected", "uncorrected"} | set(
     {"in", "of", "the", "and", "is", "are", "at", "for", "from", "de"}
 )
+_OF_WORDS: Final = re.compile(r"\s*(?![+-]?\.?\d)(?:.*[A-Za-z]{3}|/&)")
 _NEAR: Final = 3
 """Lines above the rows among which their names are looked for."""
 _TRUE_SPACES: Final = re.compile(r"\t|\s{2,}")
@@ -112,19 +114,17 @@ def table(text: RecordText) -> Table | None:
         line = text.lines[at]
         row = _row(line, separator, comma=comma)
         if row is None:
-            below = (
-                _row(text.lines[later], separator, comma=comma) for later in filled[place + 1 :]
-            )
-            if re.search("[A-Za-z]{3}|/&", line) and not any(below):
-                trailing = at
-                break
             if line.lstrip().startswith(_COMMENT):
                 continue
-            raise text.error(
-                _NO_ROW,
-                _TAKE_OUT,
-                at=at,
-            )
+            below = [
+                _row(text.lines[later], separator, comma=comma) for later in filled[place + 1 :]
+            ]
+            if _OF_WORDS.match(line) and not any(below):
+                trailing = at
+                break
+            if below and below[0] is None:
+                raise text.error(_BLOCKS, "give each block as a file of its own", at=at)
+            raise text.error(_NO_ROW, _TAKE_OUT, at=at)
         rows.append(row)
         lines.append(at)
     header = tuple(text.heads[at].strip().lstrip("#%!*/ ") for at in filled[:first])

@@ -120,6 +120,8 @@ def _read(text: RecordText, given: Given, start: datetime | None) -> tuple[Recor
     data_table = table(text)
     if data_table is None:
         raise text.error(_NO_ROWS, "give a record as text", kind=NO_RECORD)
+    if sum(map(len, data_table.rows)) < 2:
+        raise text.error("it holds one number, which is no record", "see whether it is whole")
     at = data_table.lines[0]
     count, interval, data_table = _without_counts(text, data_table, given)
     _refuse_other_quantities(text, data_table)
