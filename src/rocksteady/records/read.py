@@ -208,9 +208,6 @@ def _found(
                 if error.kind or why is not None or wanted is not None or columns.CSV in names:
                     raise
                 return _as_table(text, given, error)
-    if wanted is None:
-        unrecognised.refuse_spectra(text)
-        columns.refuse_without_rows(text)
     return None
 
 

@@ -9,7 +9,20 @@ from rocksteady.records.core.recording import Orientation
 
 _VERTICAL: Final = frozenset(
     {"up", "u", "ud", "u-d", "updo", "updown", "dwn", "down", "dn", "d"}
-    | {"v", "vert", "vertical", "vrt", "ver", "z", "v1", "vertikal", "verticale", "d\u00fc\u015fey"}
+    | {
+        "v",
+        "vert",
+        "vertical",
+        "vrt",
+        "ver",
+        "z",
+        "v1",
+        "v2",
+        "v3",
+        "vertikal",
+        "verticale",
+        "d\u00fc\u015fey",
+    }
     | {"dusey", "az", "accz", "agz", "\u4e0a\u4e0b", "\u5782\u76f4", "\u7ad6\u5411"}
 )
 _UPWARDS: Final = frozenset({"up", "u", "upward", "upwards"})
@@ -131,7 +144,7 @@ def pointing(component: str | None) -> Pointing:
     written = written.replace("(+)", "").replace("(-)", "-").strip("()[] ")
     if (of_seed := _SEED_ID.fullmatch(written)) is not None:
         written = of_seed[1].replace("_", "")
-    text = written.lower().replace("\u0307", "")  # of a Turkish capital I
+    text = written.lower().replace("\u0307", "").replace("\xb0", "")  # of a Turkish capital I
     text = text.replace("/", "-") if len(text) == 3 else text
     rotated = _ROTATED.fullmatch(text) is not None
     signed = _SIGNED.fullmatch(text) is not None

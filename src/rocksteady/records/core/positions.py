@@ -7,8 +7,8 @@ from rocksteady.records.core.recording import Position
 
 _PLACES: Final[dict[Position, re.Pattern[str]]] = {
     "borehole": re.compile(
-        r"\b(?:bore|down)[\s-]?hole|\bin[\s-]hole\b|\bGL\s?-\s?(?!0+(?:\.0*)?\s?m?\b)\d"
-        r"|\b(?:(?:sensor|burial|installation|instrument)[\s_-]depth\w*|depth_m)\W*(?!0+(?:\.0*)?\b)\d"
+        r"\b(?:bore|down)[\s-]?hole|\bunderground\b|\bin[\s-]hole\b|\bGL\s?-\s?(?!0+(?:\.0*)?\s?m?\b)\d"
+        r"|\b(?:(?:sensor|burial|installation|instrument)[\s_-]depth\w*|depth_m)\D{0,8}(?!0+(?:\.0*)?\b)\d"
         r"|\d\s*(?:m|ft|met(?:er|re)s?|feet)\s*(?:deep|depth|below|down\b)|\(\s*-\s*\d+(?:\.\d+)?\s*m\s*\)"
         r"|\b(?:pozo|pozzo|forage|bohrloch)\b|\bgeotech\w*\s+array",
         re.IGNORECASE,
@@ -20,6 +20,7 @@ _PLACES: Final[dict[Position, re.Pattern[str]]] = {
     ),
     "structure": re.compile(
         r"(?<![a-z])(?:roof|floor|deck|crest|girder|basement|penthouse|mezzanine)(?![a-z])"
+        r"|\blocation\s*:\s*(?:pier|abutment|column|tower)\b"
         r"|\b\d+(?:st|nd|rd|th)\s+(?:fl|level|lvl)|\bstor(?:e?y|eys|ies)\b|\bpile\s?cap\b"
         r"|\b(?:azotea|piso|s[oó]tano|techo|tetto|toit|dach)\b",
         re.IGNORECASE,

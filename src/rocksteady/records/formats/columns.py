@@ -46,7 +46,6 @@ _DATA_TYPE: Final = re.compile(r"\bdata[ _]type\s*[:=]\s*([A-Za-z]+)", re.IGNORE
 _LONGEST_INTERVAL: Final = 0.1
 _BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
 _NO_ROWS: Final = "it holds no rows of numbers"
-_FEW_LINES: Final = 40
 _AS_CHANNELS: Final = 4
 """Columns without names that may be channels as well as consecutive samples."""
 
@@ -267,23 +266,6 @@ def _interval(
         return None, (f"{error.valid}: the times of the table are taken",)
 
 
-def refuse_without_rows(text: RecordText) -> None:
-    """Raise where a file has the names of a table's columns, and no rows.
-
-    Raises
-    ------
-    RecordFileError
-        As above; other files without numbers are left to the caller.
-    """
-    filled = [at for at, line in enumerate(text.heads) if line.strip()]
-    for at in filled[:_FEW_LINES] if len(filled) <= _FEW_LINES else ():
-        fields = re.split(r"[;,\t]|\s{2,}", text.heads[at].strip().lstrip("#%!*/ "))
-        kinds = [column_name(field.strip(" \"'")).kind for field in fields if field.strip()]
-        if {"time", "acceleration"} & set(kinds) and (len(kinds) > 1 or len(filled) == 1):
-            valid = "it holds the names of columns and no rows of numbers"
-            raise text.error(valid, "fetch the file again: it is cut after its header", at=at)
-
-
 def _values(
     text: RecordText, data_table: Table, given: Given, stated: float | None, count: int | None
 ) -> tuple[Spaced, tuple[str, ...]]:
@@ -477,7 +459,7 @@ def _unit_of(text: RecordText, name: str, data_table: Table) -> tuple[str | None
     words = _words(data_table)
     named = column_name(name)
     title = data_table.columns == 1 and bool(data_table.names)
-    if title and re.search(r"[:=]|\bunits?\b|\bin\b", name):
+    if title and re.search(r"[:=]|\bunits?\b|\bin\b", name, re.IGNORECASE):
         # A line of words above one column is a title rather than a name.
         return stated_unit(text, [*words, data_table.names_at]), ()
     odd = named.uncertain
@@ -583,9 +565,8 @@ def _refuse_other_quantities(text: RecordText, data_table: Table) -> None:
         hint = "give the file as its network publishes it (K-NET, KiK-net)"
         raise text.error(valid, hint, kind="counts")
     types = _DATA_TYPE.findall(words)
-    if not types and (
-        data_table.names or not words or re.search(r"acc|acel|beschl", words, re.IGNORECASE)
-    ):
+    named_columns = data_table.columns > 1 and data_table.names
+    if not types and (named_columns or re.search(r"acc|acel|beschl", words, re.IGNORECASE)):
         return
     named = {"VL": "velocity", "DS": "displacement"}
     found = {named.get(each.upper()) or quantity_named(each) for each in types or [words]}
