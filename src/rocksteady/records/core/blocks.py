@@ -3,7 +3,7 @@
 import re
 from dataclasses import replace
 from datetime import datetime
-from itertools import groupby
+from itertools import pairwise
 from typing import Final
 
 from rocksteady.errors import RecordFileError
@@ -26,6 +26,8 @@ _EQUAL: Final = re.compile(r"([:=]\s*)/([^/\s]+)(?:/\2)+\s*$")
 _PER_CHANNEL: Final = re.compile(r",?\s*C1-C\d+(?=\s*[,(:])")
 """Values of several channels that are one, and the words that number the channels."""
 _HEADER: Final = 200
+_WORDS: Final = re.compile("[A-Za-z]{3}|/&")
+"""What a line of words has, and no line of numbers."""
 
 
 def plain(text: RecordText) -> tuple[RecordText, datetime | None]:
@@ -60,32 +62,24 @@ def blocks(text: RecordText) -> list[RecordText]:
     Each of several must have as many samples as it, or the one before, states, for a line of words
     among samples may be one that is damaged.
     """
-    kinds = groupby(
-        (at for at, line in enumerate(text.lines) if line.strip(" \t,;")),
-        key=lambda at: numeric(text.lines[at]),
-    )
-    parts: list[list[int]] = [[]]
-    for of_numbers, run in kinds:
-        if not of_numbers and parts[-1]:
-            parts.append([])
-        parts[-1] += run
-    if len(parts) < 2:
+    of_words = {at for at, line in enumerate(text.lines) if _WORDS.search(line)}
+    first = next((at for at, line in enumerate(text.lines) if numeric(line)), len(text.lines))
+    if max(of_words, default=0) < first:
         return [text]
+    held = [at for at, line in enumerate(text.lines) if line.strip(" \t,;")]
+    starts = [at for before, at in pairwise(held) if at in of_words and before not in of_words]
     tables = []
     stated: tuple[int, int] | None = None
-    for part in parts:
-        kept = set(part)
-        block = replace(
-            text, lines=tuple(line if at in kept else "" for at, line in enumerate(text.lines))
-        )
-        rows = [at for at in part if numeric(block.lines[at])]
-        words = [at for at in part if at not in set(rows)]
+    for start, end in pairwise([0, *starts, len(text.lines)]):
+        block = replace(text, lines=("",) * start + text.lines[start:end])
+        rows = [text.lines[at] for at in held if start <= at < end and at not in of_words]
         try:
+            words = [at for at in sorted(of_words) if start <= at < end]
             stated = stated_count(block, words) or stated
         except RecordFileError:
             return [text]
-        held = sum(len(block.lines[at].replace(",", " ").split()) for at in rows)
-        if stated is None or stated[0] not in {len(rows), held}:
+        count = sum(len(re.split(r"[\s,;]+", row.strip(" \t,;"))) for row in rows)
+        if stated is None or stated[0] not in {len(rows), count}:
             return [text]
         tables.append(block)
     return tables

@@ -162,18 +162,6 @@ def _problem(path: Path) -> str:
     return "it is not a regular file" if path.exists() else "there is no such file"
 
 
-def _in_east_asia(data: bytes) -> str | None:
-    """Return text in Japanese or Chinese, by words of directions or times; else None."""
-    for encoding in ("cp932", "gb18030"):
-        content = data.decode(encoding, errors="ignore")
-        if re.search(
-            "\u5357\u5317|\u4e0a\u4e0b|\u52a0\u901f\u5ea6|\u65f6\u95f4|\u6642\u9593",
-            content[:_BEGINNING],
-        ):
-            return content
-    return None
-
-
 def as_text(path: Path, data: bytes) -> RecordText:
     """Return the lines of a file: UTF-8, UTF-16 with its mark, else Latin-1.
 
@@ -188,7 +176,7 @@ def as_text(path: Path, data: bytes) -> RecordText:
         try:
             content = data.decode("utf-8-sig")
         except UnicodeDecodeError:
-            content = _in_east_asia(data) or data.decode("latin-1")
+            content = data.decode("latin-1")
     filled = content.rstrip(_PADDING + " \t\r\n")
     ended = any(end in content[len(filled) :] for end in "\r\n")
     content = filled

@@ -543,7 +543,7 @@ def _refuse_short_rows(text: RecordText, data_table: Table, *, last: bool = Fals
         if len(row) != columns:
             count = plural(len(row), "number")
             valid = f"it has {count}, and the table has {plural(columns, 'column')}"
-            raise text.error(valid, "fetch the file again, or take out what is no sample", at=at)
+            raise text.error(valid, "complete the row, or take out what is no sample", at=at)
 
 
 def refuse_geonet(text: RecordText) -> None:
