@@ -16,6 +16,7 @@ from rocksteady.records.core.text import CONTRADICTION, DAMAGED, NO_RECORD
 from rocksteady.records.read import read_recordings
 from rocksteady.results.numbers import plural
 
+OPEN: Final = "unknown direction"
 INCLUDABLE: Final = {
     "unknown": "its direction is not understood",
     "borehole": "its sensor is below ground",
@@ -24,7 +25,7 @@ INCLUDABLE: Final = {
 }
 """Kinds of channels that a suite has if they are asked for, and why it has not else."""
 
-_FAULTS: Final = {"": "not understood", CONTRADICTION: CONTRADICTION, DAMAGED: DAMAGED}
+FAULTS: Final = {"": "not understood", CONTRADICTION: CONTRADICTION, DAMAGED: DAMAGED}
 """Kinds of files that are records and cannot be read."""
 
 
@@ -75,9 +76,13 @@ def suite_words(recordings: Sequence[Recording], left_out: Sequence[LeftOut]) ->
     """
     open_ = sum(each.orientation == "unknown" for each in recordings)
     words = [plural(len(recordings), "record") + (f", {open_} of unstated direction" * (open_ > 0))]
-    files = {NO_RECORD, *_FAULTS.values()}
+    files = {NO_RECORD, *FAULTS.values()}
     for of_files, named in ((False, "channel"), (True, "file")):
-        kinds = Counter(each.kind for each in left_out if (each.kind in files) == of_files)
+        kinds = Counter(
+            each.kind
+            for each in left_out
+            if (each.channel is None and each.kind in files) == of_files
+        )
         counted = ", ".join(f"{count} {kind}" for kind, count in sorted(kinds.items()))
         if kinds:
             words.append(f"{plural(kinds.total(), named)} left out: {counted}")
@@ -149,7 +154,7 @@ def read_records(
         try:
             recordings = read_recordings(file, units=units, dt_s=dt_s)
         except RecordFileError as error:
-            if error.kind in _FAULTS:
+            if error.kind in FAULTS:
                 raise
             left.append(file_left_out(file, error))
             continue
@@ -186,7 +191,7 @@ def check_includable(name: str, kind: object) -> str:
 def file_left_out(file: Path, error: InputError) -> LeftOut:
     """Return why a file has no channel in a suite."""
     kind = error.kind if isinstance(error, RecordFileError) else ""
-    return LeftOut(file=file, kind=_FAULTS.get(kind, kind), why=error.valid)
+    return LeftOut(file=file, kind=FAULTS.get(kind, kind), why=error.valid)
 
 
 def select(
@@ -203,18 +208,26 @@ def select(
     """
     taken, left = [], [*recordings[0].left_out] if recordings else []
     for each in recordings:
-        kind = _kind(each, alone=len(recordings) == 1)
+        kind = kind_of(each, alone=len(recordings) == 1)
         if not kind or kind in include:
             taken.append(each)
             continue
         why = INCLUDABLE.get(kind, kind)
-        counted = "unknown direction" if kind == "unknown" else kind
+        counted = OPEN if kind == "unknown" else kind
         left.append(LeftOut(file=each.path, channel=each.component, kind=counted, why=why))
     return tuple(taken), tuple(left)
 
 
-def _kind(recording: Recording, *, alone: bool) -> str:
-    """Return what keeps a channel from being a horizontal motion of the ground, or nothing."""
+def kind_of(recording: Recording, *, alone: bool) -> str:
+    """Return what keeps a channel from being a horizontal motion of the ground, or nothing.
+
+    Parameters
+    ----------
+    recording
+        The channel.
+    alone
+        Whether its file holds no other.
+    """
     if recording.orientation == "vertical":
         return "vertical"
     if recording.position in {"borehole", "structure"}:

@@ -341,7 +341,7 @@ def _motions(
             raise missing("--width-m", valid="a record needs a block", hint="describe a block")
         motions = suite.suite(reading).motions
     else:
-        _refuse("--record", {"--pair": suite.pair})
+        _refuse("--record", {"--pair": suite.pair, "--include": suite.include})
         recorded.given(reading)
         body = recorded.block(block)
         recordings = recorded.recordings(reading)

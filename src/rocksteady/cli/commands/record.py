@@ -14,7 +14,7 @@ from rocksteady.cli.console.titles import turned_text
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.flags.parsing import axis
+from rocksteady.cli.flags.parsing import axis, values_of
 from rocksteady.cli.flags.record_files import ReadingFlags, warn
 from rocksteady.errors import RecordFileError
 from rocksteady.model.blocks.block import Block
@@ -68,7 +68,7 @@ def record(
     output: OutputFlags,
     periods_s: str | None = options.output_flag(
         "--periods-s AXIS",
-        "Compute the response spectrum at these periods \\[s], as 0.1:4:40 or log:0.05:10:100; "
+        "Compute the response spectrum at these periods \\[s], as 0.2,1 or log:0.05:10:100; "
         "printed for one record, and in --json; default of --plot log:0.02:10:200.",
     ),
     damping: float = options.output_flag(
@@ -87,7 +87,7 @@ def record(
     output.check(files)
     body = sized(block)
     unit = unit_of(units_out, output)
-    periods = None if periods_s is None else axis("--periods-s", periods_s)
+    periods = None if periods_s is None else values_of("--periods-s", periods_s)
     from rocksteady.seismic.measures.intensity import compute_measures
     from rocksteady.seismic.measures.response_spectrum import compute_response_spectrum
     from rocksteady.seismic.measures.time_course import integrate_record
@@ -151,7 +151,11 @@ def described(
     samples = next(fact.words for fact in first.facts if fact.key == "npts")
     answer = second.answer
     if answer is not None:
-        about = [("warnings", "; ".join(recording.warnings)), ("station", recording.title)]
+        about = [
+            ("warnings", "; ".join(recording.warnings)),
+            ("station", recording.title),
+            ("channel", channel_words(recording)),
+        ]
         answer = replace(answer, facts=[*about, *answer.facts[:2], ("samples", samples)])
     return Description(
         headline=first.headline,
@@ -160,6 +164,15 @@ def described(
         notes=[*first.notes, *second.notes],
         answer=answer,
     )
+
+
+def channel_words(recording: "Recording") -> str:
+    """Return where a channel points and stands, and what else its file holds, if worth a word."""
+    level = recording.orientation == "horizontal"
+    place = "" if recording.position in {"surface", "unknown"} else f"in a {recording.position}"
+    left = ", ".join(f"{each.channel} ({each.kind})" for each in recording.left_out)
+    points = "" if level else recording.orientation.replace("unknown", "direction unknown")
+    return "; ".join(filter(None, (points, place, f"left out: {left}" * bool(left))))
 
 
 def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") -> Description:
@@ -184,11 +197,13 @@ def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") 
     ]
     strongest = sorted(measures, key=lambda each: -each.pga_g)
     ends = dict.fromkeys(number(each.pga_g) for each in (strongest[-1], strongest[0]))
+    left = {each: None for recording in recordings for each in recording.left_out}
     drifting = sum(each.drifts for each in measures)
     answer = Answer(
         f"{plural(len(rows), 'record')} peak at {' to '.join(ends)} g.",
         [
             ("drift", f"{drifting} of {len(rows)} records drift" * (drifting > 0)),
+            ("left out", ", ".join(f"{each.channel} ({each.kind})" for each in left)),
             left_out(max(len(rows) - MOST_ANSWERED, 0), "weaker"),
         ],
         [

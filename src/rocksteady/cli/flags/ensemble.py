@@ -1,24 +1,27 @@
 """Flags for ensembles: suites of records, levels, and a band of restitutions."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
-from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
+from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.options import Panel, mass_flag
-from rocksteady.cli.flags.parsing import axis, decimal, number, restitution_from
-from rocksteady.cli.flags.record_files import FLOOR_FLAGS, ReadingFlags
+from rocksteady.cli.flags.parsing import decimal, number, restitution_from, values_of
+from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.records.examples import example_named, is_example
+from rocksteady.results.numbers import plural
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
+    from rocksteady.records.core.recording import LeftOut, Recording
     from rocksteady.risk.ensemble.levels import Levels
     from rocksteady.risk.ensemble.restitution_band import RestitutionBand
     from rocksteady.risk.ensemble.ways import Ways
@@ -36,27 +39,48 @@ class Suite:
     ----------
     motions
         The motions, horizontal or with a vertical component.
-    files
-        The file of each.
+    recordings
+        The horizontal channel of each.
     left_out
-        File and reason of each that was not used.
+        Channels and files that were not used.
     """
 
     motions: "list[Record | BaseMotion]"
-    files: list[Path]
-    left_out: list[tuple[Path, str]] = field(default_factory=list)
+    recordings: "list[Recording]" = field(default_factory=list)
+    left_out: "list[LeftOut]" = field(default_factory=list)
 
     @classmethod
     def synthetic(cls, count: int) -> "Suite":
         """Return synthetic motions, which have no files."""
         from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 
-        return cls(motions=[*make_synthetic_suite(count)], files=[])
+        return cls(motions=[*make_synthetic_suite(count)])
+
+    @property
+    def files(self) -> list[Path]:
+        """The file of each motion."""
+        return [each.path for each in self.recordings]
 
     @property
     def read(self) -> list[Path]:
         """All files that were opened, those left out too."""
-        return [*self.files, *(file for file, _ in self.left_out)]
+        return [*self.files, *(each.file for each in self.left_out)]
+
+    @property
+    def words(self) -> str:
+        """How many records there are, and what is left out; nothing of synthetic motions."""
+        from rocksteady.records.suite import suite_words
+
+        return suite_words(self.recordings, self.left_out) if self.recordings else ""
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """What is left out, and what is taken though its direction is not stated, for JSON."""
+        unstated = [str(each.path) for each in self.recordings if each.orientation == "unknown"]
+        return {
+            "left_out": [each.to_dict() for each in self.left_out],
+            **({"unstated_direction": unstated} if unstated else {}),
+        }
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,11 +97,17 @@ class SuiteFlags:
         "Pair the channels of each station, and run with its vertical one as well as without.",
         default=False,
     )
+    include: str | None = ensemble_flag(
+        "--include KIND",
+        "Take channels that are left out by default: unknown (a direction that is not "
+        "understood), borehole, structure or rotated; several with commas.",
+    )
 
     @property
     def given(self) -> dict[str, object]:
-        """Both by their flags: the first of --records, and --pair."""
-        return {"--records": next(iter(self.records or []), None), "--pair": self.pair}
+        """All by their flags: the first of --records, --pair and --include."""
+        first = next(iter(self.records or []), None)
+        return {"--records": first, "--pair": self.pair, "--include": self.include}
 
     @property
     def files(self) -> list[Path]:
@@ -88,7 +118,7 @@ class SuiteFlags:
         InputError, FlagError
             If there is none, or a path or an example does not exist.
         """
-        from rocksteady.records.read import files_of
+        from rocksteady.records.suite import files_of
 
         paths: list[Path] = []
         for path in self.records or []:
@@ -110,69 +140,95 @@ class SuiteFlags:
         return list(dict.fromkeys(paths))
 
     def suite(self, reading: ReadingFlags) -> Suite:
-        """Return the motions of all files that can be read; the others are named on stderr.
+        """Return the motions of all files; records that cannot be read are named on stderr.
 
         Raises
         ------
         InputError
-            If no file can be read, or --pair meets a flag that it has no use for.
+            If no file has a horizontal record, or --include names no kind of channels.
         """
-        if self.pair:
-            kept = ("--units", "--dt-s", *FLOOR_FLAGS.values())
-            idle = {flag: value for flag, value in reading.given.items() if flag not in kept}
-            refuse(idle, "channels are paired as their files have them", "leave one out")
-        suite = Suite(motions=[], files=[])
-        good: list[Path] = []
+        from rocksteady.records.suite import (
+            FAULTS,
+            INCLUDABLE,
+            check_includable,
+            file_left_out,
+            nothing_left,
+            select,
+        )
+
+        kinds = [
+            check_includable("--include", kind) for kind in (self.include or "").split(",") if kind
+        ]
+        suite = Suite(motions=[])
+        upright: list[Recording] = []
+        plain = replace(reading, floor_hz=None, floor_damping=None, participation=None)
         for file in self.files:
             try:
-                across = self._across(file, reading, suite)
+                recordings = (plain if self.pair else reading).recordings(file)
+                # Whoever names a channel takes it.
+                named = INCLUDABLE if reading.channel is not None else kinds
+                across, left = select(recordings, named)
+                self._refuse_extreme(across)
             except InputError as error:
-                suite.left_out.append((file, error.valid))
+                suite.left_out.append(file_left_out(file, error))
                 continue
-            good.append(file)
-            if not self.pair:
-                suite.motions.extend(across)
-                suite.files.extend([file] * len(across))
-        if self.pair and good:
-            self._pair(good, reading, suite)
-        for file, reason in suite.left_out:
-            terminal.note(f"{file} is left out: {printable(reason)}")
+            suite.recordings.extend(across)
+            suite.left_out.extend(left)
+            upright += [each for each in recordings if each.orientation == "vertical"]
+        for each in suite.left_out:
+            if each.channel is None and each.kind in FAULTS.values():
+                terminal.note(f"{each.file} is left out: {printable(each.why)}")
+        if suite.recordings and self.pair:
+            suite = self._paired(suite, upright, reading)
+        elif suite.recordings:
+            suite.motions.extend(each.record for each in suite.recordings)
         if not suite.motions:
+            files = plural(len(self.files), "file")
             raise InputError(
                 "--records",
                 ", ".join(str(path) for path in self.records or []),
-                f"none of its {len(self.files)} files is a horizontal record that can be read",
+                nothing_left(suite.left_out, files),
                 "name a folder of ground-motion files, or see `rocksteady record FILE`",
             )
+        if suite.left_out or suite.values.get("unstated_direction"):
+            terminal.note(suite.words)
         return suite
 
-    def _across(self, file: Path, reading: ReadingFlags, suite: Suite) -> "list[Record]":
-        """Return the horizontal channels of a file."""
+    def _refuse_extreme(self, recordings: "Sequence[Recording]") -> None:
+        """Refuse records whose measures would overflow."""
         from rocksteady.seismic.measures.time_course import refuse_extreme
 
-        recordings = reading.recordings(file)
-        across = [recording for recording in recordings if recording.orientation != "vertical"]
-        for recording in across:
+        for recording in recordings:
             refuse_extreme(recording.record)
-        if not across and not self.pair:
-            suite.left_out.append((file, "its channel is vertical; --pair runs it with the others"))
-        return [recording.record for recording in across]
 
-    def _pair(self, files: list[Path], reading: ReadingFlags, suite: Suite) -> None:
-        """Add the motions of paired channels."""
-        from rocksteady.records.pairing import pair_records
+    def _paired(self, suite: Suite, upright: "list[Recording]", reading: ReadingFlags) -> Suite:
+        """Return a suite with the vertical channels of its stations beside the horizontal ones."""
+        from rocksteady.records.core.recording import LeftOut
+        from rocksteady.records.pairing import paired
+        from rocksteady.records.suite import INCLUDABLE, OPEN
 
-        for group in pair_records(files, units=reading.units, dt_s=reading.dt_s):
+        pairs = Suite(motions=[])
+        beside: set[tuple[Path, str | None]] = set()
+        for group in paired([*suite.recordings, *upright]):
             for warning in group.warnings:
                 terminal.note(f"{group.name}: {warning}")
-            if not group.horizontal:
-                for recording in group.recordings:
-                    suite.left_out.append((recording.path, "its station has no horizontal channel"))
-                continue
-            steps = {recording.record.dt_s for recording in group.recordings}
-            ready = group.aligned("pad") if len(steps) == 1 else group
-            suite.motions.extend(map(reading.on_floor, ready.motions()))
-            suite.files.extend(recording.path for recording in ready.horizontal)
+            if group.horizontal:
+                steps = {recording.record.dt_s for recording in group.recordings}
+                ready = group.aligned("pad") if len(steps) == 1 else group
+                pairs.motions.extend(map(reading.on_floor, ready.motions()))
+                pairs.recordings.extend(ready.horizontal)
+                beside |= {(each.path, each.component) for each in (ready.vertical,) if each}
+            pairs.left_out.extend(
+                LeftOut(
+                    file=each.path, channel=each.component, kind=OPEN, why=INCLUDABLE["unknown"]
+                )
+                for each in group.other
+                if each.orientation == "unknown"
+            )
+        pairs.left_out.extend(
+            each for each in suite.left_out if (each.file, each.channel) not in beside
+        )
+        return pairs
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -312,19 +368,6 @@ def intensity_of(text: str) -> "Measure":
         return Measure(name, number("--measure", period) if colon else None)
     except InputError as error:
         raise FlagError("--measure", text, error.valid, error.hint) from None
-
-
-def values_of(flag: str, text: str) -> list[float]:
-    """Return the values of an axis, or those with commas between them.
-
-    Raises
-    ------
-    InputError
-        If one is no number.
-    """
-    if "," in text:
-        return [number(flag, part) for part in text.split(",")]
-    return axis(flag, text)
 
 
 def _levels(flag: str, measure: "Measure | str", levels: list[float] | None) -> "Levels":

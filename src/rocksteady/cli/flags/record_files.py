@@ -191,6 +191,12 @@ class ReadingFlags(FloorFlags):
     dt_s: float | None = dt_s_flag()
     column: str | None = column_flag()
     resample: bool = resample_flag()
+    ignore_header: bool = reading_flag(
+        "--ignore-header",
+        "Read the numbers of a file as plain columns by --units and --dt-s alone, whatever it "
+        "states.",
+        default=False,
+    )
     baseline: str = baseline_flag()
 
     @property
@@ -253,7 +259,7 @@ class ReadingFlags(FloorFlags):
                 "give a file with one channel",
             )
         (channel,) = self._ready(file, upright if len(channels) > 1 else channels, across=False)
-        if channel.orientation is None:
+        if channel.orientation == "unknown":
             warn(file, "where its channel points is not stated: it is taken as vertical, upwards")
         return channel
 
@@ -269,10 +275,13 @@ class ReadingFlags(FloorFlags):
                 dt_s=self.dt_s,
                 column=self.column,
                 resample=self.resample,
+                ignore_header=self.ignore_header,
             )
         except RecordFileError as error:
-            hint = _in_flags(error.hint)
-            raise RecordFileError(path=error.path, valid=error.valid, hint=hint) from error
+            valid, hint = _in_flags(error.valid), _in_flags(error.hint)
+            raise RecordFileError(
+                path=error.path, valid=valid, hint=hint, kind=error.kind
+            ) from error
 
     def _ready(
         self, file: Path, channels: "tuple[Recording, ...]", *, across: bool = True
@@ -302,7 +311,8 @@ def _named(one: "Recording") -> "Recording":
 
 
 ASKED_FOR = re.compile(
-    r"(?<=\bgive )(units|dt_s|column)\b|(?<=\banother )dt_s\b|(?<=\()resample(?=\))"
+    r"(?<=\bgive )(units|column)\b|(?<=\bleave out )units\b|(?<=, and )units\b|(?<=\bby )units\b"
+    r"|\b(dt_s|ignore_header)\b|(?<=\()resample(?=\))"
 )
 """Arguments of `rocksteady.records.read_recordings` in the hints and warnings of readers."""
 
@@ -396,9 +406,8 @@ class RecordFlags:
         """
         recordings = [reading.read(file) for file in self.record or []]
         for recording in recordings:
-            if recording.orientation == "vertical" and self.vertical is None:
-                name = recording.component or "its channel"
-                warn(recording.path, f"{name} is vertical, and shakes across")
+            if self.vertical is None or recording.orientation != "vertical":
+                remark_on_place(recording, named=reading.channel is not None)
         return recordings
 
     def block(self, described: BlockFlags) -> Block:
@@ -523,6 +532,26 @@ class RecordFlags:
             in_range("--scale", value, 1.0 / LARGEST, LARGEST, "[]", hint=hint)
         remark_on_scale(max(values), f"--scale {max(values):g} multiplies the record")
         return values
+
+
+def remark_on_place(recording: "Recording", *, named: bool = False) -> None:
+    """Print a remark beside the result where what shakes across may be no motion of the ground.
+
+    Parameters
+    ----------
+    recording
+        The channel.
+    named
+        Whether it was asked for by its name, which says that it is meant; default False.
+    """
+    from rocksteady.records.suite import INCLUDABLE, kind_of
+
+    kind = kind_of(recording, alone=True)
+    open_ = "where it points is not stated" if recording.orientation == "unknown" else ""
+    words = {"vertical": "it is vertical", "": open_} | INCLUDABLE
+    if words[kind] and (kind == "vertical" or not named):
+        name = recording.component or "its channel"
+        warn(recording.path, f"{name} shakes across: {words[kind]}")
 
 
 def remark_on_scale(factor: float, what: str) -> None:

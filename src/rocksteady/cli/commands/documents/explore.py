@@ -21,7 +21,13 @@ from rocksteady.cli.flags.block_and_shaking import (
 )
 from rocksteady.cli.flags.groups import ScreenFlags, grouped
 from rocksteady.cli.flags.parsing import single
-from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, scale_flag, warn
+from rocksteady.cli.flags.record_files import (
+    ReadingFlags,
+    RecordFlags,
+    remark_on_place,
+    scale_flag,
+    warn,
+)
 from rocksteady.cli.flags.start import StartFlags
 from rocksteady.errors import ModelError, OutputError
 from rocksteady.model.blocks.block import Block
@@ -216,22 +222,24 @@ def in_flags(error: ModelError, block: BlockFlags, start: str) -> ModelError:
 
 
 def across(files: Sequence[Path], reading: ReadingFlags) -> "list[Recording]":
-    """Return the horizontal channels of a file, or its only channel.
+    """Return the horizontal channels of files; of a file without one, all that it has.
 
     Raises
     ------
     InputError
         If a file cannot be read.
     """
+    from rocksteady.records.suite import INCLUDABLE, select, suite_words
+
     channels_across: list[Recording] = []
     for file in files:
         channels = all_recordings([file], reading)
-        level = [each for each in channels if each.orientation != "vertical"]
-        if not level:
-            warn(file, "its channel is vertical, and shakes across")
-        elif len(level) < len(channels):
-            warn(file, "its vertical channel is left out; --channel takes it")
-        channels_across += level or channels
+        taken, left = select(channels, () if reading.channel is None else INCLUDABLE)
+        if taken and left:
+            warn(file, f"{suite_words(taken, left)}; --channel takes one of them")
+        for each in () if taken else channels:
+            remark_on_place(each, named=reading.channel is not None)
+        channels_across += taken or channels
     return channels_across
 
 

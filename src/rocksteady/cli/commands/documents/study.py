@@ -11,9 +11,9 @@ from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.ensemble import SuiteFlags, values_of
+from rocksteady.cli.flags.ensemble import SuiteFlags
 from rocksteady.cli.flags.groups import ScreenFlags, grouped
-from rocksteady.cli.flags.parsing import axis, number
+from rocksteady.cli.flags.parsing import axis, number, values_of
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import resumable_study, workers_flag
 from rocksteady.results.description import Description

@@ -15,7 +15,6 @@ from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.results.numbers import plural
 
 if TYPE_CHECKING:
     from rocksteady.risk.fragility.fitting import FitOptions
@@ -123,7 +122,7 @@ def fragility(
                 fragility_found.ensemble["record"].values, suite.files, strict=False
             )
         ],
-        "left_out": [{"file": str(file), "reason": reason} for file, reason in suite.left_out],
+        **suite.values,
         "store": run.place and str(run.place.path),
     }
     headline = description.headline + (" of synthetic motions, no earthquake's" if example else "")
@@ -138,11 +137,13 @@ def fragility(
         *description.notes,
         f"{fragility_found.runs:,} runs and all fits in {fragility_found.seconds:.1f} s{kept}",
     ]
-    if suite.left_out:
-        notes.insert(0, f"{plural(len(suite.left_out), 'file')} left out, see standard error")
+    answer = description.answer
+    if answer is not None and suite.left_out:
+        counted = f"{fragility_found.runs:,} runs, {suite.words}"
+        answer = replace(answer, facts=[("records", counted), *answer.facts])
     output.leave(
         "fragility",
-        replace(description, headline=headline, notes=notes),
+        replace(description, headline=headline, notes=notes, answer=answer),
         after=after,
         follow_up="" if output.plot else again(context, "--plot fragility.png", but=("--out",)),
     )
