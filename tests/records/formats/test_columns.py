@@ -509,6 +509,7 @@ def test_quantities_of_words_above_a_table(tmp_path: Path) -> None:
 def test_names_without_rows_below_them(tmp_path: Path) -> None:
     for text, named in (
         *(("time,acc (g)\n", True), ("acc (g)\n", True), ("acc (g)\nhut\n", False)),
+        *(("Time (s)  Acc (g)", True), ("t;a\n", True), ("# by hand\ntime\tacc_g\n", True)),
         *(("hut\ntime  acc (g)\n", True), ("hut,shed\n", False), ("hut\n" * 40, False)),
         *((f"{'hut' + chr(10)}" * 39 + "time,acc (g)\n", True),),
         *((f"{'hut' + chr(10)}" * 40 + "time,acc (g)\n", False),),
