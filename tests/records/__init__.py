@@ -65,7 +65,7 @@ def recording(values: Floats, dt: float = 0.01, **others: object) -> Recording:
 
 
 @contextmanager
-def refused(kind: str, words: str = "") -> Iterator[None]:
+def refused(kind: str, words: str | None = None) -> Iterator[None]:
     """Check that a file is refused, with the kind of its fault and words of the message."""
     with pytest.raises(RecordFileError, match=words) as found:
         yield
