@@ -101,7 +101,7 @@ def test_a_file_is_read_as_it_states(name: str) -> None:
 def test_what_is_no_acceleration_is_refused_whatever_is_asked(name: str, kind: str) -> None:
     for options in ({}, {"units": "cm/s^2"}, {"units": "cm/s^2", "dt_s": 0.02, "resample": True}):
         with pytest.raises(RecordFileError) as refused:
-            read_recordings(case(name), **options)  # type: ignore[arg-type]
+            read_recordings(case(name), **options)
         assert refused.value.kind == kind
         assert kind in str(refused.value)
         assert not re.search(r"units|dt_s|damaged|resample", refused.value.hint)
@@ -143,7 +143,12 @@ def test_stations_of_one_file_and_of_three() -> None:
         assert (len(one.horizontal), one.vertical is not None) == (2, True)
 
 
-WRONG = ({}, {"units": "mg"}, {"dt_s": 0.0031}, {"units": "mg", "dt_s": 0.0031})
+WRONG: tuple[dict[str, Any], ...] = (
+    {},
+    {"units": "mg"},
+    {"dt_s": 0.0031},
+    {"units": "mg", "dt_s": 0.0031},
+)
 
 
 def truth(name: str) -> dict[str, Any]:

@@ -110,6 +110,11 @@ def test_components_that_were_turned(tmp_path: Path, name: str) -> None:
             "unknown direction",
         ),
         (esm(VALUES, SENSOR_DEPTH_M="12.5"), "borehole"),
+        # A network's file that is read as a table: its direction stands in what is not understood.
+        (
+            at2(VALUES, component="UP", counts="NPTS= few, DT= 0.01 SEC"),
+            "unknown direction",
+        ),
         (csv(VALUES), ""),
         (csv(VALUES).replace("acc", "El Centro"), ""),
     ],

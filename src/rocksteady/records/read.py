@@ -208,6 +208,7 @@ def _found(
                 if error.kind or why is not None or wanted is not None or columns.CSV in names:
                     raise
                 return _as_table(text, given, error)
+    columns.refuse_without_rows(text)
     return None
 
 
@@ -246,7 +247,9 @@ def _as_table(
         raise text.error(valid, hint, at=why[1]) from error
     warning = f"it is read as a table: {found}"
     return tuple(
-        replace(each, warnings=(warning, *each.warnings)) for each in columns.read(text, given)
+        # Where it points may stand in what is not understood.
+        replace(each, warnings=(warning, *each.warnings), directed=True)
+        for each in columns.read(text, given)
     )
 
 

@@ -136,7 +136,7 @@ def test_intervals_with_their_units(tmp_path: Path, head: str, dt: float | None)
         *[("units: g (multiplied by 981)", None), ("units: g\nunits: cm/s2", "contradiction")],
         *[("scale factor = 2.0\nunits: g", None), ("scale factor = 1.0\nunits: g", "g")],
         *[("scale: 1/1000\nunits: g", None), ("units: g\nacceleration x 10^-3", None)],
-        *[("acceleration in cm/s2 x 10", None), ("units: gal/counts", None)],
+        *[("acceleration in cm/s2 x 10", None), ("units: gal/counts", "counts")],
     ],
 )
 def test_units_in_words(tmp_path: Path, head: str, unit: str | None) -> None:
@@ -508,8 +508,9 @@ def test_quantities_of_words_above_a_table(tmp_path: Path) -> None:
 
 def test_names_without_rows_below_them(tmp_path: Path) -> None:
     for text, named in (
-        *(("time,acc (g)\n", True), ("acc (g)\n", True), ("acc (g)\nhut\n", False)),
+        *(("time,acc (g)\n", True), ("acc (g)\n", False), ("acc (g)\nhut\n", False)),
         *(("Time (s)  Acc (g)", True), ("t;a\n", True), ("# by hand\ntime\tacc_g\n", True)),
+        ("Two records of a hut.\n", False),
         *(("hut\ntime  acc (g)\n", True), ("hut,shed\n", False), ("hut\n" * 40, False)),
         *((f"{'hut' + chr(10)}" * 39 + "time,acc (g)\n", True),),
         *((f"{'hut' + chr(10)}" * 40 + "time,acc (g)\n", False),),

@@ -106,20 +106,27 @@ def test_cosmos_levels_and_counts(tmp_path: Path) -> None:
 
 @every(("code", "unit"), [(2, "g"), (4, "cm/sec2"), (7, "in/sec2"), (10, "gal"), (11, "mg")])
 def test_cosmos_units_with_their_code(tmp_path: Path, code: int, unit: str) -> None:
-    """A code without its unit is a contradiction."""
+    """A code beside another unit is a contradiction."""
     (found,) = read(tmp_path, cosmos_channel(CM / 981.0, units=f"{unit}({code:02d})"))
     (plain,) = read(tmp_path, cosmos_channel(CM / 981.0, units=unit))
     assert found.record == plain.record
-    with refused("", rf"'mm/sec2 \({code:02d}\)', is not understood; give units"):
+    with refused("contradiction", rf"its words state mm/s\^2, and its code {code} "):
         read(tmp_path, cosmos_channel(CM, units=f"mm/sec2({code:02d})"))
 
 
-@every("units", ["g(04)", "cm/sec2 x 10(04)", "cm/sec(04)", "V(03)"])
-def test_cosmos_units_that_contradict_their_code(tmp_path: Path, units: str) -> None:
+def test_cosmos_units_that_contradict_their_code(tmp_path: Path) -> None:
+    for units, kind in (
+        *(("g(04)", "contradiction"), ("cm/sec(04)", "velocity")),
+        *(("V(03)", "counts"), ("cm/sec2(50)", "counts")),
+    ):
+        for given in ({}, {"units": "gal"}):
+            with refused(kind):
+                read(tmp_path, cosmos_channel(CM, units=units), **given)
+    text = cosmos_channel(CM, units="cm/sec2 x 10(04)")
     with refused("", "the unit that the file states, .*, is not understood; give units"):
-        read(tmp_path, cosmos_channel(CM, units=units))
-    (given,) = read(tmp_path, cosmos_channel(CM, units=units), units="gal")
-    close(given, CM, 5e-4)
+        read(tmp_path, text)
+    (one,) = read(tmp_path, text, units="gal")
+    close(one, CM, 5e-4)
 
 
 def test_cosmos_that_is_cut(tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ from tests.records.writers import csmip_v2_channel, rows
 
 def test_csmip_units_are_understood_as_a_whole(tmp_path: Path) -> None:
     text = csmip_v2_channel(CM)
-    for unit in ("cm/sec2 x 10.", "counts.", "cm/sec2 (multiplied by 10)"):
+    for unit in ("cm/sec2 x 10.", "furlongs.", "cm/sec2 (multiplied by 10)"):
         with refused("", "the unit that the file states, .*, is not understood; give units"):
             read(tmp_path, text.replace("in cm/sec2.", f"in {unit}"))
     with pytest.raises(RecordFileError, match=r"line 46, .*its unit of time is not understood"):

@@ -45,10 +45,15 @@ _OTHER: Final = re.compile(
 _QUANTITIES: Final = {"velocity", "displacement", "counts"}
 OTHER: Final = "another quantity"
 _NAMED: Final = {
-    "velocity": re.compile(r"vel(?!\.|\w* de m)|speed|vitesse|geschwind", re.IGNORECASE),
+    "velocity": re.compile(r"vel|speed|vitesse|geschwind", re.IGNORECASE),
     "displacement": re.compile(r"disp|drift|desplaz|d[ée]placem|spostam|verschieb", re.IGNORECASE),
     "spectra": re.compile(r"spect|fourier|fft|fas|p?s[avd]\b|pseudo", re.IGNORECASE),
 }
+_IN_SENTENCES: Final = re.compile(
+    r"\b(?:velocit\w*|velocidad\w*(?! de m)|vitesse|geschwindigkeit|displacements?|d[ée]placement"
+    r"|desplazamiento|spostamento|verschiebung)\b",
+    re.IGNORECASE,
+)
 
 _PLOT: Final = re.compile(
     r"(?<=[)\]])\s*[-:,]?\s*(?:plot|graph|chart|trace|series|run|sheet)\s*\d+\s*$", re.IGNORECASE
@@ -161,12 +166,12 @@ def column_name(name: str) -> ColumnName:
         return _time(label, timed["rest"], brackets)
     if label.lower() in {"s", "sec", "secs", "second", "seconds"}:
         return _time(label, label, brackets)
-    last = label.replace("_", " ").split()[-1:] if "/" in label else []
-    volts = "V" in brackets and not _ACCELERATION.search(label)
-    measured = {quantity_of(written) for written in (*brackets, *last)} & _QUANTITIES
+    last = label.replace("_", " ").split()[-1:]
+    measured = {quantity_of(written) for written in brackets}
+    measured |= {quantity_of(word) for word in last if "/" in word or "count" in word.lower()}
+    measured &= _QUANTITIES
     if any((in_seconds(written) or 0.0) < 0.0 for written in brackets):
         measured = {"spectra"}  # against frequencies
-    measured |= {"counts"} if volts else set()
     if measured or _OTHER.search(name):
         quantity = measured.pop() if len(measured) == 1 else quantity_named(name) or OTHER
         return ColumnName(
@@ -194,6 +199,12 @@ def _uncertain(label: str) -> bool:
 def quantity_named(words: str) -> str | None:
     """Return the quantity other than acceleration that words name, or None."""
     return next((quantity for quantity, named in _NAMED.items() if named.search(words)), None)
+
+
+def quantity_in(sentence: str) -> str | None:
+    """Return the velocity or displacement that a sentence names in whole words, or None."""
+    word = _IN_SENTENCES.search(sentence)
+    return None if word is None else quantity_named(word[0])
 
 
 def _time(label: str, rest: str, brackets: list[str]) -> ColumnName:

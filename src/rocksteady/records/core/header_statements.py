@@ -295,7 +295,13 @@ def _is_unity(written: str, rest: str) -> bool:
     return number(written) == 1.0 and not _GOES_ON.match(rest) and not _PER.match(rest)
 
 
-def time_value(text: RecordText, at: int, written: str, unit: str | None = None) -> float:
+def time_value(
+    text: RecordText,
+    at: int,
+    written: str,
+    unit: str | None = None,
+    hint: str = "give dt_s, in seconds",
+) -> float:
     """Return a time [s] by a number with its unit, at the start of a text; rates as intervals.
 
     One number, above 0, with a decimal point or comma; then its unit, seconds without one. A second
@@ -311,6 +317,8 @@ def time_value(text: RecordText, at: int, written: str, unit: str | None = None)
         Number, unit and whatever follows them.
     unit
         Unit that stands before the number; seconds without either, or ``Hz`` for a rate.
+    hint
+        What to do where it is not understood.
 
     Raises
     ------
@@ -318,7 +326,6 @@ def time_value(text: RecordText, at: int, written: str, unit: str | None = None)
         If number or unit are not understood as a whole.
     """
     written = written.strip()
-    hint = "give dt_s, in seconds"
     nothing = "it must state a time or a rate above 0"
     digits, rest = _first_number(written)
     if not digits:

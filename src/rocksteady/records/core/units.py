@@ -37,7 +37,7 @@ _ACCELERATION: Final = (1, -2)
 _TIME: Final = (0, 1)
 _RATE: Final = (0, -1)
 _QUANTITIES: Final = {_ACCELERATION: "acceleration", (1, -1): "velocity", (1, 0): "displacement"}
-_COUNTS: Final = re.compile(r"counts?|cnts?|lsb|(?:digital|ad|raw) ?counts?|bits?|mv|volts?")
+_COUNTS: Final = re.compile(r"counts?|cnts?|lsb|(?:digital|ad|raw) ?counts?|bits?|m?v|volts?")
 """What an instrument's numbers are in before its scale is applied."""
 
 _BASES: Final[dict[str, tuple[float, tuple[int, int]]]] = {
@@ -324,7 +324,7 @@ def quantity_of(written: str) -> str | None:
     """
     parsed = _parsed(written) if len(written) <= 60 else None
     if parsed is None:
-        return "counts" if _COUNTS.fullmatch(_plain(written)) else None
+        return "counts" if _COUNTS.fullmatch(_plain(written).rpartition("/")[2]) else None
     return _QUANTITIES.get(parsed[1])
 
 

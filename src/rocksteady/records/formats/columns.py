@@ -14,7 +14,7 @@ from typing import Final
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
 from rocksteady.records.core.blocks import blocks, numeric, plain
-from rocksteady.records.core.column_names import OTHER, column_name, quantity_named
+from rocksteady.records.core.column_names import OTHER, column_name, quantity_in, quantity_named
 from rocksteady.records.core.consistency import Lines, agreed, layout, timing
 from rocksteady.records.core.directions import tells_nothing
 from rocksteady.records.core.header_statements import (
@@ -35,8 +35,8 @@ from rocksteady.records.core.stated_words import (
     unit_of_peaks,
 )
 from rocksteady.records.core.table import Table, table
-from rocksteady.records.core.text import CONTRADICTION, CORRECT, NO_RECORD, RecordText
-from rocksteady.records.core.units import UNITS, in_m_s2
+from rocksteady.records.core.text import CONTRADICTION, CORRECT, FETCH, NO_RECORD, RecordText
+from rocksteady.records.core.units import in_m_s2
 from rocksteady.results.numbers import plural
 
 CSV: Final = "csv"
@@ -45,6 +45,7 @@ COLUMNS: Final = "columns"
 _DATA_TYPE: Final = re.compile(r"\bdata[ _]type\s*[:=]\s*([A-Za-z]+)", re.IGNORECASE)
 _LONGEST_INTERVAL: Final = 0.1
 _BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
+_LONGEST_HEADER: Final = 40
 _NO_ROWS: Final = "it holds no rows of numbers"
 _AS_CHANNELS: Final = 4
 """Columns without names that may be channels as well as consecutive samples."""
@@ -248,6 +249,21 @@ def _left_out(
     )
 
 
+def refuse_without_rows(text: RecordText) -> None:
+    """Raise where a file has the names of a table's columns, and no rows.
+
+    Raises
+    ------
+    RecordFileError
+        As above.
+    """
+    for at, line in enumerate(text.heads[:_LONGEST_HEADER]):
+        fields = re.split(r"[;,\t]|\s{2,}", line.strip().lstrip("#%!*/ "))
+        if {"time", "acceleration"} <= {column_name(field.strip(" \"'")).kind for field in fields}:
+            valid = "it holds the names of columns and no rows of numbers"
+            raise text.error(valid, f"{FETCH}: it is cut after its header", at=at)
+
+
 def _interval(
     text: RecordText, header: list[int], given: Given, *, timed: bool
 ) -> tuple[float | None, tuple[str, ...]]:
@@ -320,7 +336,11 @@ def _side_by_side(data_table: Table) -> bool:
     import numpy as np
 
     whole = data_table.rows[:-1]
-    if not 1 < data_table.columns <= _AS_CHANNELS or len({len(row) for row in whole}) != 1:
+    if (
+        len(whole) < 2
+        or not 1 < data_table.columns <= _AS_CHANNELS
+        or len({len(row) for row in whole}) != 1
+    ):
         return False
     values = np.array(whole)
     downwards = np.abs(np.diff(values, axis=0)).mean()
@@ -383,10 +403,10 @@ def _columns(
     """Return the columns of acceleration."""
     if given.column is not None:
         chosen = _asked_for(data_table, given.column)
-        quantity = column_name(data_table.names[chosen]).quantity if data_table.names else ""
-        if quantity in {"velocity", "displacement", "counts"}:
+        named = column_name(data_table.names[chosen]) if data_table.names else None
+        if named is not None and named.kind == "other":
             valid = f"its column is {data_table.names[chosen]}"
-            raise other_quantity(text, quantity, valid, at=data_table.names_at)
+            raise other_quantity(text, named.quantity, valid, at=data_table.names_at)
         return (chosen,)
     others = [at for at in range(data_table.columns) if at != time]
     if not data_table.names:
@@ -408,10 +428,9 @@ def _no_acceleration(text: RecordText, data_table: Table) -> RecordFileError:
     """Return the error that no column is one of acceleration."""
     listed = ", ".join(data_table.names)
     found = [each for each in map(column_name, data_table.names) if each.kind != "time"]
-    quantities = {each.quantity for each in found} - {OTHER}
-    if not quantities and not any(each.unit for each in found):
-        quantities = {OTHER}
-    if len(quantities) == 1 and (quantity := quantities.pop()):
+    quantities = {each.quantity for each in found if each.kind == "other"} - {OTHER}
+    if found and all(each.kind == "other" for each in found):
+        quantity = quantities.pop() if len(quantities) == 1 else OTHER
         return other_quantity(text, quantity, f"its columns are {listed}", at=data_table.names_at)
     return text.error(
         f"none of its columns is called an acceleration: {listed}",
@@ -468,7 +487,7 @@ def _unit_of(text: RecordText, name: str, data_table: Table) -> tuple[str | None
     coded = named.kind == "unknown" and re.fullmatch(r"[A-Za-z]{2,}\d+\w*", name)
     if odd and data_table.names and named.kind != "other" and not coded:
         valid = f"its column {name!r} is not understood: {odd!r}"
-        raise text.error(valid, f"give units: {', '.join(UNITS)}", at=data_table.names_at)
+        raise text.error(valid, "rename the column, as acc (g)", at=data_table.names_at)
     of_words = stated_unit(text, words, explicit=named.unit is not None)
     if named.unit is None:
         beside = {column_name(label).unit for label in data_table.names} - {None}
@@ -569,13 +588,14 @@ def _refuse_other_quantities(text: RecordText, data_table: Table) -> None:
     if not types and (named_columns or re.search(r"acc|acel|beschl", words, re.IGNORECASE)):
         return
     named = {"VL": "velocity", "DS": "displacement"}
-    found = {named.get(each.upper()) or quantity_named(each) for each in types or [words]}
+    found = {named.get(each.upper()) or quantity_named(each) for each in types}
+    found = found or {quantity_in(words)}
     if len(found) > 1:
         raise text.error(
             f"it states data of two types, {', '.join(types)}", CORRECT, kind=CONTRADICTION
         )
     quantity = found.pop()
-    if quantity and not (not types and quantity == "spectra"):
+    if quantity:
         raise other_quantity(text, quantity, "its header names another quantity")
 
 

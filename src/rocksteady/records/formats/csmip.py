@@ -21,7 +21,7 @@ from rocksteady.records.core.positions import of_station
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.sampling import evenly_spaced
 from rocksteady.records.core.text import RecordText
-from rocksteady.records.core.units import acceleration_unit, in_m_s2, leading, modifies
+from rocksteady.records.core.units import acceleration_unit, in_m_s2, leading, modifies, quantity_of
 
 if TYPE_CHECKING:
     from rocksteady.arrays import Floats
@@ -207,7 +207,7 @@ def _second_interval(head: tuple[str, ...], interval: float | None) -> tuple[str
 
 def _whole_unit(written: str) -> str:
     """Return the unit that words begin with; all of them where it is not understood as a whole."""
-    unit, rest = leading(re.split(r"\(\s*\d*[fFeE]\d|\s{3}", written)[0])
+    unit, rest = leading(re.split(r"\(\s*\d*[fFeE]\d|\s{3}", written)[0], quantity_of)
     return written.strip() if unit is None or modifies(rest) else unit
 
 
