@@ -232,9 +232,9 @@ def _as_table(
         If it is no table that states all that is needed: its header may be half a network's.
     """
     if isinstance(why, tuple):
-        found = f"it looks like a file of {why[0]}'s, in a form that is not read"
+        reason = f"it looks like a file of {why[0]}'s, in a form that is not read"
     else:
-        found = why.valid
+        reason = why.valid
     try:
         columns.read(text, replace(given, units=None, dt_s=None))
     except InputError as error:
@@ -242,10 +242,10 @@ def _as_table(
             raise why from error
         if isinstance(error, RecordFileError) and error.kind not in {"", "damaged"}:
             raise
-        valid = f"{found}, and as a table it fails: {error.valid}"
+        valid = f"{reason}, and as a table it fails: {error.valid}"
         hint = "give its samples as a table that states unit and interval"
         raise text.error(valid, hint, at=why[1]) from error
-    warning = f"it is read as a table: {found}"
+    warning = f"it is read as a table: {reason}"
     return tuple(
         # Where it points may stand in what is not understood.
         replace(each, warnings=(warning, *each.warnings), directed=True)

@@ -212,10 +212,10 @@ def together(names: Iterable[str]) -> str | None:
     """
     known: list[str] = []
     for name in names:
-        found = pointing(name)
-        if found.orientation is None:
+        direction_of = pointing(name)
+        if direction_of.orientation is None:
             continue
-        if not known or any(contradiction(found, pointing(other)) for other in known):
+        if not known or any(contradiction(direction_of, pointing(named)) for named in known):
             known.append(name)
     return " / ".join(known) or None
 

@@ -187,8 +187,8 @@ def _units_in(text: RecordText, at: int, *, explicit: bool) -> Iterator[str]:
             yield acceleration_unit(unit) or unit
         elif (listed := _of_a_list(phrase)) is not None:
             yield listed
-        elif unit is None and (other := leading(phrase, quantity_of)[0]) is not None:
-            yield other
+        elif unit is None and (foreign := leading(phrase, quantity_of)[0]) is not None:
+            yield foreign
         elif phrase.strip() and not _OTHER_QUANTITY.match(phrase):
             raise _not_understood(text, at)
     if explicit:

@@ -46,8 +46,8 @@ def stated_station(text: RecordText, lines: list[int]) -> str | None:
 
 def stated_start(text: RecordText, lines: list[int]) -> datetime | None:
     """Return the time of the first sample that lines of words state (UTC), or None."""
-    found = (moment(each["value"], each["zone"] or "") for each in _values(text, lines, "start"))
-    return next((time for time in found if time is not None), None)
+    times = (moment(each["value"], each["zone"] or "") for each in _values(text, lines, "start"))
+    return next((time for time in times if time is not None), None)
 
 
 def stated_direction(text: RecordText, lines: list[int]) -> str | None:

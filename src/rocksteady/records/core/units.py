@@ -134,7 +134,7 @@ def _parsed(written: str) -> tuple[float, tuple[int, int]] | None:
         at = match.end()
     if not parts or len(parts) > 24:
         return None
-    other = None
+    motion = None
     for together in (False, True):
         tokens = _Tokens(parts)
         try:
@@ -145,8 +145,8 @@ def _parsed(written: str) -> tuple[float, tuple[int, int]] | None:
             return None
         if powers in {_ACCELERATION, _TIME, _RATE}:
             return size, powers
-        other = other or ((size, powers) if powers in _QUANTITIES else None)
-    return other
+        motion = motion or ((size, powers) if powers in _QUANTITIES else None)
+    return motion
 
 
 def _product(tokens: _Tokens, *, together: bool) -> tuple[float, tuple[int, int]]:

@@ -230,8 +230,8 @@ def _three_axes(labels: list[str | None]) -> set[int]:
     axes = [
         re.search(r"(?:^|[^a-z]|a|acc)([xyz])(?:$|[^a-z])", (name or "").lower()) for name in labels
     ]
-    found = [match[1] if match else "" for match in axes]
-    return {found.index("x"), found.index("y")} if sorted(found) == ["x", "y", "z"] else set()
+    letters = [match[1] if match else "" for match in axes]
+    return {letters.index("x"), letters.index("y")} if sorted(letters) == ["x", "y", "z"] else set()
 
 
 def _left_out(
@@ -243,9 +243,9 @@ def _left_out(
     named = [(column_name(name), name) for name in data_table.names]
     return tuple(
         LeftOut(file=text.path, channel=name, kind=kind, why=kind)
-        for found, name in named
-        if name not in picked and found.kind != "time"
-        for kind in (found.quantity or "not understood",)
+        for column, name in named
+        if name not in picked and column.kind != "time"
+        for kind in (column.quantity or "not understood",)
     )
 
 
@@ -427,9 +427,9 @@ def _columns(
 def _no_acceleration(text: RecordText, data_table: Table) -> RecordFileError:
     """Return the error that no column is one of acceleration."""
     listed = ", ".join(data_table.names)
-    found = [each for each in map(column_name, data_table.names) if each.kind != "time"]
-    quantities = {each.quantity for each in found if each.kind == "other"} - {OTHER}
-    if found and all(each.kind == "other" for each in found):
+    columns = [each for each in map(column_name, data_table.names) if each.kind != "time"]
+    quantities = {each.quantity for each in columns if each.kind == "other"} - {OTHER}
+    if columns and all(each.kind == "other" for each in columns):
         quantity = quantities.pop() if len(quantities) == 1 else OTHER
         return other_quantity(text, quantity, f"its columns are {listed}", at=data_table.names_at)
     return text.error(
@@ -588,13 +588,13 @@ def _refuse_other_quantities(text: RecordText, data_table: Table) -> None:
     if not types and (named_columns or re.search(r"acc|acel|beschl", words, re.IGNORECASE)):
         return
     named = {"VL": "velocity", "DS": "displacement"}
-    found = {named.get(each.upper()) or quantity_named(each) for each in types}
-    found = found or {quantity_in(words)}
-    if len(found) > 1:
+    quantities = {named.get(each.upper()) or quantity_named(each) for each in types}
+    quantities = quantities or {quantity_in(words)}
+    if len(quantities) > 1:
         raise text.error(
             f"it states data of two types, {', '.join(types)}", CORRECT, kind=CONTRADICTION
         )
-    quantity = found.pop()
+    quantity = quantities.pop()
     if quantity:
         raise other_quantity(text, quantity, "its header names another quantity")
 

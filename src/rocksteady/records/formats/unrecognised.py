@@ -66,9 +66,9 @@ def network_of(text: RecordText) -> tuple[str, int] | None:
     for at, line in enumerate(text.heads[:_WITHIN]):
         for network, trace in _TRACES.items():
             if match := trace.match(line):
-                found = seen.setdefault(network, set())
-                found.add(match[0].strip().lower())
-                if len(found) > 1:
+                traces = seen.setdefault(network, set())
+                traces.add(match[0].strip().lower())
+                if len(traces) > 1:
                     return network, at
     return None
 
