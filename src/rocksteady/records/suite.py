@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Final, overload
 
 from rocksteady.errors import InputError, RecordFileError
-from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.motions.record import Record
 from rocksteady.records.core.directions import pointing
 from rocksteady.records.core.recording import LeftOut, Recording
@@ -29,6 +29,7 @@ FAULTS: Final = {"": "not understood", CONTRADICTION: CONTRADICTION, DAMAGED: DA
 """Kinds of files that are records and cannot be read."""
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class RecordSuite(Sequence[Record]):
     """The horizontal records of files and folders, a sequence, and what is left out of it.

@@ -177,7 +177,7 @@ def test_every_file_that_cannot_be_read_has_its_line(file: Path, tmp_path: Path)
         ("column.txt --units g", ["column.txt", "interval", "give --dt-s"]),
         ("uneven.txt --units g", ["uneven.txt", "line 5", "(--resample)"]),
         ("uneven.txt --units g --resample --dt-s 1e-12", ["uneven.txt", "another --dt-s"]),
-        ("speed.csv --units g", ["speed.csv", "give --column"]),
+        ("speed.csv --units g", ["speed.csv", "velocity", "give the file of acceleration"]),
         ("broken.AT2", ["broken.AT2", "line 6", "'0.1.2'"]),
         ("hut.AT2 --damping 1", ["--damping = 1.0", "[0, 1)"]),
         ("hut.AT2 --periods-s 0:2:4", ["--periods-s = 0.0", "from 0.0002 s"]),

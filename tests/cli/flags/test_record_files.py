@@ -176,7 +176,7 @@ def test_a_vertical_that_does_not_belong(files: tuple[Path, Path], tmp_path: Pat
     ):
         assert words in ran.err
     assert "in the place of a vertical" in rocksteady(command, files[0], "--vertical", files[0]).err
-    assert "is vertical, and shakes across" in rocksteady(command, files[1]).err
+    assert "shakes across: it is vertical" in rocksteady(command, files[1]).err
 
 
 def test_pacoima_dam_with_its_vertical() -> None:

@@ -153,8 +153,7 @@ def described(
     if answer is not None:
         about = [
             ("warnings", "; ".join(recording.warnings)),
-            ("station", recording.title),
-            ("channel", channel_words(recording)),
+            ("station", "; ".join(filter(None, (recording.title, channel_words(recording))))),
         ]
         answer = replace(answer, facts=[*about, *answer.facts[:2], ("samples", samples)])
     return Description(

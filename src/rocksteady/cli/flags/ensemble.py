@@ -16,7 +16,6 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.records.examples import example_named, is_example
-from rocksteady.results.numbers import plural
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -29,6 +28,8 @@ if TYPE_CHECKING:
 
 ensemble_flag = Panel("Ensemble")
 BAND_DRAWS = 5
+MOST_NAMED = 3
+"""Files that are no records and are named beside their count."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -147,6 +148,7 @@ class SuiteFlags:
         InputError
             If no file has a horizontal record, or --include names no kind of channels.
         """
+        from rocksteady.records.core.text import NO_RECORD
         from rocksteady.records.suite import (
             FAULTS,
             INCLUDABLE,
@@ -183,15 +185,17 @@ class SuiteFlags:
         elif suite.recordings:
             suite.motions.extend(each.record for each in suite.recordings)
         if not suite.motions:
-            files = plural(len(self.files), "file")
             raise InputError(
                 "--records",
                 ", ".join(str(path) for path in self.records or []),
-                nothing_left(suite.left_out, files),
+                nothing_left(suite.left_out, "files"),
                 "name a folder of ground-motion files, or see `rocksteady record FILE`",
             )
         if suite.left_out or suite.values.get("unstated_direction"):
-            terminal.note(suite.words)
+            names = [each.file.name for each in suite.left_out if each.kind == NO_RECORD]
+            more = ", ..." if len(names) > MOST_NAMED else ""
+            listed = f" ({', '.join(names[:MOST_NAMED])}{more})" if names else ""
+            terminal.note(f"{suite.words}{listed}")
         return suite
 
     def _refuse_extreme(self, recordings: "Sequence[Recording]") -> None:

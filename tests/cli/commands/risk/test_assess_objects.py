@@ -156,7 +156,7 @@ def test_a_broken_file_among_the_motions_is_named_and_left_out(place: Path) -> N
     (place / "motions" / "broken.AT2").write_text("nothing\n", encoding="utf-8")
     ran = rocksteady("assess objects.csv --records motions --pgv-m-s 0.45 --json")
     assert ran.code == 0
-    assert "broken.AT2 is left out" in ran.err
+    assert "1 file left out: 1 no record (broken.AT2)" in ran.err
     assert ran.json["records"] == 4
 
 

@@ -169,7 +169,7 @@ def test_a_file_that_is_no_record_is_named_and_left_out(folder: Path, tmp_path: 
     (suite / "notes.txt").write_text("nothing")
     ran = rocksteady("facade --json --records", suite, folder / "wall.toml")
     assert ran.code == 0
-    assert "notes.txt is left out" in ran.err
+    assert "1 file left out: 1 no record (notes.txt)" in ran.err
     assert ran.json["left_out"][0]["file"].endswith("notes.txt")
 
 

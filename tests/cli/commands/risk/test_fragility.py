@@ -66,16 +66,20 @@ def test_a_broken_record_is_named_and_the_rest_is_run(folder: Path, tmp_path: Pa
     broken = {"G2090.AT2", "G4090.AT2", "README.md"}
     assert ran.json["records"] == 2
     assert {Path(row["file"]).name for row in ran.json["left_out"]} == broken
-    for name in broken:
-        assert f"{place / name} is left out: " in ran.err
+    assert f"{place / 'G4090.AT2'} is left out: " in ran.err
+    counted = "2 records; 3 files left out: 2 no record, 1 not understood"
+    assert f"{counted} (G2090.AT2, README.md)" in ran.err
     assert ".hidden" not in ran.err
-    text = rocksteady(f"{FEW} --more --records", place)
-    assert "3 files left out" in text.out
+    for flag in ("--more", ""):
+        text = rocksteady(f"{FEW} {flag} --records", place)
+        assert counted in " ".join(text.out.split())
 
 
 def test_a_folder_without_a_record_is_refused(tmp_path: Path) -> None:
     (tmp_path / "README.md").write_text("No records.\n")
-    assert "none of its 1 files" in refused(f"{FEW} --records", tmp_path)
+    assert "none of its files has a horizontal record; 1 file left out: 1 no record" in refused(
+        f"{FEW} --records", tmp_path
+    )
     assert "it does not exist" in refused(f"{FEW} --records", tmp_path / "no")
     assert list(tmp_path.iterdir()) == [tmp_path / "README.md"]
 
@@ -97,7 +101,7 @@ def test_a_vertical_channel_is_run_with_its_station(tmp_path: Path) -> None:
     alone = rocksteady(f"{FEW} --json --records", tmp_path)
     assert alone.json["vertical"] == ["without"]
     assert alone.json["records"] == 2
-    assert "is vertical; --pair runs it" in alone.err
+    assert "2 records; 1 channel left out: 1 vertical" in alone.err
     paired = rocksteady(f"{FEW} --json --pair --records", tmp_path)
     assert paired.json["vertical"] == ["without", "with"]
     assert paired.json["records"] == 2
@@ -105,8 +109,7 @@ def test_a_vertical_channel_is_run_with_its_station(tmp_path: Path) -> None:
     vertical = at2(tmp_path / "G2-V.AT2", 0.05 * samples(4), component="UP")
     vertical.write_text(vertical.read_text().replace("Hut", "Shed"))
     lone = rocksteady(f"{FEW} --more --pair --records", tmp_path)
-    assert "1 file left out, see standard error" in lone.out
-    assert "G2-V.AT2 is left out: its station has no horizontal channel" in lone.err
+    assert "2 records; 1 channel left out: 1 vertical" in lone.out
 
 
 def test_with_a_mass_the_runs_have_forces(folder: Path, tmp_path: Path) -> None:
@@ -223,7 +226,7 @@ def test_the_example_says_that_its_motions_are_synthetic() -> None:
         ("--replicates 5", "--replicates"),
         ("--seed -1", "--seed = -1"),
         ("--example", "--example has synthetic motions"),
-        ("--pair --column 2", "--column"),
+        ("--include vertical", "--include = 'vertical' is not valid: it must be a kind of"),
         ("--resume", "without --out there is no store"),
     ],
 )

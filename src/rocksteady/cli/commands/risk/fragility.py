@@ -134,6 +134,7 @@ def fragility(
         output.write_plot(lambda page: fragility_figure(fragility_found, None, headline, page))
     kept = f", kept in {after['store']}" if after["store"] else ""
     notes = [
+        *([suite.words] if suite.left_out else []),
         *description.notes,
         f"{fragility_found.runs:,} runs and all fits in {fragility_found.seconds:.1f} s{kept}",
     ]
