@@ -43,6 +43,10 @@ CSV: Final = "csv"
 COLUMNS: Final = "columns"
 
 _DATA_TYPE: Final = re.compile(r"\bdata[ _]type\s*[:=]\s*([A-Za-z]+)", re.IGNORECASE)
+_SPECTRA: Final = re.compile(
+    r"peer\b.*\bspectrum\b|\W*(?:pseudo\W*)?(?:response|fourier)\b.*\bspectr(?:a|um)\b(?!.*(?:compatib|match))",
+    re.IGNORECASE,
+)
 _LONGEST_INTERVAL: Final = 0.1
 _BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
 _LONGEST_HEADER: Final = 40
@@ -66,6 +70,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     InputError
         If the file has no such column.
     """
+    refuse_spectra(text)
     refuse_geonet(text)
     text, start = plain(text)
     recordings: list[Recording] = []
@@ -574,6 +579,18 @@ def refuse_geonet(text: RecordText) -> None:
             "it is one of GeoNet's files (V1A, V2A), which are not read",
             "give its samples of acceleration as a table",
         )
+
+
+def refuse_spectra(text: RecordText) -> None:
+    """Raise where the first line is that of a file of spectra.
+
+    Raises
+    ------
+    RecordFileError
+        As above.
+    """
+    if _SPECTRA.match(text.first) is not None:
+        raise other_quantity(text, "spectra", "its first line names another quantity")
 
 
 def _refuse_other_quantities(text: RecordText, data_table: Table) -> None:
