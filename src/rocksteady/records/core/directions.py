@@ -7,33 +7,31 @@ from typing import Final
 
 from rocksteady.records.core.recording import Orientation
 
-_VERTICAL: Final = frozenset(
-    {"up", "u", "ud", "u-d", "updo", "updown", "dwn", "down", "dn", "d"}
-    | {
-        "v",
-        "vert",
-        "vertical",
-        "vrt",
-        "ver",
-        "z",
-        "v1",
-        "v2",
-        "v3",
-        "vertikal",
-        "verticale",
-        "d\u00fc\u015fey",
-    }
-    | {"dusey", "az", "accz", "agz", "\u4e0a\u4e0b", "\u5782\u76f4", "\u7ad6\u5411"}
-)
-_UPWARDS: Final = frozenset({"up", "u", "upward", "upwards"})
-_DOWNWARDS: Final = frozenset({"dwn", "down", "dn", "downward", "downwards"})
-_NEGATIVE: Final = frozenset({"negative", "neg", "minus"})
-_WITHOUT_SENSE: Final = frozenset(
-    {"v", "vert", "vertical", "vrt", "ver", "z", "ud", "updown", "vertikal", "verticale"}
-)
+_SENSES: Final = {
+    sense: frozenset(words.split())
+    for sense, words in {
+        "upwards": "up u upward upwards",
+        "downwards": "dwn down dn downward downwards",
+        "negative": "negative neg minus",
+        "neither": "v vert vertical vrt ver z ud updown vertikal verticale",
+        "short": "up u u-d updo dwn down dn d v1 v2 v3 az accz agz dusey d\u00fc\u015fey"
+        " \u4e0a\u4e0b \u5782\u76f4 \u7ad6\u5411",
+        "level": "h h1 h2 l l1 t t1 long longitudinal tran trans transverse transversal lateral hor"
+        " hor1 hor2 horizontal",
+    }.items()
+}
+_UPWARDS: Final = _SENSES["upwards"]
+_DOWNWARDS: Final = _SENSES["downwards"]
+_NEGATIVE: Final = _SENSES["negative"]
+_WITHOUT_SENSE: Final = _SENSES["neither"]
+_VERTICAL: Final = _WITHOUT_SENSE | _SENSES["short"]
+_OF_A_STRUCTURE: Final = _SENSES["level"]
+"""Horizontal directions of an instrument or a structure, whose azimuth is not in their name."""
+
 _FILLERS: Final = re.compile(
-    r"a|ag|acc\w*|acel\w*|beschl\w*|i?vme|i|samples?|values?|data|\u52a0\u901f\u5ea6|ch(?:a?n(?:nel)?)?|column|comp(?:onent)?|ground|base|input|table|motion|time|hist"
-    r"|history|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|dir(?:ection)?|axis"
+    r"a|ag|acc\w*|acel\w*|beschl\w*|i?vme|i|samples?|values?|data|\u52a0\u901f\u5ea6|column"
+    r"|ch(?:a?n(?:nel)?)?|comp(?:onent)?|ground|base|input|table|motion|time|hist|history"
+    r"|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|dir(?:ection)?|axis"
 )
 """Words beside those of a direction that carry no direction."""
 
@@ -43,32 +41,24 @@ _SIGNED: Final = re.compile(
 )
 """Names of a vertical channel with a sign, or from below to above, whose sense may be either."""
 
-_OF_A_STRUCTURE: Final = frozenset(
-    {"h", "h1", "h2", "l", "l1", "t", "t1", "long", "tran", "trans", "transverse", "transversal"}
-    | {"longitudinal", "lateral", "hor", "hor1", "hor2", "horizontal"}
-)
-"""Horizontal directions of an instrument or a structure, whose azimuth is not in their name."""
-
 _ROTATED: Final = re.compile(
-    r"r|radial|[fs][np]|(?:fault|strike)[\s_-]?(?:normal|parallel)|(?:gm)?rot[id]?\d+\w*"
-    r"|rotated\b.*|radl|tang(?:ential)?|(?:gm)?rot[id]|[a-z][ghnl][rt](?:\d\d)?|geo(?:metric)?[\s_-]?mean|srss|larger|maxrot|resultant"
+    r"r|rad(?:ia)?l|tang(?:ential)?|[fs][np]|(?:fault|strike)[\s_-]?(?:normal|parallel)"
+    r"|(?:gm)?rot[id](?:\d+\w*)?|rotated\b.*|[a-z][ghnl][rt](?:\d\d)?|geo(?:metric)?[\s_-]?mean"
+    r"|srss|larger|maxrot|resultant"
 )
 """Components that somebody turned, or combined, from those that were recorded."""
 
 _COMPASS: Final = {
-    **dict.fromkeys(("n", "ns", "n-s", "north", "north-south", "s-n", "sn", "nord", "norte"), 0.0),
-    **dict.fromkeys(("e", "ew", "e-w", "east", "east-west", "w-e", "we", "este", "est"), 90.0),
-    **dict.fromkeys(("eo", "e-o", "o-e", "est-ouest", "ost"), 90.0),
-    **dict.fromkeys(
-        ("nord-sud", "norte-sur", "nord-s\u00fcd", "norte-sul", "kuzey-g\u00fcney"), 0.0
-    ),
-    **dict.fromkeys(
-        ("este-oeste", "est-ovest", "ost-west", "leste-oeste", "do\u011fu-bat\u0131"), 90.0
-    ),
-    **dict.fromkeys(("k-g", "\u5357\u5317"), 0.0),
-    **dict.fromkeys(("d-b", "o-w", "\u6771\u897f", "\u4e1c\u897f"), 90.0),
-    **dict.fromkeys(("s", "south", "sud", "sur"), 180.0),
-    **dict.fromkeys(("w", "west", "oeste", "ouest", "ovest"), 270.0),
+    word: azimuth
+    for azimuth, words in {
+        0.0: "n ns n-s s-n sn north north-south nord norte nord-sud norte-sur norte-sul"
+        " nord-s\u00fcd kuzey-g\u00fcney k-g \u5357\u5317",
+        90.0: "e ew e-w w-e we eo e-o o-e o-w east east-west este est ost est-ouest este-oeste"
+        " est-ovest ost-west leste-oeste do\u011fu-bat\u0131 d-b \u6771\u897f \u4e1c\u897f",
+        180.0: "s south sud sur",
+        270.0: "w west oeste ouest ovest",
+    }.items()
+    for word in words.split()
 }
 _QUADRANT: Final = re.compile(r"([ns])\s*(\d+(?:\.\d*)?)\s*(?:deg\w*)?\s*([ew])")
 # 1, 2 and 3 alone number channels.
