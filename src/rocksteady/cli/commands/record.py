@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
@@ -14,18 +15,18 @@ from rocksteady.cli.console.titles import turned_text
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.flags.parsing import axis
+from rocksteady.cli.flags.parsing import axis, values_of
 from rocksteady.cli.flags.record_files import ReadingFlags, warn
 from rocksteady.errors import RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.results.answer import Answer, left_out
-from rocksteady.results.description import Column, Description, Table
+from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.rendering import printable
 from rocksteady.show.style.palette import shortened
 
 if TYPE_CHECKING:
-    from rocksteady.records.core.recording import Recording
+    from rocksteady.records.core.recording import LeftOut, Recording
     from rocksteady.seismic.measures.intensity import Measures
     from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
     from rocksteady.seismic.measures.time_course import IntegratedRecord
@@ -53,6 +54,8 @@ LONGEST = 74
 """Characters of a command that follows, whose files have no flags to break it before."""
 MOST_ANSWERED = 5
 """Records of an answer."""
+DIRECTIONS = {"horizontal": "", "vertical": "vertical", "unknown": "its direction is not stated"}
+PLACES = {"surface": "", "unknown": "", "borehole": "below ground", "structure": "in a structure"}
 PLOTTED_PERIODS = "log:0.02:10:200"
 
 
@@ -68,7 +71,7 @@ def record(
     output: OutputFlags,
     periods_s: str | None = options.output_flag(
         "--periods-s AXIS",
-        "Compute the response spectrum at these periods \\[s], as 0.1:4:40 or log:0.05:10:100; "
+        "Compute the response spectrum at these periods \\[s], as 0.2,1 or log:0.05:10:100; "
         "printed for one record, and in --json; default of --plot log:0.02:10:200.",
     ),
     damping: float = options.output_flag(
@@ -87,7 +90,7 @@ def record(
     output.check(files)
     body = sized(block)
     unit = unit_of(units_out, output)
-    periods = None if periods_s is None else axis("--periods-s", periods_s)
+    periods = None if periods_s is None else values_of("--periods-s", periods_s)
     from rocksteady.seismic.measures.intensity import compute_measures
     from rocksteady.seismic.measures.response_spectrum import compute_response_spectrum
     from rocksteady.seismic.measures.time_course import integrate_record
@@ -149,17 +152,38 @@ def described(
     """Return the description of a channel with its measures, and with its spectrum."""
     first, second = recording.describe(), measures.describe()
     samples = next(fact.words for fact in first.facts if fact.key == "npts")
-    answer = second.answer
+    channel, answer = channel_words(recording), second.answer
     if answer is not None:
-        about = [("warnings", "; ".join(recording.warnings)), ("station", recording.title)]
+        station = f"{recording.title}: {channel}" if channel else recording.title
+        about = [("warnings", "; ".join(recording.warnings)), ("station", station)]
         answer = replace(answer, facts=[*about, *answer.facts[:2], ("samples", samples)])
     return Description(
         headline=first.headline,
-        facts=[*first.facts, *second.facts],
+        facts=[*first.facts, Fact("", channel, "channel" * bool(channel)), *second.facts],
         tables=[table for spectrum in spectra for table in spectrum.describe().tables],
         notes=[*first.notes, *second.notes],
         answer=answer,
     )
+
+
+def channel_words(recording: "Recording") -> str:
+    """Return where a channel points and stands, unless it is a horizontal one on the ground."""
+    words = [DIRECTIONS[recording.orientation], PLACES[recording.position]]
+    words += [f"beside {each.kind}" for each in recording.left_out]
+    return ", ".join(dict.fromkeys(filter(None, words)))
+
+
+def suite_fact(recordings: "Sequence[Recording]") -> tuple[str, str]:
+    """Return the fact that counts the channels that a suite takes, where it does not take all."""
+    from rocksteady.records.suite import select, suite_words
+
+    taken: list[Recording] = []
+    left: list[LeftOut] = []
+    for _, channels in groupby(recordings, key=lambda each: each.path):
+        across, others = select(tuple(channels))
+        taken += across
+        left += others
+    return "in a suite", suite_words(taken, left) if left else ""
 
 
 def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") -> Description:
@@ -176,7 +200,7 @@ def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") 
     columns = [
         Column("name", "record", lambda name: shortened(printable(name), 30), left=True),
         Column("samples", "samples"),
-        Column("dt_s", "dt s"),
+        Column("dt_s", "dt s", lambda value: f"{value:g}"),
         Column("pga_g", "PGA g"),
         Column("pgv_m_s", "PGV m/s"),
         Column("arias_m_s", "Arias m/s"),
@@ -188,6 +212,7 @@ def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") 
     answer = Answer(
         f"{plural(len(rows), 'record')} peak at {' to '.join(ends)} g.",
         [
+            suite_fact(recordings),
             ("drift", f"{drifting} of {len(rows)} records drift" * (drifting > 0)),
             left_out(max(len(rows) - MOST_ANSWERED, 0), "weaker"),
         ],

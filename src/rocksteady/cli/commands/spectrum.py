@@ -11,7 +11,7 @@ from rocksteady.cli.console.refusals import FlagError, both, missing, require
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model, refuse_of_linear
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.flags.parsing import axis, restitution_from
+from rocksteady.cli.flags.parsing import axis, restitution_from, values_of
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.errors import InputError
@@ -74,7 +74,7 @@ def spectrum(
     ),
     periods_s: str | None = options.block_flag(
         "--periods-s AXIS",
-        f"Set the size of the block as 2 pi/p \\[s], a number or an axis; default "
+        f"Set the size of the block as 2 pi/p \\[s], an axis or values with commas; default "
         f"{DEFAULT_PERIODS}.",
     ),
     p_rad_s: str | None = options.block_flag(
@@ -302,7 +302,7 @@ def _periods(periods_s: str | None, p_rad_s: str | None) -> list[float]:
         If both are given, or one is no axis or not positive.
     """
     if p_rad_s is None:
-        return axis("--periods-s", DEFAULT_PERIODS if periods_s is None else periods_s)
+        return values_of("--periods-s", DEFAULT_PERIODS if periods_s is None else periods_s)
     if periods_s is not None:
         raise both("--periods-s", "--p-rad-s", valid="one of the two is the size")
     return [2.0 * math.pi / P("p", value) for value in axis("--p-rad-s", p_rad_s)]

@@ -6,19 +6,23 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
+from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.options import Panel, mass_flag
-from rocksteady.cli.flags.parsing import axis, decimal, number, restitution_from
-from rocksteady.cli.flags.record_files import FLOOR_FLAGS, ReadingFlags
+from rocksteady.cli.flags.parsing import decimal, number, restitution_from, values_of
+from rocksteady.cli.flags.record_files import FLOOR_FLAGS, ReadingFlags, like_example
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_text
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.records.examples import example_named, is_example
+from rocksteady.records.core.text import CONTRADICTION, DAMAGED, NO_RECORD
+from rocksteady.records.examples import example_named
+from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
+    from rocksteady.records.core.recording import LeftOut, Recording
     from rocksteady.risk.ensemble.levels import Levels
     from rocksteady.risk.ensemble.restitution_band import RestitutionBand
     from rocksteady.risk.ensemble.ways import Ways
@@ -26,6 +30,7 @@ if TYPE_CHECKING:
 
 ensemble_flag = Panel("Ensemble")
 BAND_DRAWS = 5
+LEFT_OUT_COLUMNS = ("file", "channel", "why")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,27 +41,52 @@ class Suite:
     ----------
     motions
         The motions, horizontal or with a vertical component.
-    files
-        The file of each.
+    recordings
+        The horizontal channel of each; none of synthetic motions.
     left_out
-        File and reason of each that was not used.
+        Channels and files that were not used.
     """
 
-    motions: "list[Record | BaseMotion]"
-    files: list[Path]
-    left_out: list[tuple[Path, str]] = field(default_factory=list)
+    motions: "list[Record | BaseMotion]" = field(default_factory=list)
+    recordings: "list[Recording]" = field(default_factory=list)
+    left_out: "list[LeftOut]" = field(default_factory=list)
 
     @classmethod
     def synthetic(cls, count: int) -> "Suite":
         """Return synthetic motions, which have no files."""
         from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 
-        return cls(motions=[*make_synthetic_suite(count)], files=[])
+        return cls(motions=[*make_synthetic_suite(count)])
+
+    @property
+    def files(self) -> list[Path]:
+        """The file of each motion."""
+        return [each.path for each in self.recordings]
 
     @property
     def read(self) -> list[Path]:
         """All files that were opened, those left out too."""
-        return [*self.files, *(file for file, _ in self.left_out)]
+        return [*self.files, *(each.file for each in self.left_out)]
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """What --json says of the files: what is left out, and whose direction is not stated."""
+        files = [str(each.path) for each in self.recordings if each.orientation == "unknown"]
+        unstated = {"unstated_direction": files} if files else {}
+        return {"left_out": [each.to_dict() for each in self.left_out], **unstated}
+
+    def counted(self, description: Description) -> Description:
+        """Return a description that counts what is left out by kind, and names it in a table."""
+        from rocksteady.records.suite import suite_words
+
+        values, answer = self.values, description.answer
+        if answer is not None and (self.left_out or "unstated_direction" in values):
+            fact = ("suite", suite_words(self.recordings, self.left_out))
+            answer = replace(answer, facts=[fact, *answer.facts])
+        columns = [Column(key, key.replace("_", " "), left=True) for key in LEFT_OUT_COLUMNS]
+        table = Table("", values["left_out"], columns, title="Left out:")
+        tables = [*description.tables, *[table] * bool(self.left_out)]
+        return replace(description, tables=tables, answer=answer)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,8 +95,13 @@ class SuiteFlags:
 
     records: list[Path] | None = ensemble_flag(
         "--records DIR|FILE",
-        "Read ground motions: every file of a folder, or a file; several times for more. A "
-        "file that cannot be read is named and left out.",
+        "Read ground motions: every file of a folder, or a file; several times for more. What "
+        "is no horizontal motion of the ground is counted and left out.",
+    )
+    include: str | None = ensemble_flag(
+        "--include KIND",
+        "Run these kinds of channels all the same, with commas: unknown, borehole, structure or "
+        "rotated.",
     )
     pair: bool = ensemble_flag(
         "--pair",
@@ -76,8 +111,26 @@ class SuiteFlags:
 
     @property
     def given(self) -> dict[str, object]:
-        """Both by their flags: the first of --records, and --pair."""
-        return {"--records": next(iter(self.records or []), None), "--pair": self.pair}
+        """Those that were given, by their flags, and of --records the first."""
+        return {
+            "--records": next(iter(self.records or []), None),
+            "--include": self.include,
+            "--pair": self.pair,
+        }
+
+    @property
+    def kinds(self) -> list[str]:
+        """Kinds of channels of --include.
+
+        Raises
+        ------
+        InputError
+            If one is none.
+        """
+        from rocksteady.records.suite import check_includable
+
+        names = [] if self.include is None else self.include.split(",")
+        return [check_includable("--include", each.strip()) for each in names]
 
     @property
     def files(self) -> list[Path]:
@@ -88,13 +141,13 @@ class SuiteFlags:
         InputError, FlagError
             If there is none, or a path or an example does not exist.
         """
-        from rocksteady.records.read import files_of
+        from rocksteady.records.suite import files_of
 
         paths: list[Path] = []
         for path in self.records or []:
             if path.is_dir():
                 paths += files_of(path)
-            elif is_example(path):
+            elif like_example(path):
                 example_named(path)
                 paths.append(path)
             elif path.exists():
@@ -110,69 +163,115 @@ class SuiteFlags:
         return list(dict.fromkeys(paths))
 
     def suite(self, reading: ReadingFlags) -> Suite:
-        """Return the motions of all files that can be read; the others are named on stderr.
+        """Return the horizontal motions of all files; records that cannot be read are named.
 
         Raises
         ------
         InputError
-            If no file can be read, or --pair meets a flag that it has no use for.
+            If nothing is left, or --pair meets a flag that it has no use for.
         """
+        from rocksteady.records.suite import INCLUDABLE, file_left_out, nothing_left
+
+        # A channel that is named is meant, whatever its kind.
+        kinds = [*self.kinds, *[*INCLUDABLE] * (reading.channel is not None)]
         if self.pair:
             kept = ("--units", "--dt-s", *FLOOR_FLAGS.values())
             idle = {flag: value for flag, value in reading.given.items() if flag not in kept}
             refuse(idle, "channels are paired as their files have them", "leave one out")
-        suite = Suite(motions=[], files=[])
-        good: list[Path] = []
-        for file in self.files:
+        suite, files = Suite(), self.files
+        channels: list[Recording] = []
+        for file in files:
             try:
-                across = self._across(file, reading, suite)
+                channels += self._channels(file, reading, kinds, suite)
             except InputError as error:
-                suite.left_out.append((file, error.valid))
-                continue
-            good.append(file)
-            if not self.pair:
-                suite.motions.extend(across)
-                suite.files.extend([file] * len(across))
-        if self.pair and good:
-            self._pair(good, reading, suite)
-        for file, reason in suite.left_out:
-            terminal.note(f"{file} is left out: {printable(reason)}")
+                if len(files) == 1:
+                    raise
+                suite.left_out.append(file_left_out(file, error))
+                if getattr(error, "kind", "") in {"", CONTRADICTION, DAMAGED}:
+                    terminal.note(f"{file} is left out: {printable(error.valid)}")
+        if self.pair:
+            self._pair(channels, reading, suite)
+        else:
+            suite.recordings.extend(channels)
+            suite.motions.extend(each.record for each in channels)
         if not suite.motions:
-            raise InputError(
-                "--records",
-                ", ".join(str(path) for path in self.records or []),
-                f"none of its {len(self.files)} files is a horizontal record that can be read",
-                "name a folder of ground-motion files, or see `rocksteady record FILE`",
-            )
+            given = ", ".join(str(path) for path in self.records or [])
+            reason = nothing_left(suite.left_out, "files")
+            raise InputError("--records", given, reason, _remedy(suite.left_out))
         return suite
 
-    def _across(self, file: Path, reading: ReadingFlags, suite: Suite) -> "list[Record]":
-        """Return the horizontal channels of a file."""
+    def _channels(
+        self, file: Path, reading: ReadingFlags, kinds: list[str], suite: Suite
+    ) -> "list[Recording]":
+        """Return the horizontal channels of a file, and with --pair its vertical ones."""
+        from rocksteady.records.suite import select
         from rocksteady.seismic.measures.time_course import refuse_extreme
 
         recordings = reading.recordings(file)
-        across = [recording for recording in recordings if recording.orientation != "vertical"]
+        across, others = select(recordings, kinds)
         for recording in across:
             refuse_extreme(recording.record)
-        if not across and not self.pair:
-            suite.left_out.append((file, "its channel is vertical; --pair runs it with the others"))
-        return [recording.record for recording in across]
+        suite.left_out.extend(each for each in others if not self.pair or each.kind != "vertical")
+        upright = [each for each in recordings if each.orientation == "vertical"]
+        return [*across, *upright * self.pair]
 
-    def _pair(self, files: list[Path], reading: ReadingFlags, suite: Suite) -> None:
-        """Add the motions of paired channels."""
-        from rocksteady.records.pairing import pair_records
+    def _pair(self, channels: "list[Recording]", reading: ReadingFlags, suite: Suite) -> None:
+        """Add the motions of paired channels, and of those of --include, which are not paired."""
+        from rocksteady.records.core.recording import LeftOut
+        from rocksteady.records.pairing import RecordSet, pair_records
+        from rocksteady.records.suite import select
 
-        for group in pair_records(files, units=reading.units, dt_s=reading.dt_s):
-            for warning in group.warnings:
-                terminal.note(f"{group.name}: {warning}")
-            if not group.horizontal:
-                for recording in group.recordings:
-                    suite.left_out.append((recording.path, "its station has no horizontal channel"))
+        waiting = {}
+        for each in channels:
+            if each.orientation == "vertical" or select((replace(each, left_out=()),))[0]:
+                waiting[_key(each)] = each
+            else:
+                suite.recordings.append(each)
+                suite.motions.append(each.record)
+        files = dict.fromkeys(each.path for each in waiting.values())
+        for group in pair_records(list(files), units=reading.units, dt_s=reading.dt_s):
+            known = [
+                each
+                for each in group.recordings
+                if _key(each) in waiting and each.position not in {"borehole", "structure"}
+            ]
+            across = tuple(each for each in known if each.orientation != "vertical")
+            upright = next((each for each in known if each.orientation == "vertical"), None)
+            if not across:
                 continue
-            steps = {recording.record.dt_s for recording in group.recordings}
-            ready = group.aligned("pad") if len(steps) == 1 else group
+            stated = group.warnings if len(known) == len(group.recordings) else ()
+            kept = RecordSet(name=group.name, horizontal=across, vertical=upright, warnings=stated)
+            for warning in kept.warnings:
+                terminal.note(f"{kept.name}: {warning}")
+            for each in kept.recordings:
+                del waiting[_key(each)]
+            steps = {recording.record.dt_s for recording in kept.recordings}
+            ready = kept.aligned("pad") if len(steps) == 1 else kept
             suite.motions.extend(map(reading.on_floor, ready.motions()))
-            suite.files.extend(recording.path for recording in ready.horizontal)
+            suite.recordings.extend(ready.horizontal)
+        why = "vertical, and no horizontal channel goes with it"
+        suite.left_out.extend(
+            LeftOut(file=each.path, channel=each.component, kind="vertical", why=why)
+            for each in waiting.values()
+        )
+
+
+def _key(recording: "Recording") -> tuple[Path, str]:
+    """Return what tells a channel from all others."""
+    return recording.path, printable(recording.record.name or "")
+
+
+def _remedy(left_out: "list[LeftOut]") -> str:
+    """Return what to do where no file has a horizontal record."""
+    from rocksteady.records.suite import INCLUDABLE
+
+    kinds = [kind for kind in INCLUDABLE if any(each.kind.startswith(kind) for each in left_out)]
+    if kinds:
+        return f"add --include {','.join(kinds)} to run them all the same"
+    doubtful = [quoted(each.file) for each in left_out if each.kind != NO_RECORD]
+    if doubtful:
+        return f"see `rocksteady record {doubtful[0]}`, or name another folder"
+    return "name a folder of ground-motion files"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -312,19 +411,6 @@ def intensity_of(text: str) -> "Measure":
         return Measure(name, number("--measure", period) if colon else None)
     except InputError as error:
         raise FlagError("--measure", text, error.valid, error.hint) from None
-
-
-def values_of(flag: str, text: str) -> list[float]:
-    """Return the values of an axis, or those with commas between them.
-
-    Raises
-    ------
-    InputError
-        If one is no number.
-    """
-    if "," in text:
-        return [number(flag, part) for part in text.split(",")]
-    return axis(flag, text)
 
 
 def _levels(flag: str, measure: "Measure | str", levels: list[float] | None) -> "Levels":

@@ -106,6 +106,19 @@ def axis(flag: str, text: str) -> list[float]:
     return [start, *(start + (stop - start) * i / last for i in range(1, last)), stop]
 
 
+def values_of(flag: str, text: str) -> list[float]:
+    """Return the values of an axis, or those with commas between them.
+
+    Raises
+    ------
+    InputError
+        If one is no number.
+    """
+    if "," in text:
+        return [number(flag, part) for part in text.split(",")]
+    return axis(flag, text)
+
+
 def restitution_from(
     text: str | None, *, default: Restitution | None, wall: bool = False
 ) -> Restitutions:

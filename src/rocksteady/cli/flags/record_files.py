@@ -19,7 +19,7 @@ from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.fourier import FourierSeries
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.records.examples import LISTED, is_example
+from rocksteady.records.examples import LISTED, PREFIX, example_named, is_example
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -67,6 +67,12 @@ resample_flag = partial(
     reading_flag,
     "--resample",
     "Interpolate a table with uneven times to even ones.",
+    default=False,
+)
+ignore_header_flag = partial(
+    reading_flag,
+    "--ignore-header",
+    "Read the samples as plain columns by --units and --dt-s alone, whatever the file states.",
     default=False,
 )
 baseline_flag = partial(
@@ -191,6 +197,7 @@ class ReadingFlags(FloorFlags):
     dt_s: float | None = dt_s_flag()
     column: str | None = column_flag()
     resample: bool = resample_flag()
+    ignore_header: bool = ignore_header_flag()
     baseline: str = baseline_flag()
 
     @property
@@ -253,7 +260,7 @@ class ReadingFlags(FloorFlags):
                 "give a file with one channel",
             )
         (channel,) = self._ready(file, upright if len(channels) > 1 else channels, across=False)
-        if channel.orientation is None:
+        if channel.orientation == "unknown":
             warn(file, "where its channel points is not stated: it is taken as vertical, upwards")
         return channel
 
@@ -261,6 +268,8 @@ class ReadingFlags(FloorFlags):
         """Return all channels of a file."""
         from rocksteady.records.read import read_recordings
 
+        if like_example(file):
+            example_named(file)
         try:
             return read_recordings(
                 file,
@@ -269,10 +278,17 @@ class ReadingFlags(FloorFlags):
                 dt_s=self.dt_s,
                 column=self.column,
                 resample=self.resample,
+                ignore_header=self.ignore_header,
             )
         except RecordFileError as error:
-            hint = _in_flags(error.hint)
-            raise RecordFileError(path=error.path, valid=error.valid, hint=hint) from error
+            raise RecordFileError(
+                path=error.path,
+                line=error.line,
+                found=error.found,
+                valid=in_flags(error.clause),
+                hint=in_flags(error.hint),
+                kind=error.kind,
+            ) from error
 
     def _ready(
         self, file: Path, channels: "tuple[Recording, ...]", *, across: bool = True
@@ -281,7 +297,7 @@ class ReadingFlags(FloorFlags):
         from rocksteady.records.processing import correct_baseline
 
         for words in dict.fromkeys(words for each in channels for words in each.warnings):
-            warn(file, _in_flags(words))
+            warn(file, in_flags(words))
         ready = [_named(correct_baseline(channel, self.baseline)) for channel in channels]
         if self.floor is None or not across:
             return ready
@@ -302,19 +318,39 @@ def _named(one: "Recording") -> "Recording":
 
 
 ASKED_FOR = re.compile(
-    r"(?<=\bgive )(units|dt_s|column)\b|(?<=\banother )dt_s\b|(?<=\()resample(?=\))"
+    r"(?<=\bgive )(?:units|column)\b|(?<=\bleave out )units\b"
+    r"|(?<=, and )units(?= in\b)|(?<=\()resample(?=\))|\b(?:dt_s|ignore_header)\b"
 )
 """Arguments of `rocksteady.records.read_recordings` in the hints and warnings of readers."""
 
 
-def _in_flags(words: str) -> str:
+def in_flags(words: str) -> str:
     """Return a hint or a warning with flags in place of arguments."""
     return ASKED_FOR.sub(lambda match: FLAG_OF_ARGUMENT[match[0]], words)
+
+
+def like_example(path: Path) -> bool:
+    """Return whether a path is the name of an example, in whatever case."""
+    return str(path).lower().startswith(PREFIX)
 
 
 def warn(file: Path, words: str) -> None:
     """Keep a warning about a file, to be printed beside the result."""
     terminal.note(f"{file}: {words}")
+
+
+def warn_across(recording: "Recording") -> None:
+    """Warn about a channel that shakes across, and is no horizontal motion of the ground."""
+    from rocksteady.records.suite import select
+
+    _, others = select((replace(recording, left_out=()),))
+    reasons = [each.why for each in others]
+    if recording.orientation == "vertical":
+        reasons = [f"{recording.component or 'its channel'} is vertical"]
+    elif recording.orientation == "unknown" and not others:
+        reasons = ["where it points is not stated"]
+    if reasons:
+        warn(recording.path, f"{reasons[0]}: it shakes across")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -396,9 +432,8 @@ class RecordFlags:
         """
         recordings = [reading.read(file) for file in self.record or []]
         for recording in recordings:
-            if recording.orientation == "vertical" and self.vertical is None:
-                name = recording.component or "its channel"
-                warn(recording.path, f"{name} is vertical, and shakes across")
+            if self.vertical is None or recording.orientation != "vertical":
+                warn_across(recording)
         return recordings
 
     def block(self, described: BlockFlags) -> Block:

@@ -21,7 +21,13 @@ from rocksteady.cli.flags.block_and_shaking import (
 )
 from rocksteady.cli.flags.groups import ScreenFlags, grouped
 from rocksteady.cli.flags.parsing import single
-from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, scale_flag, warn
+from rocksteady.cli.flags.record_files import (
+    ReadingFlags,
+    RecordFlags,
+    scale_flag,
+    warn,
+    warn_across,
+)
 from rocksteady.cli.flags.start import StartFlags
 from rocksteady.errors import ModelError, OutputError
 from rocksteady.model.blocks.block import Block
@@ -216,22 +222,25 @@ def in_flags(error: ModelError, block: BlockFlags, start: str) -> ModelError:
 
 
 def across(files: Sequence[Path], reading: ReadingFlags) -> "list[Recording]":
-    """Return the horizontal channels of a file, or its only channel.
+    """Return the horizontal channels of each file; of one that has none, its other channels.
 
     Raises
     ------
     InputError
         If a file cannot be read.
     """
+    from rocksteady.records.suite import INCLUDABLE, select, suite_words
+
     channels_across: list[Recording] = []
     for file in files:
         channels = all_recordings([file], reading)
-        level = [each for each in channels if each.orientation != "vertical"]
-        if not level:
-            warn(file, "its channel is vertical, and shakes across")
-        elif len(level) < len(channels):
-            warn(file, "its vertical channel is left out; --channel takes it")
-        channels_across += level or channels
+        level, others = select(channels, INCLUDABLE if reading.channel else ())
+        if level and others:
+            warn(file, f"{suite_words(level, others)}; --channel takes one")
+        level = level or select(channels, INCLUDABLE)[0] or tuple(channels)
+        for each in level:
+            warn_across(each)
+        channels_across += level
     return channels_across
 
 

@@ -9,7 +9,7 @@ import typer
 from rocksteady.cli.console.outputs import again
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, flags_of, missing, refuse
-from rocksteady.cli.flags.ensemble import SuiteFlags, intensity_of
+from rocksteady.cli.flags.ensemble import Suite, SuiteFlags, intensity_of
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.parsing import number
@@ -17,12 +17,9 @@ from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.shaking_tests import PRIOR, prior_of, temper_of
 from rocksteady.cli.flags.sweep import executor_flag, workers_flag
 from rocksteady.errors import InputError
-from rocksteady.results.numbers import plural
 from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
-    from rocksteady.model.motions.base_motion import BaseMotion
-    from rocksteady.model.motions.record import Record
     from rocksteady.risk.back_analysis.scan import ScanOptions
     from rocksteady.risk.back_analysis.survey import Survey
 
@@ -109,22 +106,21 @@ def back_analyse(
     measures = ["pga_g", "pgv_m_s"] if measure is None else [intensity_of(each) for each in measure]
     run = Execution(executor=executor, workers=workers)
     if example:
-        objects, motions, left_out, scan = _example(recorded, reading, survey, scan)
+        objects, suite, scan = _example(recorded, reading, survey, scan)
     else:
         objects = _survey(survey)
         suite = recorded.suite(reading)
         check_apart(output.files, read=suite.read)
-        motions, left_out = suite.motions, suite.left_out
 
     from rocksteady.risk.back_analysis.back_analyse import back_analyse as analysed
 
     pools = len(objects) + sum(facing is not None for facing in objects.facings)
-    cells = len(motions) * scan.levels * pools * scan.draws_of(len(objects))
+    cells = len(suite.motions) * scan.levels * pools * scan.draws_of(len(objects))
     try:
         with sweeping("running objects", cells) as meter:
             result = analysed(
                 objects,
-                motions,
+                suite.motions,
                 measures=measures,
                 prior=prior_of(prior),
                 scan=scan,
@@ -146,16 +142,12 @@ def back_analyse(
     notes = [*description.notes, f"{result.runs:,} runs in {result.seconds:.1f} s"]
     if example:
         notes.insert(0, "Objects and motions are synthetic: nothing was surveyed.")
-    if left_out:
-        notes.insert(0, f"{plural(len(left_out), 'file')} left out, see standard error")
-    after = {
-        "seconds": result.seconds,
-        "synthetic": example,
-        "left_out": [{"file": str(file), "reason": reason} for file, reason in left_out],
-    }
-    next_command = "" if output.plot else again(context, "--plot region.png")
     output.leave(
-        "back-analyse", replace(description, notes=notes), after=after, follow_up=next_command
+        "back-analyse",
+        replace(description, notes=notes),
+        after={"seconds": result.seconds, "synthetic": example},
+        suite=suite,
+        follow_up="" if output.plot else again(context, "--plot region.png"),
     )
 
 
@@ -194,12 +186,11 @@ def _scan(*, temper: str, **options: object) -> "ScanOptions":
 
 def _example(
     recorded: SuiteFlags, reading: ReadingFlags, survey: Path | None, scan: "ScanOptions"
-) -> "tuple[Survey, list[Record | BaseMotion], list[tuple[Path, str]], ScanOptions]":
+) -> "tuple[Survey, Suite, ScanOptions]":
     """Return a synthetic survey and synthetic motions, after refusing files."""
     given = {**reading.given, **recorded.given, "--survey": survey}
     refuse(given, "--example is synthetic and reads no file", "leave one out")
-    from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
     from rocksteady.risk.back_analysis.synthetic_survey import make_synthetic_survey
 
     few = scan if scan.draws is not None else replace(scan, draws=4)
-    return make_synthetic_survey(), [*make_synthetic_suite(12)], [], few
+    return make_synthetic_survey(), Suite.synthetic(12), few

@@ -131,7 +131,8 @@ def _refuse_idle(
             **{k: v for k, v in reading.given.items() if k in ("--channel", *FLOOR_FLAGS.values())},
         }
         refuse(idle, "the table of --tests states it", "write it into the table")
-        refuse({"--format": reading.format}, "the format of each file of --tests is recognised")
+        of_files = {"--format": reading.format, "--ignore-header": reading.ignore_header}
+        refuse(of_files, "each file of --tests is read by what it states")
     else:
         idle = {"--objects": table.objects, "--records": table.records}
         refuse(idle, "without --tests it has no meaning")

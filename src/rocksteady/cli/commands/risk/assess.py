@@ -119,6 +119,7 @@ def assess(
         floor = {"--floor-hz": reading.floor_hz}
         refuse(floor, "--buildings has the floor of each object", "leave one of the two out")
     answer: FormulaAssessment | Assessment | ObjectsTable
+    suite = None
     if file is None and not example:
         answer = quick_answer(block, peaks)
         share = answer.probability
@@ -126,13 +127,13 @@ def assess(
     elif table:
         assert file is not None
         with kept.sweep.resumable(context.find_root().obj):
-            answer = _answers(
+            answer, suite = _answers(
                 context, file, peaks, recorded, reading, kept, buildings, out, most, output=output
             )
         met = answer.meets_target
     else:
         with kept.sweep.resumable(context.find_root().obj):
-            answer = _answer(
+            answer, suite = _answer(
                 context, file, recorded, reading, kept, buildings, hazard, out, most, output=output
             )
         met = answer.meets_target
@@ -144,6 +145,7 @@ def assess(
         "assess",
         replace(description, notes=notes),
         after=after,
+        suite=suite,
         follow_up=_next_command(context, block, peaks, out, quick=file is None and not example),
     )
     if check and not met:
@@ -204,8 +206,8 @@ def _answer(
     target: float | None,
     *,
     output: RowFlags,
-) -> "Assessment":
-    """Return the whole assessment of one object, and write its folder.
+) -> "tuple[Assessment, Suite]":
+    """Return the whole assessment of one object with its motions, and write its folder.
 
     Raises
     ------
@@ -238,7 +240,7 @@ def _answer(
     if out is not None:
         files = [each for each in (file, buildings, hazard, *suite.files) if each is not None]
         _write_folder(context, assessment, out, files, force=output.force)
-    return assessment
+    return assessment, suite
 
 
 def _answers(
@@ -253,8 +255,8 @@ def _answers(
     target: float | None,
     *,
     output: RowFlags,
-) -> "ObjectsTable":
-    """Return the answers of a table of objects, and write its folder.
+) -> "tuple[ObjectsTable, Suite]":
+    """Return the answers of a table of objects with the motions, and write its folder.
 
     Raises
     ------
@@ -289,7 +291,7 @@ def _answers(
         )
     if out is not None:
         _write_folder(context, table, out, [*beside, *suite.files], force=output.force)
-    return table
+    return table, suite
 
 
 def _write_folder(

@@ -153,7 +153,7 @@ def facade(
     described = read_facade(EXAMPLE if file is None else file)
     wall = _with_restitution(described.facade, restitution)
     demand, runs, files = described.demand, None, [] if file is None else [*described.files]
-    suite = Suite(motions=[], files=[])
+    suite = Suite()
     if recorded.records or example:
         suite = Suite.synthetic(EXAMPLE_MOTIONS) if example else recorded.suite(reading)
         files += suite.files
@@ -177,10 +177,10 @@ def facade(
     after = {
         "synthetic": example,
         "files": [str(each) for each in files],
-        "left_out": [{"file": str(each), "reason": reason} for each, reason in suite.left_out],
     }
     text, values = _in_text(facade_check, example=example), facade_check.to_dict()
-    output.leave("facade", text, values=values, after=after, follow_up=report_command(context, out))
+    more = report_command(context, out)
+    output.leave("facade", text, values=values, after=after, follow_up=more, suite=suite)
     if check and any(each.satisfied is False for each in facade_check.checks):
         raise typer.Exit(NEGATIVE)
 

@@ -15,7 +15,6 @@ from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.results.numbers import plural
 
 if TYPE_CHECKING:
     from rocksteady.risk.fragility.fitting import FitOptions
@@ -123,7 +122,6 @@ def fragility(
                 fragility_found.ensemble["record"].values, suite.files, strict=False
             )
         ],
-        "left_out": [{"file": str(file), "reason": reason} for file, reason in suite.left_out],
         "store": run.place and str(run.place.path),
     }
     headline = description.headline + (" of synthetic motions, no earthquake's" if example else "")
@@ -138,12 +136,11 @@ def fragility(
         *description.notes,
         f"{fragility_found.runs:,} runs and all fits in {fragility_found.seconds:.1f} s{kept}",
     ]
-    if suite.left_out:
-        notes.insert(0, f"{plural(len(suite.left_out), 'file')} left out, see standard error")
     output.leave(
         "fragility",
         replace(description, headline=headline, notes=notes),
         after=after,
+        suite=suite,
         follow_up="" if output.plot else again(context, "--plot fragility.png", but=("--out",)),
     )
 
