@@ -30,7 +30,6 @@ if TYPE_CHECKING:
 
 ensemble_flag = Panel("Ensemble")
 BAND_DRAWS = 5
-LEFT_OUT_COLUMNS = ("file", "channel", "why")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,7 +82,11 @@ class Suite:
         if answer is not None and (self.left_out or "unstated_direction" in values):
             fact = ("suite", suite_words(self.recordings, self.left_out))
             answer = replace(answer, facts=[fact, *answer.facts])
-        columns = [Column(key, key.replace("_", " "), left=True) for key in LEFT_OUT_COLUMNS]
+        columns = [
+            Column("file", "file", lambda file: Path(file).name, left=True),
+            Column("channel", "channel", left=True),
+            Column("why", "why", left=True),
+        ]
         table = Table("", values["left_out"], columns, title="Left out:")
         tables = [*description.tables, *[table] * bool(self.left_out)]
         return replace(description, tables=tables, answer=answer)
@@ -184,7 +187,7 @@ class SuiteFlags:
             try:
                 channels += self._channels(file, reading, kinds, suite)
             except InputError as error:
-                if len(files) == 1:
+                if self.records == [file]:
                     raise
                 suite.left_out.append(file_left_out(file, error))
                 if getattr(error, "kind", "") in {"", CONTRADICTION, DAMAGED}:
