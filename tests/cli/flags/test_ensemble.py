@@ -130,7 +130,7 @@ def test_a_channel_that_is_named_is_taken_whatever_its_kind(tmp_path: Path) -> N
 
 def test_what_is_refused(folder: Path, tmp_path: Path) -> None:
     assert "save the sheet as CSV (UTF-8)" in refused(FEW, folder / "b.xlsx")
-    assert "open.csv' cannot be read: the file does not state the unit" in refused(
+    assert "open.csv' is not valid: the file does not state the unit" in refused(
         FEW, folder / "open.csv"
     )
     line = refused(f"{FEW} {folder} --include borehole,roof")

@@ -11,7 +11,7 @@ from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.options import Panel, mass_flag
 from rocksteady.cli.flags.parsing import decimal, number, restitution_from, values_of
 from rocksteady.cli.flags.record_files import FLOOR_FLAGS, ReadingFlags, like_example
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_text
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -188,6 +188,8 @@ class SuiteFlags:
                 channels += self._channels(file, reading, kinds, suite)
             except InputError as error:
                 if self.records == [file]:
+                    if isinstance(error, RecordFileError):
+                        raise InputError("--records", file, error.valid, error.hint) from None
                     raise
                 suite.left_out.append(file_left_out(file, error))
                 if getattr(error, "kind", "") in {"", CONTRADICTION, DAMAGED}:
