@@ -161,7 +161,7 @@ class SuiteFlags:
             raise missing(
                 "--records",
                 valid="an ensemble needs ground motions",
-                hint="add --records DIR, or --example for synthetic ones",
+                hint="add --records with your folder, or --records example:near-fault",
             )
         return list(dict.fromkeys(paths))
 

@@ -419,7 +419,7 @@ class RecordFlags:
         }
         for flag, value in (reading.given | flags).items():
             if not on_floor or flag not in FLOOR_FLAGS.values():
-                needs(flag, value, "--record", "FILE")
+                needs(flag, value, "--record", "example:near-fault")
         return False
 
     def recordings(self, reading: ReadingFlags) -> list["Recording"]:

@@ -101,7 +101,7 @@ class TableFlags:
             raise missing(
                 "--tests",
                 valid="outcomes come from a table of tests",
-                hint="add --tests tests.csv, or --example for synthetic ones",
+                hint="add --example for synthetic tests, or --tests with your table",
             )
         flags = {"tests": "--tests", "objects": "--objects", "records": "--records"}
         try:

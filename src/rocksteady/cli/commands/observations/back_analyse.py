@@ -157,7 +157,7 @@ def _survey(path: Path | None) -> "Survey":
         raise missing(
             "--survey",
             valid="a back-analysis needs objects, each fallen or standing",
-            hint="add --survey cemetery.csv, or --example for a synthetic one",
+            hint="add --example for a synthetic survey, or --survey with your table",
         )
     from rocksteady.risk.back_analysis.read_survey import read_survey
 

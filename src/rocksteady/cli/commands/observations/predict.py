@@ -117,7 +117,7 @@ def _refuse_idle(
         raise missing(
             "--tests or --record",
             valid="a prediction is of tests or of records",
-            hint="add --tests next.csv, or --record quake.at2",
+            hint="add --record example:near-fault, or --tests with your table",
         )
     if table.tests is not None and recorded.record:
         raise both("--tests", "--record", valid="a prediction is of one of the two")

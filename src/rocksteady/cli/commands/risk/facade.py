@@ -230,7 +230,7 @@ def _refuse_idle(
         )
     elif not recorded.records:
         for flag, value in (files | flags).items():
-            needs(flag, value, "--records", "DIR")
+            needs(flag, value, "--records", "example:near-fault")
     if flags["--scale"] is not None:
         level = {"--pga-g": flags["--pga-g"]}
         refuse(level, "--scale is the other way to set the level", "leave one out")
