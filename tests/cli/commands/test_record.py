@@ -4,6 +4,7 @@ import csv
 import math
 from pathlib import Path
 from typing import Any
+from zipfile import ZipFile
 
 import numpy as np
 import pytest
@@ -177,7 +178,13 @@ def test_every_file_that_cannot_be_read_has_its_line(file: Path, tmp_path: Path)
         ("column.txt --units g", ["column.txt", "interval", "give --dt-s"]),
         ("uneven.txt --units g", ["uneven.txt", "line 5", "(--resample)"]),
         ("uneven.txt --units g --resample --dt-s 1e-12", ["uneven.txt", "another --dt-s"]),
-        ("speed.csv --units g", ["speed.csv", "velocity", "give the file of acceleration"]),
+        ("two.csv --units g", ["two.csv", "give --column"]),
+        (
+            "hut.AT2 --units gal",
+            ["in g, and --units in gal", "leave out --units", "--ignore-header"],
+        ),
+        ("hut.AT2 --dt-s 5", ["and --dt-s 5 s", "leave out --dt-s", "--ignore-header"]),
+        ("sheet.xlsx", ["sheet.xlsx", "save the sheet as CSV (UTF-8)"]),
         ("broken.AT2", ["broken.AT2", "line 6", "'0.1.2'"]),
         ("hut.AT2 --damping 1", ["--damping = 1.0", "[0, 1)"]),
         ("hut.AT2 --periods-s 0:2:4", ["--periods-s = 0.0", "from 0.0002 s"]),
@@ -201,7 +208,9 @@ def test_what_is_refused(
     Path("broken.AT2").write_text("\n".join(text))
     Path("column.txt").write_text("0.1\n-0.2\n0.3\n")
     Path("uneven.txt").write_text("t acc\n0 1\n.1 2\n.2 1\n.35 0\n.4 1\n")
-    Path("speed.csv").write_text("time,velocity,other velocity\n0,1,2\n1,2,3\n2,1,2\n")
+    Path("two.csv").write_text("time,alpha,beta\n0,1,2\n1,2,3\n2,1,2\n")
+    with ZipFile("sheet.xlsx", "w") as sheet:
+        sheet.writestr("xl/workbook.xml", "<workbook/>")
     before = sorted(file.parent.iterdir())
     line = refused(f"record {flags}")
     for word in words:

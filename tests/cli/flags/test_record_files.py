@@ -1,7 +1,9 @@
 """`rocksteady simulate --record`: the runs, their files, the published peaks, what is refused."""
 
+import ast
 import csv
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,8 +12,11 @@ import pytest
 from PIL import Image
 
 from rocksteady import Block, Record, State, simulate
+from rocksteady.cli.flags.record_files import in_flags
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.records import suite
+from rocksteady.records.core.assembling import _LEAVE_OUT
 from tests.cli.motion_files import at2, real, samples
 from tests.cli.program import refused, rocksteady
 from tests.every import every
@@ -65,7 +70,8 @@ def test_a_record_is_scaled_to_a_pga_with_its_vertical_one(files: tuple[Path, Pa
 def test_examples_are_read_wherever_files_are() -> None:
     for command in (f"simulate {SIZE} --record", "record", f"fragility {SIZE} --records"):
         assert "synthetic" in rocksteady(f"{command} example:soft-soil --json").out
-        assert "give one of example:near-fault" in refused(f"{command} example:")
+        for name in ("example:", "Example:nope"):
+            assert "give one of example:near-fault" in refused(f"{command} {name}")
     line = f"simulate {SIZE} --record example:soft-soil --vertical example:soft-soil"
     assert "--vertical = 'example:soft-soil' is not valid: no example is" in refused(line)
 
@@ -176,7 +182,7 @@ def test_a_vertical_that_does_not_belong(files: tuple[Path, Path], tmp_path: Pat
     ):
         assert words in ran.err
     assert "in the place of a vertical" in rocksteady(command, files[0], "--vertical", files[0]).err
-    assert "shakes across: it is vertical" in rocksteady(command, files[1]).err
+    assert "UP is vertical: it shakes across" in rocksteady(command, files[1]).err
 
 
 def test_pacoima_dam_with_its_vertical() -> None:
@@ -274,3 +280,92 @@ def test_what_is_refused(
     line = refused(f"simulate {flags} --json")
     for word in words:
         assert word in line
+
+
+# ------------------------------------------------------------------------- words of readers
+
+
+ORDINARY = re.compile(r"(?:its|the|such) columns?\b|^column $|two units|units=|records\.resample")
+"""Words of files in texts of readers, which are no arguments."""
+
+
+def texts_of_readers() -> set[str]:
+    """Texts of the readers' modules, values in them as braces; no docstrings and patterns."""
+    found: set[str] = set()
+    for file in Path(suite.__file__).parent.rglob("*.py"):
+        nodes = list(ast.walk(ast.parse(file.read_text("utf-8"))))
+        inside = {id(part) for node in nodes for part in getattr(node, "values", ())}
+        inside |= {id(node.value) for node in nodes if isinstance(node, ast.Expr)}  # docstrings
+        for node in nodes:
+            if isinstance(node, ast.JoinedStr):
+                found.add(
+                    "".join(
+                        str(part.value) for part in node.values if isinstance(part, ast.Constant)
+                    )
+                )
+            elif isinstance(node, ast.Constant) and id(node) not in inside:
+                found.add(str(node.value))
+    return {text for text in found if " " in text and not re.search(r"\\[bsdwSW1]|\n", text)}
+
+
+def test_every_argument_in_a_text_of_a_reader_becomes_its_flag() -> None:
+    names = re.compile(r"(?<!-)\b(?:units|dt_s|column|resample|ignore_header)\b")
+    asked = {text for text in texts_of_readers() if names.search(ORDINARY.sub("", text))}
+    left = {text for text in asked if names.search(ORDINARY.sub("", in_flags(text)))}
+    assert left == set()
+    assert len(asked) > 10
+
+
+@every(
+    ("words", "in_words"),
+    [
+        (
+            _LEAVE_OUT.format("units"),
+            "leave out --units where the file is right, else read it with --ignore-header",
+        ),
+        (
+            "give dt_s 0.005 where they are, else ignore_header with dt_s",
+            "give --dt-s 0.005 where they are, else --ignore-header with --dt-s",
+        ),
+        (
+            "the file states that its numbers are in g, and units in gal",
+            "the file states that its numbers are in g, and --units in gal",
+        ),
+        ("it states two units of time", "it states two units of time"),
+        ("ask for resampling (resample) to have it", "ask for resampling (--resample) to have it"),
+    ],
+)
+def test_words_in_flags(words: str, in_words: str) -> None:
+    assert in_flags(words) == in_words
+
+
+@every(
+    ("names", "channel", "words"),
+    [
+        ("acc ns (g)", None, ""),
+        ("acc (g)", None, "where it points is not stated: it shakes across"),
+        ("acc ns (g),acc up (g)", 2, "is vertical: it shakes across"),
+        ("radial acc (g)", None, "turned from the components that were recorded: it shakes across"),
+    ],
+)
+def test_what_shakes_across_without_being_horizontal_is_named(
+    names: str, channel: int | None, words: str, tmp_path: Path
+) -> None:
+    rows = "".join(f"{0.02 * at:.2f},{at % 3},{at % 2}\n" for at in range(9))
+    rows = rows if "," in names else re.sub(r",\d$", "", rows, flags=re.MULTILINE)
+    file = tmp_path / "few.csv"
+    file.write_text(f"time (s),{names}\n{rows}")
+    flags = [] if channel is None else ["--channel", channel]
+    for command in (f"simulate {SIZE} --record", "explore --json --record"):
+        err = rocksteady(command, file, *flags).err
+        assert words in err
+        assert bool(err) == bool(words)
+
+
+def test_ignoring_a_header_reads_the_samples_by_the_options_alone(tmp_path: Path) -> None:
+    file = tmp_path / "wrong.csv"
+    file.write_text("acc ns (cm/s2)\n1\n-2\n1\n")
+    assert "--ignore-header" in refused("record --units g --dt-s 0.01", file)
+    values = rocksteady("record --json --ignore-header --units g --dt-s 0.01", file).json
+    assert (values["npts"], values["dt_s"], values["pga_g"]) == (3, 0.01, 2.0)
+    assert "header" in " ".join(values["processing"])

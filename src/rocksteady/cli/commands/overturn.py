@@ -16,7 +16,7 @@ from rocksteady.cli.flags.block_and_shaking import (
     ShakingFlags,
     equations_for,
 )
-from rocksteady.cli.flags.ensemble import SuiteFlags
+from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import axis, number
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
@@ -70,6 +70,7 @@ class Search(NamedTuple):
     cells: int
     figure: Callable[..., Any]
     flags: Mapping[str, str]
+    suite: Suite | None = None
 
 
 @grouped
@@ -207,6 +208,7 @@ def overturn(
         decided=not result.undecided.any(),
         wrap=True,
         follow_up=more,
+        suite=search.suite,
     )
 
 
@@ -258,7 +260,7 @@ def _of_scales(
     from rocksteady.seismic.spectra.overturning_scales import find_overturning_scales
     from rocksteady.show.figures.single import fatal_figure
 
-    body, motions = _motions(recorded, suite, reading, block)
+    body, motions, read = _motions(recorded, suite, reading, block)
     how: dict[str, Any] = {"model": equations_for(model, body, motions[0])}
     how["within"] = None if scales is None else _two_ends("--scales", scales)
     return Search(
@@ -267,6 +269,7 @@ def _of_scales(
         cells=len(motions),
         figure=fatal_figure,
         flags={"within": "--scales"},
+        suite=read,
     )
 
 
@@ -331,15 +334,17 @@ def _of_kicks(
 
 def _motions(
     recorded: RecordFlags, suite: SuiteFlags, reading: ReadingFlags, block: BlockFlags
-) -> "tuple[Block, list[Record | BaseMotion]]":
-    """Return the block and the motions of --record or --records."""
+) -> "tuple[Block, list[Record | BaseMotion], Suite | None]":
+    """Return the block, the motions of --record or --records, and the suite of the latter."""
     motions: list[Record | BaseMotion]
+    read = None
     if suite.records:
         _refuse("--records", {"--record": recorded.record, "--vertical": recorded.vertical})
         body = block.described()
         if not isinstance(body, Block):
             raise missing("--width-m", valid="a record needs a block", hint="describe a block")
-        motions = suite.suite(reading).motions
+        read = suite.suite(reading)
+        motions = read.motions
     else:
         _refuse("--record", {"--pair": suite.pair, "--include": suite.include})
         recorded.given(reading)
@@ -353,7 +358,8 @@ def _motions(
         vertical = recorded.vertical_recording(reading, recordings[0])
         if vertical is not None:
             motions = [BaseMotion(recordings[0].record, vertical.record)]
-    return body, [motion.reversed() for motion in motions] if recorded.reverse else motions
+    motions = [motion.reversed() for motion in motions] if recorded.reverse else motions
+    return body, motions, read
 
 
 def _range(

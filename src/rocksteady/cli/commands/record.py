@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
@@ -19,13 +20,13 @@ from rocksteady.cli.flags.record_files import ReadingFlags, warn
 from rocksteady.errors import RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.results.answer import Answer, left_out
-from rocksteady.results.description import Column, Description, Table
+from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.rendering import printable
 from rocksteady.show.style.palette import shortened
 
 if TYPE_CHECKING:
-    from rocksteady.records.core.recording import Recording
+    from rocksteady.records.core.recording import LeftOut, Recording
     from rocksteady.seismic.measures.intensity import Measures
     from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
     from rocksteady.seismic.measures.time_course import IntegratedRecord
@@ -53,6 +54,8 @@ LONGEST = 74
 """Characters of a command that follows, whose files have no flags to break it before."""
 MOST_ANSWERED = 5
 """Records of an answer."""
+DIRECTIONS = {"horizontal": "", "vertical": "vertical", "unknown": "its direction is not stated"}
+PLACES = {"surface": "", "unknown": "", "borehole": "below ground", "structure": "in a structure"}
 PLOTTED_PERIODS = "log:0.02:10:200"
 
 
@@ -149,16 +152,14 @@ def described(
     """Return the description of a channel with its measures, and with its spectrum."""
     first, second = recording.describe(), measures.describe()
     samples = next(fact.words for fact in first.facts if fact.key == "npts")
-    answer = second.answer
+    channel, answer = channel_words(recording), second.answer
     if answer is not None:
-        about = [
-            ("warnings", "; ".join(recording.warnings)),
-            ("station", "; ".join(filter(None, (recording.title, channel_words(recording))))),
-        ]
+        station = f"{recording.title}: {channel}" if channel else recording.title
+        about = [("warnings", "; ".join(recording.warnings)), ("station", station)]
         answer = replace(answer, facts=[*about, *answer.facts[:2], ("samples", samples)])
     return Description(
         headline=first.headline,
-        facts=[*first.facts, *second.facts],
+        facts=[*first.facts, Fact("", channel, "channel" * bool(channel)), *second.facts],
         tables=[table for spectrum in spectra for table in spectrum.describe().tables],
         notes=[*first.notes, *second.notes],
         answer=answer,
@@ -166,12 +167,23 @@ def described(
 
 
 def channel_words(recording: "Recording") -> str:
-    """Return where a channel points and stands, and what else its file holds, if worth a word."""
-    level = recording.orientation == "horizontal"
-    place = "" if recording.position in {"surface", "unknown"} else f"in a {recording.position}"
-    left = ", ".join(f"{each.channel} ({each.kind})" for each in recording.left_out)
-    points = "" if level else recording.orientation.replace("unknown", "direction unknown")
-    return "; ".join(filter(None, (points, place, f"left out: {left}" * bool(left))))
+    """Return where a channel points and stands, unless it is a horizontal one on the ground."""
+    words = [DIRECTIONS[recording.orientation], PLACES[recording.position]]
+    words += [f"beside {each.kind}" for each in recording.left_out]
+    return ", ".join(dict.fromkeys(filter(None, words)))
+
+
+def suite_fact(recordings: "Sequence[Recording]") -> tuple[str, str]:
+    """Return the fact that counts the channels that a suite takes, where it does not take all."""
+    from rocksteady.records.suite import select, suite_words
+
+    taken: list[Recording] = []
+    left: list[LeftOut] = []
+    for _, channels in groupby(recordings, key=lambda each: each.path):
+        across, others = select(tuple(channels))
+        taken += across
+        left += others
+    return "in a suite", suite_words(taken, left) if left else ""
 
 
 def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") -> Description:
@@ -188,7 +200,7 @@ def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") 
     columns = [
         Column("name", "record", lambda name: shortened(printable(name), 30), left=True),
         Column("samples", "samples"),
-        Column("dt_s", "dt s"),
+        Column("dt_s", "dt s", lambda value: f"{value:g}"),
         Column("pga_g", "PGA g"),
         Column("pgv_m_s", "PGV m/s"),
         Column("arias_m_s", "Arias m/s"),
@@ -196,13 +208,12 @@ def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") 
     ]
     strongest = sorted(measures, key=lambda each: -each.pga_g)
     ends = dict.fromkeys(number(each.pga_g) for each in (strongest[-1], strongest[0]))
-    left = {each: None for recording in recordings for each in recording.left_out}
     drifting = sum(each.drifts for each in measures)
     answer = Answer(
         f"{plural(len(rows), 'record')} peak at {' to '.join(ends)} g.",
         [
+            suite_fact(recordings),
             ("drift", f"{drifting} of {len(rows)} records drift" * (drifting > 0)),
-            ("left out", ", ".join(f"{each.channel} ({each.kind})" for each in left)),
             left_out(max(len(rows) - MOST_ANSWERED, 0), "weaker"),
         ],
         [

@@ -74,7 +74,7 @@ def spectrum(
     ),
     periods_s: str | None = options.block_flag(
         "--periods-s AXIS",
-        f"Set the size of the block as 2 pi/p \\[s], a number or an axis; default "
+        f"Set the size of the block as 2 pi/p \\[s], an axis or values with commas; default "
         f"{DEFAULT_PERIODS}.",
     ),
     p_rad_s: str | None = options.block_flag(

@@ -1,21 +1,23 @@
 """Flags for ensembles: suites of records, levels, and a band of restitutions."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing
+from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.options import Panel, mass_flag
 from rocksteady.cli.flags.parsing import decimal, number, restitution_from, values_of
 from rocksteady.cli.flags.record_files import ReadingFlags
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_text
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.records.core.text import NO_RECORD
 from rocksteady.records.examples import example_named, is_example
+from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -28,8 +30,6 @@ if TYPE_CHECKING:
 
 ensemble_flag = Panel("Ensemble")
 BAND_DRAWS = 5
-MOST_NAMED = 3
-"""Files that are no records and are named beside their count."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,12 +41,12 @@ class Suite:
     motions
         The motions, horizontal or with a vertical component.
     recordings
-        The horizontal channel of each.
+        The horizontal channel of each; none of synthetic motions.
     left_out
         Channels and files that were not used.
     """
 
-    motions: "list[Record | BaseMotion]"
+    motions: "list[Record | BaseMotion]" = field(default_factory=list)
     recordings: "list[Recording]" = field(default_factory=list)
     left_out: "list[LeftOut]" = field(default_factory=list)
 
@@ -68,20 +68,28 @@ class Suite:
         return [*self.files, *(each.file for each in self.left_out)]
 
     @property
-    def words(self) -> str:
-        """How many records there are, and what is left out; nothing of synthetic motions."""
+    def values(self) -> dict[str, Any]:
+        """What --json says of the files: what is left out, and whose direction is not stated."""
+        files = [str(each.path) for each in self.recordings if each.orientation == "unknown"]
+        unstated = {"unstated_direction": files} if files else {}
+        return {"left_out": [each.to_dict() for each in self.left_out], **unstated}
+
+    def counted(self, description: Description) -> Description:
+        """Return a description that counts what is left out by kind, and names it in a table."""
         from rocksteady.records.suite import suite_words
 
-        return suite_words(self.recordings, self.left_out) if self.recordings else ""
-
-    @property
-    def values(self) -> dict[str, Any]:
-        """What is left out, and what is taken though its direction is not stated, for JSON."""
-        unstated = [str(each.path) for each in self.recordings if each.orientation == "unknown"]
-        return {
-            "left_out": [each.to_dict() for each in self.left_out],
-            **({"unstated_direction": unstated} if unstated else {}),
-        }
+        values, answer = self.values, description.answer
+        if answer is not None and (self.left_out or "unstated_direction" in values):
+            fact = ("suite", suite_words(self.recordings, self.left_out))
+            answer = replace(answer, facts=[fact, *answer.facts])
+        columns = [
+            Column("file", "file", lambda file: Path(file).name, left=True),
+            Column("channel", "channel", left=True),
+            Column("why", "why", left=True),
+        ]
+        table = Table("", values["left_out"], columns, title="Left out:")
+        tables = [*description.tables, *[table] * bool(self.left_out)]
+        return replace(description, tables=tables, answer=answer)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,25 +98,42 @@ class SuiteFlags:
 
     records: list[Path] | None = ensemble_flag(
         "--records DIR|FILE",
-        "Read ground motions: every file of a folder, or a file; several times for more. A "
-        "file that cannot be read is named and left out.",
+        "Read ground motions: every file of a folder, or a file; several times for more. What "
+        "is no horizontal motion of the ground is counted and left out.",
+    )
+    include: str | None = ensemble_flag(
+        "--include KIND",
+        "Run these kinds of channels all the same, with commas: unknown, borehole, structure or "
+        "rotated.",
     )
     pair: bool = ensemble_flag(
         "--pair",
         "Pair the channels of each station, and run with its vertical one as well as without.",
         default=False,
     )
-    include: str | None = ensemble_flag(
-        "--include KIND",
-        "Take channels that are left out by default: unknown (a direction that is not "
-        "understood), borehole, structure or rotated; several with commas.",
-    )
 
     @property
     def given(self) -> dict[str, object]:
-        """All by their flags: the first of --records, --pair and --include."""
-        first = next(iter(self.records or []), None)
-        return {"--records": first, "--pair": self.pair, "--include": self.include}
+        """Those that were given, by their flags, and of --records the first."""
+        return {
+            "--records": next(iter(self.records or []), None),
+            "--include": self.include,
+            "--pair": self.pair,
+        }
+
+    @property
+    def kinds(self) -> list[str]:
+        """Kinds of channels of --include.
+
+        Raises
+        ------
+        InputError
+            If one is none.
+        """
+        from rocksteady.records.suite import check_includable
+
+        names = [] if self.include is None else self.include.split(",")
+        return [check_includable("--include", each.strip()) for each in names]
 
     @property
     def files(self) -> list[Path]:
@@ -136,103 +161,107 @@ class SuiteFlags:
             raise missing(
                 "--records",
                 valid="an ensemble needs ground motions",
-                hint="add --records DIR, or --example for synthetic ones",
+                hint="add --records with your folder, or --records example:near-fault",
             )
         return list(dict.fromkeys(paths))
 
     def suite(self, reading: ReadingFlags) -> Suite:
-        """Return the motions of all files; records that cannot be read are named on stderr.
+        """Return the horizontal motions of all files; records that cannot be read are named.
 
         Raises
         ------
         InputError
-            If no file has a horizontal record, or --include names no kind of channels.
+            If nothing is left, or --pair meets a flag that it has no use for.
         """
-        from rocksteady.records.core.text import NO_RECORD
-        from rocksteady.records.suite import (
-            FAULTS,
-            INCLUDABLE,
-            check_includable,
-            file_left_out,
-            nothing_left,
-            select,
-        )
+        from rocksteady.records.suite import FAULTS, INCLUDABLE, file_left_out, nothing_left
 
-        kinds = [
-            check_includable("--include", kind) for kind in (self.include or "").split(",") if kind
-        ]
-        suite = Suite(motions=[])
-        upright: list[Recording] = []
-        plain = replace(reading, floor_hz=None, floor_damping=None, participation=None)
-        for file in self.files:
+        # A channel that is named is meant, whatever its kind.
+        kinds = [*self.kinds, *[*INCLUDABLE] * (reading.channel is not None)]
+        suite, files = Suite(), self.files
+        channels: list[Recording] = []
+        for file in files:
             try:
-                recordings = (plain if self.pair else reading).recordings(file)
-                # Whoever names a channel takes it.
-                named = INCLUDABLE if reading.channel is not None else kinds
-                across, left = select(recordings, named)
-                self._refuse_extreme(across)
+                channels += self._channels(file, reading, kinds, suite)
             except InputError as error:
+                if self.records == [file]:
+                    if isinstance(error, RecordFileError):
+                        raise InputError("--records", file, error.valid, error.hint) from None
+                    raise
                 suite.left_out.append(file_left_out(file, error))
-                continue
-            suite.recordings.extend(across)
-            suite.left_out.extend(left)
-            upright += [each for each in recordings if each.orientation == "vertical"]
-        for each in suite.left_out:
-            if each.channel is None and each.kind in FAULTS.values():
-                terminal.note(f"{each.file} is left out: {printable(each.why)}")
-        if suite.recordings and self.pair:
-            suite = self._paired(suite, upright, reading)
-        elif suite.recordings:
-            suite.motions.extend(each.record for each in suite.recordings)
+                if getattr(error, "kind", "") in FAULTS:
+                    terminal.note(f"{file} is left out: {printable(error.valid)}")
+        if self.pair:
+            self._pair(channels, reading, suite)
+        else:
+            suite.recordings.extend(channels)
+            suite.motions.extend(each.record for each in channels)
         if not suite.motions:
-            raise InputError(
-                "--records",
-                ", ".join(str(path) for path in self.records or []),
-                nothing_left(suite.left_out, "files"),
-                "name a folder of ground-motion files, or see `rocksteady record FILE`",
-            )
-        if suite.left_out or suite.values.get("unstated_direction"):
-            names = [each.file.name for each in suite.left_out if each.kind == NO_RECORD]
-            more = ", ..." if len(names) > MOST_NAMED else ""
-            listed = f" ({', '.join(names[:MOST_NAMED])}{more})" if names else ""
-            terminal.note(f"{suite.words}{listed}")
+            given = ", ".join(str(path) for path in self.records or [])
+            reason = nothing_left(suite.left_out, "files")
+            raise InputError("--records", given, reason, _remedy(suite.left_out))
         return suite
 
-    def _refuse_extreme(self, recordings: "Sequence[Recording]") -> None:
-        """Refuse records whose measures would overflow."""
+    def _channels(
+        self, file: Path, reading: ReadingFlags, kinds: list[str], suite: Suite
+    ) -> "list[Recording]":
+        """Return the horizontal channels of a file, and with --pair its vertical ones."""
+        from rocksteady.records.suite import kind_of, select
         from rocksteady.seismic.measures.time_course import refuse_extreme
 
-        for recording in recordings:
+        ground = replace(reading, floor_hz=None, floor_damping=None, participation=None)
+        recordings = (ground if self.pair else reading).recordings(file)
+        across, others = select(recordings, kinds)
+        for recording in across:
             refuse_extreme(recording.record)
+        suite.left_out.extend(each for each in others if not self.pair or each.kind != "vertical")
+        upright = [each for each in recordings if kind_of(each, alone=True) == "vertical"]
+        return [*across, *upright * self.pair]
 
-    def _paired(self, suite: Suite, upright: "list[Recording]", reading: ReadingFlags) -> Suite:
-        """Return a suite with the vertical channels of its stations beside the horizontal ones."""
+    def _pair(self, channels: "list[Recording]", reading: ReadingFlags, suite: Suite) -> None:
+        """Add the motions of paired channels, and of those of --include, which are not paired."""
         from rocksteady.records.core.recording import LeftOut
         from rocksteady.records.pairing import paired
-        from rocksteady.records.suite import INCLUDABLE, OPEN
+        from rocksteady.records.suite import kind_of
 
-        pairs = Suite(motions=[])
-        beside: set[tuple[Path, str | None]] = set()
-        for group in paired([*suite.recordings, *upright]):
-            for warning in group.warnings:
-                terminal.note(f"{group.name}: {warning}")
-            if group.horizontal:
-                steps = {recording.record.dt_s for recording in group.recordings}
-                ready = group.aligned("pad") if len(steps) == 1 else group
-                pairs.motions.extend(map(reading.on_floor, ready.motions()))
-                pairs.recordings.extend(ready.horizontal)
-                beside |= {(each.path, each.component) for each in (ready.vertical,) if each}
-            pairs.left_out.extend(
-                LeftOut(
-                    file=each.path, channel=each.component, kind=OPEN, why=INCLUDABLE["unknown"]
-                )
-                for each in group.other
-                if each.orientation == "unknown"
-            )
-        pairs.left_out.extend(
-            each for each in suite.left_out if (each.file, each.channel) not in beside
+        pairable: list[Recording] = []
+        lone: list[Recording] = []
+        for each in channels:
+            if kind_of(each, alone=True) in {"", "vertical"}:
+                pairable.append(each)
+            else:
+                suite.recordings.append(each)
+                suite.motions.append(reading.on_floor(each.record))
+        for group in paired(pairable):
+            across = tuple(each for each in group.recordings if each.orientation != "vertical")
+            if not across:
+                lone += group.recordings
+                continue
+            lone += [each for each in group.other if each.orientation == "vertical"]
+            kept = replace(group, horizontal=across, other=())
+            for warning in kept.warnings:
+                terminal.note(f"{kept.name}: {warning}")
+            steps = {recording.record.dt_s for recording in kept.recordings}
+            ready = kept.aligned("pad") if len(steps) == 1 else kept
+            suite.motions.extend(map(reading.on_floor, ready.motions()))
+            suite.recordings.extend(ready.horizontal)
+        why = "vertical, and no horizontal channel goes with it"
+        suite.left_out.extend(
+            LeftOut(file=each.path, channel=each.component, kind="vertical", why=why)
+            for each in lone
         )
-        return pairs
+
+
+def _remedy(left_out: "list[LeftOut]") -> str:
+    """Return what to do where no file has a horizontal record."""
+    from rocksteady.records.suite import INCLUDABLE
+
+    kinds = [kind for kind in INCLUDABLE if any(each.kind.startswith(kind) for each in left_out)]
+    if kinds:
+        return f"add --include {','.join(kinds)} to run them all the same"
+    doubtful = [quoted(each.file) for each in left_out if each.kind != NO_RECORD]
+    if doubtful:
+        return f"see `rocksteady record {doubtful[0]}`, or name another folder"
+    return "name a folder of ground-motion files"
 
 
 @dataclass(frozen=True, kw_only=True)

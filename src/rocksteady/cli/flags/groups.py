@@ -32,6 +32,8 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
+    from rocksteady.cli.flags.ensemble import Suite
+
     Rows: TypeAlias = Table | pd.DataFrame | tuple[Sequence[str], Iterable[Sequence[object]]]
     """Rows of --csv: with a header of their own, or beside it."""
 
@@ -57,6 +59,7 @@ class ScreenFlags:
         decided: bool = True,
         wrap: bool = False,
         follow_up: str = "",
+        suite: "Suite | None" = None,
     ) -> None:
         """Print the answer of a command, and end it with code 3 where it is undecided.
 
@@ -76,6 +79,8 @@ class ScreenFlags:
             As for `terminal.console`.
         follow_up
             The command that goes on from the answer.
+        suite
+            The motions that were read, whose files are counted.
 
         Raises
         ------
@@ -84,9 +89,15 @@ class ScreenFlags:
         """
         if self.as_json:
             print_json(
-                command, {**(answer.to_dict() if values is None else values), **(after or {})}
+                command,
+                {
+                    **(answer.to_dict() if values is None else values),
+                    **(after or {}),
+                    **({} if suite is None else suite.values),
+                },
             )
         else:
+            answer = answer if suite is None else suite.counted(answer)
             if answer.answer is not None:
                 facts = answer.answer.facts
                 if (after or {}).get("synthetic"):

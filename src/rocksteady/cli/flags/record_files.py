@@ -19,7 +19,7 @@ from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.fourier import FourierSeries
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.records.examples import LISTED, is_example
+from rocksteady.records.examples import LISTED, example_named, is_example
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -67,6 +67,12 @@ resample_flag = partial(
     reading_flag,
     "--resample",
     "Interpolate a table with uneven times to even ones.",
+    default=False,
+)
+ignore_header_flag = partial(
+    reading_flag,
+    "--ignore-header",
+    "Read the samples as plain columns by --units and --dt-s alone, whatever the file states.",
     default=False,
 )
 baseline_flag = partial(
@@ -191,12 +197,7 @@ class ReadingFlags(FloorFlags):
     dt_s: float | None = dt_s_flag()
     column: str | None = column_flag()
     resample: bool = resample_flag()
-    ignore_header: bool = reading_flag(
-        "--ignore-header",
-        "Read the numbers of a file as plain columns by --units and --dt-s alone, whatever it "
-        "states.",
-        default=False,
-    )
+    ignore_header: bool = ignore_header_flag()
     baseline: str = baseline_flag()
 
     @property
@@ -267,6 +268,8 @@ class ReadingFlags(FloorFlags):
         """Return all channels of a file."""
         from rocksteady.records.read import read_recordings
 
+        if is_example(file):
+            example_named(file)
         try:
             return read_recordings(
                 file,
@@ -278,9 +281,13 @@ class ReadingFlags(FloorFlags):
                 ignore_header=self.ignore_header,
             )
         except RecordFileError as error:
-            valid, hint = _in_flags(error.valid), _in_flags(error.hint)
             raise RecordFileError(
-                path=error.path, valid=valid, hint=hint, kind=error.kind
+                path=error.path,
+                line=error.line,
+                found=error.found,
+                valid=in_flags(error.clause),
+                hint=in_flags(error.hint),
+                kind=error.kind,
             ) from error
 
     def _ready(
@@ -290,7 +297,7 @@ class ReadingFlags(FloorFlags):
         from rocksteady.records.processing import correct_baseline
 
         for words in dict.fromkeys(words for each in channels for words in each.warnings):
-            warn(file, _in_flags(words))
+            warn(file, in_flags(words))
         ready = [_named(correct_baseline(channel, self.baseline)) for channel in channels]
         if self.floor is None or not across:
             return ready
@@ -311,13 +318,13 @@ def _named(one: "Recording") -> "Recording":
 
 
 ASKED_FOR = re.compile(
-    r"(?<=\bgive )(units|column)\b|(?<=\bleave out )units\b|(?<=, and )units\b|(?<=\bby )units\b"
-    r"|\b(dt_s|ignore_header)\b|(?<=\()resample(?=\))"
+    r"(?<=\bgive )(?:units|column)\b|(?<=\bleave out )units\b"
+    r"|(?<=, and )units(?= in\b)|(?<=\()resample(?=\))|\b(?:dt_s|ignore_header)\b"
 )
 """Arguments of `rocksteady.records.read_recordings` in the hints and warnings of readers."""
 
 
-def _in_flags(words: str) -> str:
+def in_flags(words: str) -> str:
     """Return a hint or a warning with flags in place of arguments."""
     return ASKED_FOR.sub(lambda match: FLAG_OF_ARGUMENT[match[0]], words)
 
@@ -325,6 +332,20 @@ def _in_flags(words: str) -> str:
 def warn(file: Path, words: str) -> None:
     """Keep a warning about a file, to be printed beside the result."""
     terminal.note(f"{file}: {words}")
+
+
+def warn_across(recording: "Recording") -> None:
+    """Warn about a channel that shakes across, and is no horizontal motion of the ground."""
+    from rocksteady.records.suite import select
+
+    _, others = select((replace(recording, left_out=()),))
+    reasons = [each.why for each in others]
+    if recording.orientation == "vertical":
+        reasons = [f"{recording.component or 'its channel'} is vertical"]
+    elif recording.orientation == "unknown" and not others:
+        reasons = ["where it points is not stated"]
+    if reasons:
+        warn(recording.path, f"{reasons[0]}: it shakes across")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -393,7 +414,7 @@ class RecordFlags:
         }
         for flag, value in (reading.given | flags).items():
             if not on_floor or flag not in FLOOR_FLAGS.values():
-                needs(flag, value, "--record", "FILE")
+                needs(flag, value, "--record", "example:near-fault")
         return False
 
     def recordings(self, reading: ReadingFlags) -> list["Recording"]:
@@ -407,7 +428,7 @@ class RecordFlags:
         recordings = [reading.read(file) for file in self.record or []]
         for recording in recordings:
             if self.vertical is None or recording.orientation != "vertical":
-                remark_on_place(recording, named=reading.channel is not None)
+                warn_across(recording)
         return recordings
 
     def block(self, described: BlockFlags) -> Block:
@@ -532,26 +553,6 @@ class RecordFlags:
             in_range("--scale", value, 1.0 / LARGEST, LARGEST, "[]", hint=hint)
         remark_on_scale(max(values), f"--scale {max(values):g} multiplies the record")
         return values
-
-
-def remark_on_place(recording: "Recording", *, named: bool = False) -> None:
-    """Print a remark beside the result where what shakes across may be no motion of the ground.
-
-    Parameters
-    ----------
-    recording
-        The channel.
-    named
-        Whether it was asked for by its name, which says that it is meant; default False.
-    """
-    from rocksteady.records.suite import INCLUDABLE, kind_of
-
-    kind = kind_of(recording, alone=True)
-    open_ = "where it points is not stated" if recording.orientation == "unknown" else ""
-    words = {"vertical": "it is vertical", "": open_} | INCLUDABLE
-    if words[kind] and (kind == "vertical" or not named):
-        name = recording.component or "its channel"
-        warn(recording.path, f"{name} shakes across: {words[kind]}")
 
 
 def remark_on_scale(factor: float, what: str) -> None:

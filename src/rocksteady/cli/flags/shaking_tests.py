@@ -12,6 +12,7 @@ from rocksteady.cli.flags.record_files import (
     baseline_flag,
     column_flag,
     dt_s_flag,
+    in_flags,
     resample_flag,
     units_flag,
 )
@@ -100,20 +101,24 @@ class TableFlags:
             raise missing(
                 "--tests",
                 valid="outcomes come from a table of tests",
-                hint="add --tests tests.csv, or --example for synthetic ones",
+                hint="add --example for synthetic tests, or --tests with your table",
             )
         flags = {"tests": "--tests", "objects": "--objects", "records": "--records"}
-        with flags_of(flags):
-            return read_tests(
-                self.tests,
-                records=self.records,
-                objects=self.objects,
-                units=self.units,
-                dt_s=self.dt_s,
-                column=self.column,
-                resample=self.resample,
-                baseline=self.baseline,
-            )
+        try:
+            with flags_of(flags):
+                return read_tests(
+                    self.tests,
+                    records=self.records,
+                    objects=self.objects,
+                    units=self.units,
+                    dt_s=self.dt_s,
+                    column=self.column,
+                    resample=self.resample,
+                    baseline=self.baseline,
+                )
+        except InputError as error:
+            hint = in_flags(error.hint.partition(", else ")[0])  # --ignore-header is of one file
+            raise InputError(error.name, error.value, in_flags(error.valid), hint) from None
 
 
 def prior_of(file: Path | None) -> "Prior | None":

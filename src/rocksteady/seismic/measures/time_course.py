@@ -148,7 +148,7 @@ class IntegratedRecord(Result):
             Fact("drifts", self.drifts, "drifts"),
         ]
         name = self.record.name or "a record"
-        words = f"{len(self.t_s):,} samples every {number(self.record.dt_s)} s"
+        words = f"{len(self.t_s):,} samples every {self.record.dt_s:g} s"
         return Description(headline=f"Ground motion of {name}: {words}, PGA {in_g} g", facts=facts)
 
     def to_dataset(self) -> "xarray.Dataset":

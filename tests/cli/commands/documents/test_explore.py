@@ -144,10 +144,10 @@ def test_a_vertical_channel_is_left_out_unless_it_is_chosen(tmp_path: Path) -> N
     )
     page = tmp_path / "page.html"
     ran = rocksteady("explore --no-browser --record", table, "--out", page)
-    assert "1 channel left out: 1 vertical; --channel takes one" in ran.err
+    assert "2 records; 1 channel left out: 1 vertical; --channel takes one" in ran.err
     assert [each["name"] for each in motions_in(page)] == ["three.csv N-S", "three.csv E-W"]
     ran = rocksteady("explore --force --channel U-D --record", table, "--out", page)
-    assert "shakes across: it is vertical" in ran.err
+    assert "U-D is vertical: it shakes across" in ran.err
     assert [each["name"] for each in motions_in(page)] == ["three.csv U-D"]
 
 

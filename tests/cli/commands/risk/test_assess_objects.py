@@ -152,11 +152,11 @@ def test_the_answer_on_a_table_has_its_folder(place: Path) -> None:
     assert {each for each in names if before[each] != after[each]} <= {"report.html", "run.json"}
 
 
-def test_a_broken_file_among_the_motions_is_named_and_left_out(place: Path) -> None:
+def test_a_file_among_the_motions_that_is_no_record_is_left_out(place: Path) -> None:
     (place / "motions" / "broken.AT2").write_text("nothing\n", encoding="utf-8")
     ran = rocksteady("assess objects.csv --records motions --pgv-m-s 0.45 --json")
     assert ran.code == 0
-    assert "1 file left out: 1 no record (broken.AT2)" in ran.err
+    assert [row["file"] for row in ran.json["left_out"]] == [str(Path("motions/broken.AT2"))]
     assert ran.json["records"] == 4
 
 

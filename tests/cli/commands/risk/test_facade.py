@@ -161,18 +161,6 @@ def test_figure_and_table_are_written(folder: Path, tmp_path: Path) -> None:
     assert len(lines) == 6
 
 
-def test_a_file_that_is_no_record_is_named_and_left_out(folder: Path, tmp_path: Path) -> None:
-    suite = tmp_path / "suite"
-    suite.mkdir()
-    for file in (folder / "seven").iterdir():
-        (suite / file.name).write_bytes(file.read_bytes())
-    (suite / "notes.txt").write_text("nothing")
-    ran = rocksteady("facade --json --records", suite, folder / "wall.toml")
-    assert ran.code == 0
-    assert "1 file left out: 1 no record (notes.txt)" in ran.err
-    assert ran.json["left_out"][0]["file"].endswith("notes.txt")
-
-
 HOSTILE = [
     ("", ["neither FILE nor --example is given"]),
     ("no.toml", ["no.toml", "No such file"]),

@@ -24,9 +24,9 @@ from rocksteady.cli.flags.parsing import single
 from rocksteady.cli.flags.record_files import (
     ReadingFlags,
     RecordFlags,
-    remark_on_place,
     scale_flag,
     warn,
+    warn_across,
 )
 from rocksteady.cli.flags.start import StartFlags
 from rocksteady.errors import ModelError, OutputError
@@ -222,7 +222,7 @@ def in_flags(error: ModelError, block: BlockFlags, start: str) -> ModelError:
 
 
 def across(files: Sequence[Path], reading: ReadingFlags) -> "list[Recording]":
-    """Return the horizontal channels of files; of a file without one, all that it has.
+    """Return the horizontal channels of each file; of one that has none, its other channels.
 
     Raises
     ------
@@ -234,12 +234,13 @@ def across(files: Sequence[Path], reading: ReadingFlags) -> "list[Recording]":
     channels_across: list[Recording] = []
     for file in files:
         channels = all_recordings([file], reading)
-        taken, left = select(channels, () if reading.channel is None else INCLUDABLE)
-        if taken and left:
-            warn(file, f"{suite_words(taken, left)}; --channel takes one of them")
-        for each in () if taken else channels:
-            remark_on_place(each, named=reading.channel is not None)
-        channels_across += taken or channels
+        level, others = select(channels, INCLUDABLE if reading.channel else ())
+        if level and others:
+            warn(file, f"{suite_words(level, others)}; --channel takes one")
+        level = level or select(channels, INCLUDABLE)[0] or tuple(channels)
+        for each in level:
+            warn_across(each)
+        channels_across += level
     return channels_across
 
 

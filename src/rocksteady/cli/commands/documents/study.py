@@ -11,7 +11,7 @@ from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.ensemble import SuiteFlags
+from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
 from rocksteady.cli.flags.groups import ScreenFlags, grouped
 from rocksteady.cli.flags.parsing import axis, number, values_of
 from rocksteady.cli.flags.record_files import ReadingFlags
@@ -206,10 +206,18 @@ def facade_checks(
             result = module.facade_checks(plane, run=how, parts=parts, done=done)
         with progress("drawing", result.steps) as done:
             files = result.save(out, force=force or resume, parts=parts, done=done)
-    _leave("facade-checks", result, output, out, files)
+    _leave("facade-checks", result, output, out, files, suite=suite)
 
 
-def _leave(name: str, result: Any, output: ScreenFlags, out: Path, files: list[Path]) -> None:
+def _leave(
+    name: str,
+    result: Any,
+    output: ScreenFlags,
+    out: Path,
+    files: list[Path],
+    *,
+    suite: Suite | None = None,
+) -> None:
     """Print what came out, how many files there are, and how to open the page."""
     values = {**result.values(), "out": str(out), "files": [file.name for file in files]}
     page = quoted(out / f"{name}.html")
@@ -219,4 +227,5 @@ def _leave(name: str, result: Any, output: ScreenFlags, out: Path, files: list[P
         follow_up=f"python3 -m webbrowser {page}",
     )
     texts = [text.replace("\N{NO-BREAK SPACE}", " ") for text in result.sentences]
-    output.leave(name, Description(answer.sentence, notes=texts, answer=answer), values=values)
+    description = Description(answer.sentence, notes=texts, answer=answer)
+    output.leave(name, description, values=values, suite=suite)

@@ -142,14 +142,12 @@ def back_analyse(
     notes = [*description.notes, f"{result.runs:,} runs in {result.seconds:.1f} s"]
     if example:
         notes.insert(0, "Objects and motions are synthetic: nothing was surveyed.")
-    after = {
-        "seconds": result.seconds,
-        "synthetic": example,
-        **suite.values,
-    }
-    next_command = "" if output.plot else again(context, "--plot region.png")
     output.leave(
-        "back-analyse", replace(description, notes=notes), after=after, follow_up=next_command
+        "back-analyse",
+        replace(description, notes=notes),
+        after={"seconds": result.seconds, "synthetic": example},
+        suite=suite,
+        follow_up="" if output.plot else again(context, "--plot region.png"),
     )
 
 
@@ -159,7 +157,7 @@ def _survey(path: Path | None) -> "Survey":
         raise missing(
             "--survey",
             valid="a back-analysis needs objects, each fallen or standing",
-            hint="add --survey cemetery.csv, or --example for a synthetic one",
+            hint="add --example for a synthetic survey, or --survey with your table",
         )
     from rocksteady.risk.back_analysis.read_survey import read_survey
 

@@ -117,7 +117,7 @@ def _refuse_idle(
         raise missing(
             "--tests or --record",
             valid="a prediction is of tests or of records",
-            hint="add --tests next.csv, or --record example:near-fault",
+            hint="add --record example:near-fault, or --tests with your table",
         )
     if table.tests is not None and recorded.record:
         raise both("--tests", "--record", valid="a prediction is of one of the two")
@@ -131,7 +131,8 @@ def _refuse_idle(
             **{k: v for k, v in reading.given.items() if k in ("--channel", *FLOOR_FLAGS.values())},
         }
         refuse(idle, "the table of --tests states it", "write it into the table")
-        refuse({"--format": reading.format}, "the format of each file of --tests is recognised")
+        of_files = {"--format": reading.format, "--ignore-header": reading.ignore_header}
+        refuse(of_files, "each file of --tests is read by what it states")
     else:
         idle = {"--objects": table.objects, "--records": table.records}
         refuse(idle, "without --tests it has no meaning")

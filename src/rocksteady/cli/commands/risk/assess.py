@@ -119,7 +119,7 @@ def assess(
         floor = {"--floor-hz": reading.floor_hz}
         refuse(floor, "--buildings has the floor of each object", "leave one of the two out")
     answer: FormulaAssessment | Assessment | ObjectsTable
-    suite = Suite(motions=[])
+    suite = None
     if file is None and not example:
         answer = quick_answer(block, peaks)
         share = answer.probability
@@ -140,11 +140,12 @@ def assess(
     description = answer.describe()
     output.files.write_csv(lambda: description.tables[0] if table else _one_row(description))
     notes = _notes(description.notes, out, example=example)
-    after = {"synthetic": example, **suite.values}
+    after = {"synthetic": example}
     output.files.leave(
         "assess",
         replace(description, notes=notes),
         after=after,
+        suite=suite,
         follow_up=_next_command(context, block, peaks, out, quick=file is None and not example),
     )
     if check and not met:
@@ -255,7 +256,7 @@ def _answers(
     *,
     output: RowFlags,
 ) -> "tuple[ObjectsTable, Suite]":
-    """Return the answers of a table of objects with their motions, and write its folder.
+    """Return the answers of a table of objects with the motions, and write its folder.
 
     Raises
     ------

@@ -153,7 +153,7 @@ def facade(
     described = read_facade(EXAMPLE if file is None else file)
     wall = _with_restitution(described.facade, restitution)
     demand, runs, files = described.demand, None, [] if file is None else [*described.files]
-    suite = Suite(motions=[])
+    suite = Suite()
     if recorded.records or example:
         suite = Suite.synthetic(EXAMPLE_MOTIONS) if example else recorded.suite(reading)
         files += suite.files
@@ -177,10 +177,10 @@ def facade(
     after = {
         "synthetic": example,
         "files": [str(each) for each in files],
-        **suite.values,
     }
     text, values = _in_text(facade_check, example=example), facade_check.to_dict()
-    output.leave("facade", text, values=values, after=after, follow_up=report_command(context, out))
+    more = report_command(context, out)
+    output.leave("facade", text, values=values, after=after, follow_up=more, suite=suite)
     if check and any(each.satisfied is False for each in facade_check.checks):
         raise typer.Exit(NEGATIVE)
 
@@ -230,7 +230,7 @@ def _refuse_idle(
         )
     elif not recorded.records:
         for flag, value in (files | flags).items():
-            needs(flag, value, "--records", "DIR")
+            needs(flag, value, "--records", "example:near-fault")
     if flags["--scale"] is not None:
         level = {"--pga-g": flags["--pga-g"]}
         refuse(level, "--scale is the other way to set the level", "leave one out")

@@ -122,7 +122,6 @@ def fragility(
                 fragility_found.ensemble["record"].values, suite.files, strict=False
             )
         ],
-        **suite.values,
         "store": run.place and str(run.place.path),
     }
     headline = description.headline + (" of synthetic motions, no earthquake's" if example else "")
@@ -134,18 +133,14 @@ def fragility(
         output.write_plot(lambda page: fragility_figure(fragility_found, None, headline, page))
     kept = f", kept in {after['store']}" if after["store"] else ""
     notes = [
-        *([suite.words] if suite.left_out else []),
         *description.notes,
         f"{fragility_found.runs:,} runs and all fits in {fragility_found.seconds:.1f} s{kept}",
     ]
-    answer = description.answer
-    if answer is not None and suite.left_out:
-        counted = f"{fragility_found.runs:,} runs, {suite.words}"
-        answer = replace(answer, facts=[("records", counted), *answer.facts])
     output.leave(
         "fragility",
-        replace(description, headline=headline, notes=notes, answer=answer),
+        replace(description, headline=headline, notes=notes),
         after=after,
+        suite=suite,
         follow_up="" if output.plot else again(context, "--plot fragility.png", but=("--out",)),
     )
 
