@@ -80,8 +80,13 @@ class Suite:
 
         values, answer = self.values, description.answer
         if answer is not None and (self.left_out or "unstated_direction" in values):
-            fact = ("suite", suite_words(self.recordings, self.left_out))
-            answer = replace(answer, facts=[fact, *answer.facts])
+            runs = [
+                f"{fact.value:,} runs, "
+                for fact in description.facts
+                if fact.key == "runs" and isinstance(fact.value, int)
+            ]
+            words = "".join(runs) + suite_words(self.recordings, self.left_out)
+            answer = replace(answer, facts=[("suite", words), *answer.facts])
         columns = [
             Column("file", "file", lambda file: Path(file).name, left=True),
             Column("channel", "channel", left=True),
