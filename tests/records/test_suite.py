@@ -40,6 +40,18 @@ def test_a_table_of_all_kinds(tmp_path: Path) -> None:
     assert {each.kind for each in left} == {"vertical", "velocity", "not understood"}
 
 
+def test_a_channel_that_is_dead(tmp_path: Path) -> None:
+    path = tmp_path / "hut.csv"
+    rows = "".join(f"{k * 0.01:.2f};{v:.4f};0\n" for k, v in enumerate(VALUES))
+    path.write_text("Time (s);N-S (g);E-W (g)\n" + rows)
+    (found,) = read_recordings(path)
+    assert found.component == "N-S"
+    assert [(each.channel, each.kind) for each in found.left_out] == [("E-W (g)", "still")]
+    path.write_text("Time (s);N-S (g)\n0;0\n0.01;0\n0.02;0\n")
+    with pytest.raises(RecordFileError, match="all samples are zero"):
+        read_recordings(path)
+
+
 def test_a_folder_with_other_files_in_it(tmp_path: Path) -> None:
     files: dict[str, str | bytes] = {
         "a.AT2": at2(VALUES),

@@ -204,8 +204,12 @@ def _recordings(
     peaks = [float(abs(column).max()) for column in channels.values.T]
     recordings: list[Recording] = []
     odd: list[str] = []
+    still: list[str] = []
     faults: list[RecordFileError] = []
     for index, (name, label) in enumerate(labels):
+        if peaks[index] == 0.0 < max(peaks):
+            still.append(name)
+            continue
         try:
             of_name = partial(_unit_of, text, name, data_table)
             units, doubts = unless_given(given.units, of_name) or (None, ())
@@ -227,6 +231,10 @@ def _recordings(
     if not recordings:
         raise faults[0]
     left = _left_out(text, data_table, given, [name for name, _ in labels if name not in odd])
+    left += tuple(
+        LeftOut(file=text.path, channel=name, kind="still", why="all its samples are zero")
+        for name in still
+    )
     return tuple(replace(each, left_out=left) for each in recordings)
 
 

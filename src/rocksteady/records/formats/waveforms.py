@@ -178,7 +178,8 @@ def _recording(
     channel = Channel(
         values=np.asarray(values, dtype=np.float64),
         units=None,
-        dt_s=float(stats.delta),
+        # SAC holds it in single precision: .005 as .00499999989.
+        dt_s=float(f"{stats.delta:.7g}") if format_name == SAC else float(stats.delta),
         component=stats.channel or None,
         orientation=orientation,
         azimuth_deg=azimuth,
