@@ -167,7 +167,7 @@ def callables() -> Iterator[tuple[str, Callable[..., Any], tuple[object, ...]]]:
                 continue
             if isinstance(member, classmethod | staticmethod):
                 yield f"{name}.{each}", getattr(value, each), ()
-            elif inspect.isfunction(member):
+            elif inspect.isfunction(member) and member.__module__.startswith("rocksteady"):
                 yield f"{name}.{each}", member, (object.__new__(value),)
 
 

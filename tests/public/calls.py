@@ -124,6 +124,7 @@ def calls() -> dict[str, Call]:
         record.reversed: {},
         rs.records.RecordSet: {"name": "made"},
         t["set"].aligned: {"method": "trim"},
+        rs.records.RecordSuite: {"recordings": (t["recording"],)},
         rs.records.Recording: {
             "record": record,
             "format": "peer",

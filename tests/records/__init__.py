@@ -1,5 +1,7 @@
 """Sampled base motions: synthetic ones from a seed, real ones where they are at hand."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -8,6 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import Record, read_record
+from rocksteady.errors import RecordFileError
 from rocksteady.records import Recording
 
 Floats = NDArray[np.float64]
@@ -59,3 +62,11 @@ def recording(values: Floats, dt: float = 0.01, **others: object) -> Recording:
     record = Record(acceleration_m_s2=values, dt_s=dt, name="hut")
     whole = Recording(record=record, format="csv", path=Path("hut.csv"), units_in_file="g")
     return replace(whole, **others)  # type: ignore[arg-type]
+
+
+@contextmanager
+def refused(kind: str, words: str | None = None) -> Iterator[None]:
+    """Check that a file is refused, with the kind of its fault and words of the message."""
+    with pytest.raises(RecordFileError, match=words) as found:
+        yield
+    assert found.value.kind == kind, found.value

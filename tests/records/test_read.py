@@ -89,11 +89,15 @@ def test_the_error_of_a_file_comes_back_whole_from_another_process(tmp_path: Pat
     path = tmp_path / "hut.AT2"
     path.write_text(at2(samples(40)).replace("NPTS=     40", "NPTS= few"))
     with pytest.raises(RecordFileError) as refused:
-        read_record(path)
+        read_record(path, format="peer-at2")
     error = refused.value
     again = pickle.loads(pickle.dumps(error))
     assert str(again) == str(error)
     assert (again.path, again.line, again.found) == (path, 4, error.found)
+    path.write_text(at2(samples(40), quantity="VELOCITY"))
+    with pytest.raises(RecordFileError) as refused:
+        read_record(path)
+    assert pickle.loads(pickle.dumps(refused.value)).kind == refused.value.kind == "velocity"
     assert isinstance(again, InputError)
     assert isinstance(again, ValueError)
 
@@ -111,7 +115,11 @@ def test_a_folder_is_read_without_vertical_channels_and_hidden_files(tmp_path: P
     assert [record.name for record in read_records(tmp_path, pattern="b.*")] == ["b"]
     for folder, pattern, words in (
         (tmp_path / "none", "*", "there is no such folder"),
-        (tmp_path, "c.AT2", "none of its 1 files named c.AT2 has a horizontal record"),
+        (
+            tmp_path,
+            "c.AT2",
+            "none of its files named c.AT2 has a horizontal record; 1 channel left out: 1 vertical",
+        ),
     ):
         with pytest.raises(InputError, match=words):
             read_records(folder, pattern=pattern)

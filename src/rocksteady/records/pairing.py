@@ -232,10 +232,15 @@ def pair_records(
     >>> one.name, len(one.horizontal), one.vertical is not None
     ('HUT', 2, True)
     """
+    files = (read_recordings(path, units=units, dt_s=dt_s) for path in paths)
+    return paired(recording for recordings in files for recording in recordings)
+
+
+def paired(recordings: Iterable[Recording]) -> tuple[RecordSet, ...]:
+    """Return channels grouped by station and earthquake, as `pair_records` does."""
     groups: dict[tuple[str, ...], list[Recording]] = {}
-    for path in paths:
-        for recording in read_recordings(path, units=units, dt_s=dt_s):
-            groups.setdefault(_key(recording), []).append(recording)
+    for recording in recordings:
+        groups.setdefault(_key(recording), []).append(recording)
     return tuple(_set(key, recordings) for key, recordings in groups.items())
 
 

@@ -23,7 +23,6 @@ from rocksteady.records.formats import (
     knet,
     peer,
     smc,
-    unrecognised,
     waveforms,
 )
 from rocksteady.records.processing import correct_baseline
@@ -197,59 +196,33 @@ def _found(
         return columns.read_samples(text, given)
     for names, recognises, read in _READERS:
         if wanted in names or (wanted is None and recognises(text)):
-            why: RecordFileError | tuple[str, int] | None = None
-            if wanted is None and columns.CSV in names:
-                unrecognised.refuse_spectra(text)
-                columns.refuse_geonet(text)
-                why = unrecognised.network_of(text)
             try:
-                return read(text, given) if why is None else _as_table(text, given, why)
+                return read(text, given)
             except RecordFileError as error:
-                if error.kind or why is not None or wanted is not None or columns.CSV in names:
+                if error.kind or wanted is not None or read is columns.read:
                     raise
                 return _as_table(text, given, error)
-    if wanted is None:
-        unrecognised.refuse_spectra(text)
-        columns.refuse_without_rows(text)
+    columns.refuse_without_rows(text)
     return None
 
 
-def _as_table(
-    text: RecordText, given: Given, why: RecordFileError | tuple[str, int]
-) -> tuple[Recording, ...]:
+def _as_table(text: RecordText, given: Given, why: RecordFileError) -> tuple[Recording, ...]:
     """Return the channels of a network's file whose header is not understood, read as a table.
-
-    Parameters
-    ----------
-    text
-        The file.
-    given
-        What the caller says.
-    why
-        What the network's reader finds wrong; or the network, and the index of a line of it.
 
     Raises
     ------
     RecordFileError
-        If it is no table that states all that is needed: its header may be half a network's.
+        What the network's reader finds wrong, unless the table states all that is needed.
     """
-    if isinstance(why, tuple):
-        found = f"it looks like a file of {why[0]}'s, in a form that is not read"
-    else:
-        found = why.valid
     try:
         columns.read(text, replace(given, units=None, dt_s=None))
     except InputError as error:
-        if isinstance(why, RecordFileError):
-            raise why from error
-        if isinstance(error, RecordFileError) and error.kind not in {"", "damaged"}:
-            raise
-        valid = f"{found}, and as a table it fails: {error.valid}"
-        hint = "give its samples as a table that states unit and interval"
-        raise text.error(valid, hint, at=why[1]) from error
-    warning = f"it is read as a table: {found}"
+        raise why from error
+    warning = f"it is read as a table: {why.valid}"
     return tuple(
-        replace(each, warnings=(warning, *each.warnings)) for each in columns.read(text, given)
+        # Where it points may stand in what is not understood.
+        replace(each, warnings=(warning, *each.warnings), directed=True)
+        for each in columns.read(text, given)
     )
 
 

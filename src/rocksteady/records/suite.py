@@ -8,15 +8,15 @@ from pathlib import Path
 from typing import Final, overload
 
 from rocksteady.errors import InputError, RecordFileError
-from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.motions.record import Record
-from rocksteady.records.core.directions import pointing, tells_nothing
+from rocksteady.records.core.directions import pointing
 from rocksteady.records.core.recording import LeftOut, Recording
 from rocksteady.records.core.text import CONTRADICTION, DAMAGED, NO_RECORD
-from rocksteady.records.formats.columns import COLUMNS, CSV
 from rocksteady.records.read import read_recordings
 from rocksteady.results.numbers import plural
 
+OPEN: Final = "unknown direction"
 INCLUDABLE: Final = {
     "unknown": "its direction is not understood",
     "borehole": "its sensor is below ground",
@@ -25,10 +25,11 @@ INCLUDABLE: Final = {
 }
 """Kinds of channels that a suite has if they are asked for, and why it has not else."""
 
-_FAULTS: Final = {"": "not understood", CONTRADICTION: CONTRADICTION, DAMAGED: DAMAGED}
+FAULTS: Final = {"": "not understood", CONTRADICTION: CONTRADICTION, DAMAGED: DAMAGED}
 """Kinds of files that are records and cannot be read."""
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class RecordSuite(Sequence[Record]):
     """The horizontal records of files and folders, a sequence, and what is left out of it.
@@ -76,9 +77,13 @@ def suite_words(recordings: Sequence[Recording], left_out: Sequence[LeftOut]) ->
     """
     open_ = sum(each.orientation == "unknown" for each in recordings)
     words = [plural(len(recordings), "record") + (f", {open_} of unstated direction" * (open_ > 0))]
-    files = {NO_RECORD, *_FAULTS.values()}
+    files = {NO_RECORD, *FAULTS.values()}
     for of_files, named in ((False, "channel"), (True, "file")):
-        kinds = Counter(each.kind for each in left_out if (each.kind in files) == of_files)
+        kinds = Counter(
+            each.kind
+            for each in left_out
+            if (each.channel is None and each.kind in files) == of_files
+        )
         counted = ", ".join(f"{count} {kind}" for kind, count in sorted(kinds.items()))
         if kinds:
             words.append(f"{plural(kinds.total(), named)} left out: {counted}")
@@ -150,7 +155,7 @@ def read_records(
         try:
             recordings = read_recordings(file, units=units, dt_s=dt_s)
         except RecordFileError as error:
-            if error.kind in _FAULTS:
+            if error.kind in FAULTS:
                 raise
             left.append(file_left_out(file, error))
             continue
@@ -187,7 +192,7 @@ def check_includable(name: str, kind: object) -> str:
 def file_left_out(file: Path, error: InputError) -> LeftOut:
     """Return why a file has no channel in a suite."""
     kind = error.kind if isinstance(error, RecordFileError) else ""
-    return LeftOut(file=file, kind=_FAULTS.get(kind, kind), why=error.valid)
+    return LeftOut(file=file, kind=FAULTS.get(kind, kind), why=error.valid)
 
 
 def select(
@@ -204,27 +209,34 @@ def select(
     """
     taken, left = [], [*recordings[0].left_out] if recordings else []
     for each in recordings:
-        kind = _kind(each, alone=len(recordings) == 1)
+        kind = kind_of(each, alone=len(recordings) == 1)
         if not kind or kind in include:
             taken.append(each)
             continue
         why = INCLUDABLE.get(kind, kind)
-        counted = "unknown direction" if kind == "unknown" else kind
+        counted = OPEN if kind == "unknown" else kind
         left.append(LeftOut(file=each.path, channel=each.component, kind=counted, why=why))
     return tuple(taken), tuple(left)
 
 
-def _kind(recording: Recording, *, alone: bool) -> str:
-    """Return what keeps a channel from being a horizontal motion of the ground, or nothing."""
+def kind_of(recording: Recording, *, alone: bool) -> str:
+    """Return what keeps a channel from being a horizontal motion of the ground, or nothing.
+
+    Parameters
+    ----------
+    recording
+        The channel.
+    alone
+        Whether its file holds no other.
+    """
     if recording.orientation == "vertical":
         return "vertical"
     if recording.position in {"borehole", "structure"}:
         return recording.position
     if pointing(recording.component).rotated:
         return "rotated"
-    # The name of a table's column need not be that of a direction.
-    unnamed = recording.format in {CSV, COLUMNS} or tells_nothing(recording.component)
-    return "unknown" if recording.orientation == "unknown" and not (alone and unnamed) else ""
+    open_ = recording.orientation == "unknown" and (recording.directed or not alone)
+    return "unknown" if open_ else ""
 
 
 def files_of(folder: Path) -> list[Path]:

@@ -11,6 +11,7 @@ from rocksteady.errors import RecordFileError
 from rocksteady.records import Recording
 from rocksteady.records.core.assembling import Channel, Given, built, interval, unit
 from rocksteady.records.core.text import RecordText
+from tests.records import refused
 from tests.records.formats.networks import CM, read
 from tests.records.writers import smc
 
@@ -24,11 +25,14 @@ def made(text: RecordText = TEXT, given: Given | None = None, **fields: Any) -> 
     return built(text, "csv", Channel(**{**CHANNEL, **fields}), given or Given())
 
 
-def test_an_interval_other_than_the_stated_one_is_told(tmp_path: Path) -> None:
-    for factor, told in ((1.0, 0), (1.0 + 1e-8, 0), (1.0 - 1e-5, 1), (1.0 + 1e-5, 1), (2.0, 1)):
+def test_an_interval_other_than_the_stated_one_is_refused(tmp_path: Path) -> None:
+    for factor in (1.0, 1.0 + 1e-8):
         (found,) = read(tmp_path, smc(CM), dt_s=0.005 * factor)
-        assert found.record.dt_s == 0.005 * factor
-        assert len([each for each in found.warnings if "0.005 s between" in each]) == told, factor
+        assert (found.record.dt_s, found.warnings) == (0.005 * factor, ())
+    for factor in (1.0 - 1e-5, 1.0 + 1e-5, 2.0):
+        words = f"the file states 0.005 s between samples, and dt_s {0.005 * factor:g} s; leave out"
+        with refused("contradiction", words):
+            read(tmp_path, smc(CM), dt_s=0.005 * factor)
 
 
 def test_intervals_that_are_unusual_or_none() -> None:
@@ -37,31 +41,41 @@ def test_intervals_that_are_unusual_or_none() -> None:
         assert interval(TEXT, stated, Given()) == (stated, () if usual else (words,)), stated
         assert interval(TEXT, stated, Given(dt_s=stated)) == (stated, ())
     assert interval(TEXT, None, Given(dt_s=3.0)) == (3.0, ())
-    overruled = "the file states 0.01 s between samples; 0.02 s are taken"
-    assert interval(TEXT, 0.01, Given(dt_s=0.02)) == (0.02, (overruled,))
-    for wrong, words in (
-        (None, "the file does not state the interval between samples"),
-        (0.0, "that it states, 0 s, is not above 0"),
-        (-0.01, "that it states, -0.01 s, is not above 0"),
+    with refused(
+        "contradiction",
+        "the file states 0.01 s between samples, and dt_s 0.02 s; leave out dt_s where the file is "
+        "right, else read it with ignore_header",
     ):
-        with pytest.raises(RecordFileError, match=f"{words}; give dt_s, in seconds"):
+        interval(TEXT, 0.01, Given(dt_s=0.02))
+    for wrong, words in (
+        (None, "the file does not state the interval between samples; give dt_s, in seconds"),
+        (0.0, "that it states, 0 s, is not above 0; correct it in the file"),
+        (-0.01, "that it states, -0.01 s, is not above 0; correct it in the file"),
+    ):
+        with refused("", words):
             interval(TEXT, wrong, Given())
 
 
 def test_units_of_the_file_and_of_the_caller() -> None:
-    assert unit(TEXT, "G", Given()) == ("g", ())
-    for given in ("cm/s/s", "gal", "0.01 m/s2"):
-        assert unit(TEXT, "gal", Given(units=given))[1] == ()
-    assert unit(TEXT, "cm/s2", Given(units="G")) == (
-        "g",
-        ("the file states cm/s^2; its numbers are taken in g",),
-    )
-    for stated in (None, "volts"):
-        assert unit(TEXT, stated, Given(units="mg")) == ("mg", ())
-    with pytest.raises(RecordFileError, match="does not state the unit of its numbers; give units"):
+    assert unit(TEXT, "G", Given()) == "g"
+    for given, name in (("cm/s/s", "cm/s^2"), ("gal", "gal"), ("0.01 m/s2", "cm/s^2")):
+        assert unit(TEXT, "gal", Given(units=given)) == name
+    with refused(
+        "contradiction",
+        r"states that its numbers are in cm/s\^2, and units in g; leave out units where the file "
+        "is right, else read it with ignore_header",
+    ):
+        unit(TEXT, "cm/s2", Given(units="G"))
+    for stated in (None, "furlongs"):
+        assert unit(TEXT, stated, Given(units="mg")) == "mg"
+    with refused("", "does not state the unit of its numbers; give units"):
         unit(TEXT, None, Given())
-    with pytest.raises(RecordFileError, match="states, 'volts', is none of acceleration; give un"):
-        unit(TEXT, "volts", Given())
+    with refused("", "the unit that the file states, 'furlongs', is not understood; give units"):
+        unit(TEXT, "furlongs", Given())
+    for stated, quantity in (("volts", "counts"), ("cm/s", "velocity"), ("mm", "displacement")):
+        for whatever in (Given(), Given(units="mg")):
+            with refused(quantity, f"its numbers are in {stated}: {quantity}, and the base moves"):
+                unit(TEXT, stated, whatever)
 
 
 def test_the_size_of_a_peak_is_doubted_and_then_refused() -> None:
@@ -152,9 +166,11 @@ def test_directions_of_codes_words_and_names() -> None:
     by_name = "the file's name alone states that its values are positive downwards"
     for label, turned in ((None, True), ("acc 1", True), ("hut", False)):
         result = made(down, component=label)
-        assert result.warnings == ((by_name,) if turned else ()), label
+        odd = (f"where its channel points, {label!r}, is not understood",)
+        assert result.warnings == ((by_name,) if turned else odd), label
         assert (result.record.acceleration_m_s2[0] < 0.0) == turned
-        assert not made(down, component=label, alone=False).warnings
+        of_many = made(down, component=label, alone=False)
+        assert of_many.warnings == (() if turned else odd), label
 
 
 def test_what_the_caller_gives_is_looked_at_first() -> None:

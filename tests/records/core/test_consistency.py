@@ -155,15 +155,6 @@ def test_counts_above_tables(tmp_path: Path) -> None:
     assert "header states 40 s" in read(tmp_path, lasting)[0].warnings[0]
 
 
-@every(
-    "text",
-    ["time,acc (g)\n", "Time (s)  Acc (g)", "t;a\n", "acc (g)\n", "# made by hand\ntime\tacc_g\n"],
-)
-def test_a_table_without_rows_is_named(tmp_path: Path, text: str) -> None:
-    with pytest.raises(RecordFileError, match="names of columns and no rows of numbers"):
-        read(tmp_path, text)
-
-
 def test_the_real_file_cut_inside_its_last_number(tmp_path: Path) -> None:
     path = FOLDER / "suite_at2" / "A-BEN360.AT2"
     if not path.is_file():

@@ -1,5 +1,6 @@
 """Tables: separators, decimal commas, names with units, times; what is asked for and refused."""
 
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 from rocksteady import read_record
 from rocksteady.errors import InputError, RecordFileError
 from tests.every import every
+from tests.records import refused
 from tests.records.tables import THREE, G, read
 from tests.records.writers import csv, samples
 
@@ -50,8 +52,8 @@ def test_tables_with_times_and_units(tmp_path: Path, text: str, unit: str) -> No
         "1,0\n-2,5\n0,5\n",
         "1,0 -2,5\n0,5 0,25\n",
         "1.0;-2.5\n0.5;0.25\n",
-        "3 0.005\n1.0\n-2.5\n0.5\n",
-        "Time history matched to spectrum\n4 0.0200 656\n1.0 -2.5\n0.5 0.25\n",
+        "3 0.010\n1.0\n-2.5\n0.5\n",
+        "Time history matched to spectrum\n4 0.0100 656\n1.0 -2.5\n0.5 0.25\n",
         "1.0E+00\n-2.5D+00\n0.5\n",
     ],
 )
@@ -61,6 +63,9 @@ def test_samples_alone(tmp_path: Path, text: str) -> None:
     assert found.record.dt_s == 0.01
     with pytest.raises(RecordFileError, match="does not state the unit of its numbers"):
         read(tmp_path, text, dt_s=0.01)
+    if "010" in text:
+        with refused("contradiction", "states 0.01 s between samples, and dt_s 0.005 s"):
+            read(tmp_path, text, units="m/s^2", dt_s=0.005)
 
 
 @every(
@@ -101,18 +106,25 @@ def test_an_interval_may_be_any_number(tmp_path: Path) -> None:
         *[("dt (ms) = 5", 0.005), ("dt = 0,01 s", 0.01), ("sampling interval .1e-1 s", 0.01)],
         *[("Sampling interval (sec): 0.01", 0.01), ("dt = 10^-3 s", None), ("dt = .1,5", None)],
         *[("dt = 0.01 fortnights", None), ("dt = 0.01 x 10", None), ("dt (ms) = 5 s", None)],
-        *[("dt = 0.01\nsampling rate 200 Hz", None), ("sampling rate 200 g", None)],
+        *[("dt = 0.01\nsampling rate 200 Hz", 2), ("sampling rate 200 g", None)],
         *[("dt = 0.005\nsampling rate 200 Hz", 0.005), ("dt = 1.5.2 s", None)],
     ],
 )
 def test_intervals_with_their_units(tmp_path: Path, head: str, dt: float | None) -> None:
+    """What states no one interval is refused, and what states two whatever is given."""
     text = f"{head}\nunits: g\n1.0\n-2.5\n0.5\n"
     if dt is None:
-        with pytest.raises(RecordFileError):
+        with refused(""):
             read(tmp_path, text)
         assert read(tmp_path, text, dt_s=0.02)[0].record.dt_s == 0.02
+    elif dt == 2:
+        for dt_s in (None, 0.01, 0.02):
+            with refused("contradiction", "states 0.005 s and 0.01 s between samples; take out"):
+                read(tmp_path, text, dt_s=dt_s)
     else:
         assert read(tmp_path, text)[0].record.dt_s == pytest.approx(dt, rel=1e-12)
+        with refused("contradiction", "and dt_s 0.02 s; leave out dt_s"):
+            read(tmp_path, text, dt_s=0.02)
 
 
 @every(
@@ -120,22 +132,31 @@ def test_intervals_with_their_units(tmp_path: Path, head: str, dt: float | None)
     [
         *[("units: milli g", "mg"), ("units of acceleration: cm/s/s", "cm/s^2")],
         *[("acceleration in 10^-3 g", "mg"), ("units: s, g", "g"), ("units (g)", "g")],
-        *[("units: g (9.81 m/s2)", "g"), ("units: g x 1000", None), ("units: counts", None)],
-        *[("units: g (multiplied by 981)", None), ("units: g\nunits: cm/s2", None)],
+        *[("units: g (9.81 m/s2)", "g"), ("units: g x 1000", None), ("units: counts", "counts")],
+        *[("units: g (multiplied by 981)", None), ("units: g\nunits: cm/s2", "contradiction")],
         *[("scale factor = 2.0\nunits: g", None), ("scale factor = 1.0\nunits: g", "g")],
         *[("scale: 1/1000\nunits: g", None), ("units: g\nacceleration x 10^-3", None)],
-        *[("acceleration in cm/s2 x 10", None), ("units: gal/counts", None)],
+        *[("acceleration in cm/s2 x 10", None), ("units: gal/counts", "counts")],
     ],
 )
 def test_units_in_words(tmp_path: Path, head: str, unit: str | None) -> None:
+    """An option decides where the words are not understood, and there alone."""
     text = f"{head}\nmade by hand\n\n1.0\n-2.5\n0.5\n"
     if unit is None:
-        with pytest.raises(RecordFileError, match="unit"):
+        with refused("", "unit"):
             read(tmp_path, text, dt_s=0.01)
+        (found,) = read(tmp_path, text, dt_s=0.01, units="2 g")
+        assert found.record.acceleration_m_s2[0] == 2.0 * G
+    elif unit in {"counts", "contradiction"}:
+        for units in (None, "2 g"):
+            with refused(unit):
+                read(tmp_path, text, dt_s=0.01, units=units)
     else:
-        assert read(tmp_path, text, dt_s=0.01)[0].units_in_file == unit
-    (given,) = read(tmp_path, text, dt_s=0.01, units="2 g")
-    assert given.record.acceleration_m_s2[0] == 2.0 * G
+        (found,) = read(tmp_path, text, dt_s=0.01)
+        assert found.units_in_file == unit
+        assert read(tmp_path, text, dt_s=0.01, units=unit)[0].record == found.record
+        with refused("contradiction", "and units in 2 g; leave out units"):
+            read(tmp_path, text, dt_s=0.01, units="2 g")
 
 
 def test_the_interval_is_asked_for(tmp_path: Path) -> None:
@@ -152,8 +173,11 @@ def test_several_columns_are_channels(tmp_path: Path) -> None:
         read_record(path, units="g")
     assert read_record(path, units="g", channel="AY") == second.record
     assert read_record(path, units="g", channel=1) == first.record
-    (by_name,) = read(tmp_path, text, units="g", column="vel")
-    assert set(by_name.record.acceleration_m_s2) == {7 * G}
+    (by_name,) = read(tmp_path, text, units="g", column="AY")
+    assert by_name.record == replace(second.record, name="table")
+    for of_velocity in ("vel", 4):
+        with refused("velocity", "line 1, .*: its column is vel: velocity, and the base moves"):
+            read(tmp_path, text, units="g", column=of_velocity)
     (by_number,) = read(tmp_path, text, units="g", column=3)
     np.testing.assert_array_equal(
         by_number.record.acceleration_m_s2, second.record.acceleration_m_s2
@@ -187,8 +211,8 @@ STEADY = "".join(f"{0.01 * n:.2f} {n % 3}\n" for n in range(20))
         ("t,acc (g)\n0,1\n.01,2\n.01,3\n", "line 4, .*does not come after"),
         ("t,acc (g)\n0,1\n.01,2\n.03,3\n.04,2\n.05,2\n", "line 4, .*is 0.02 s after"),
         (f"{STEADY}0.02 3\n{STEADY}", "line 21, .*does not come after"),
-        ("time,velocity (cm/s)\n0,1\n.01,2\n.02,3\n", "none of its columns is called"),
-        ("velocity in cm/s\n1\n2\n3\n", "speaks of another quantity|none of its columns"),
+        ("time,velocity (cm/s)\n0,1\n.01,2\n.02,3\n", "line 1, .*: velocity, and the base"),
+        ("velocity in cm/s\n1\n2\n3\n", "its header names another quantity: velocity, and"),
         ("just words\nand more\n", "in no format"),
         ("t,acc (g)\n0,1\n", "one sample|no record"),
         ("5 0.01\n1.0\n2.0\n3.0\n", "3 samples are read so far, and line 1 states 5"),
@@ -298,9 +322,8 @@ def test_blank_lines_of_a_spreadsheet(tmp_path: Path) -> None:
 
 def test_an_interval_that_the_times_contradict(tmp_path: Path) -> None:
     text = csv(samples(100), 0.01)
-    (told,) = read(tmp_path, text, dt_s=0.02)
-    assert told.record.dt_s == 0.02
-    assert told.warnings == ("the file states 0.01 s between samples; 0.02 s are taken",)
+    with refused("contradiction", "the file states 0.01 s between samples, and dt_s 0.02 s; leave"):
+        read(tmp_path, text, dt_s=0.02)
     (finer,) = read(tmp_path, text, dt_s=0.005, resample=True)
     assert (finer.record.dt_s, len(finer.record.acceleration_m_s2)) == (0.005, 199)
     assert finer.processing == (
@@ -452,8 +475,8 @@ def test_rows_that_are_short(tmp_path: Path) -> None:
     for text, words in (
         ("t,ax,ay\n0,1,2\n.01,2\n.02,3,4\n", "line 3, .*it has 2 numbers, and the table has 3 col"),
         ("t,ax,ay\n0,1,2\n.01,2,3\n.02,3\n", "line 4, .*it has 2 numbers, and the table has 3 col"),
-        ("1 2 3\n4\n5 6 7\n", "line 2, .*it has 1 number, and the table has 3 columns; fetch"),
-        ("1 2\n4\n5 6\n", "line 2, .*it has 1 number, and the table has 2 columns; fetch"),
+        ("1 2 3\n4\n5 6 7\n", "line 2, .*it has 1 number, and the table has 3 columns; complete"),
+        ("1 2\n4\n5 6\n", "line 2, .*it has 1 number, and the table has 2 columns; complete"),
     ):
         with pytest.raises(RecordFileError, match=words):
             read(tmp_path, text, units="g", dt_s=0.01)
@@ -462,7 +485,7 @@ def test_rows_that_are_short(tmp_path: Path) -> None:
 
 
 def test_quantities_of_words_above_a_table(tmp_path: Path) -> None:
-    for words, refused in (
+    for words, wrong in (
         *(
             ("velocity of the base", True),
             ("displacement", True),
@@ -476,7 +499,7 @@ def test_quantities_of_words_above_a_table(tmp_path: Path) -> None:
         ("accelerogram\nnumber of points 3", False),
     ):
         text = f"{words}\n1.5 2.5 -0.5\n2.5 1.5 0.5\n"
-        if refused:
+        if wrong:
             with pytest.raises(RecordFileError, match=r"quantity|counts, which|GeoNet"):
                 read(tmp_path, text, format="columns", units="g", dt_s=0.01)
         else:
@@ -485,7 +508,9 @@ def test_quantities_of_words_above_a_table(tmp_path: Path) -> None:
 
 def test_names_without_rows_below_them(tmp_path: Path) -> None:
     for text, named in (
-        *(("time,acc (g)\n", True), ("acc (g)\n", True), ("acc (g)\nhut\n", False)),
+        *(("time,acc (g)\n", True), ("acc (g)\n", False), ("acc (g)\nhut\n", False)),
+        *(("Time (s)  Acc (g)", True), ("t;a\n", True), ("# by hand\ntime\tacc_g\n", True)),
+        ("Two records of a hut.\n", False),
         *(("hut\ntime  acc (g)\n", True), ("hut,shed\n", False), ("hut\n" * 40, False)),
         *((f"{'hut' + chr(10)}" * 39 + "time,acc (g)\n", True),),
         *((f"{'hut' + chr(10)}" * 40 + "time,acc (g)\n", False),),
@@ -533,10 +558,10 @@ def test_rows_of_units_below_the_names(tmp_path: Path) -> None:
         assert result.component == "Acc"
     with pytest.raises(RecordFileError, match=r"line 2, .*its column 'furlong' is not understood"):
         read(tmp_path, f"Time,Vel,Acc\ns,furlong,volt\n{rows}")
-    for place, refused in ((19, True), (20, False)):
+    for place, wrong in ((19, True), (20, False)):
         words = "\n".join(["Corrected accelerogram", *["-"] * (place - 1), "number of points 3"])
         text = f"{words}\n1.5 2.5 -0.5\n2.5 1.5 0.5\n"
-        if refused:
+        if wrong:
             with pytest.raises(RecordFileError, match="it is one of GeoNet's files"):
                 read(tmp_path, text, format="columns", units="g", dt_s=0.01)
         else:

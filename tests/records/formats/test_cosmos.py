@@ -8,6 +8,7 @@ import pytest
 
 from rocksteady.errors import RecordFileError
 from tests.every import every
+from tests.records import refused
 from tests.records.formats.networks import CM, close, read
 from tests.records.writers import cosmos_channel, samples
 
@@ -79,8 +80,10 @@ def test_cosmos_of_several_channels_and_quantities(tmp_path: Path) -> None:
     close(second, 0.5 * CM, 1e-5)
     assert [one.orientation for one in (first, second)] == ["horizontal", "vertical"]
     assert first.record.name != second.record.name
-    with pytest.raises(RecordFileError, match="it holds no acceleration"):
-        read(tmp_path, cosmos_channel(CM, quantity="velocity", units="cm/sec(05)"))
+    alone = cosmos_channel(CM, quantity="velocity", units="cm/sec(05)")
+    for given in ({}, {"units": "gal"}):
+        with refused("velocity", "it announces no acceleration: velocity, and the base moves"):
+            read(tmp_path, alone, **given)
 
 
 @every(("code", "azimuth"), [(1, 1.0), (359, 359.0), (360, 0.0), (361, None), (399, None)])
@@ -95,26 +98,35 @@ def test_cosmos_levels_and_counts(tmp_path: Path) -> None:
     both = read(tmp_path, 2 * cosmos_channel(CM, first="Uncorrected acceleration"))
     assert [one.format for one in both] == ["cosmos-v1", "cosmos-v1"]
     assert both[0].event == both[1].event
-    with pytest.raises(RecordFileError, match="instrument's counts"):
-        read(tmp_path, cosmos_channel(CM, first="Raw acceleration counts", units="counts (50)"))
+    raw = cosmos_channel(CM, first="Raw acceleration counts", units="counts (50)")
+    for given in ({}, {"units": "gal"}):
+        with refused("counts", "its numbers are in counts: counts, and the base moves"):
+            read(tmp_path, raw, **given)
 
 
 @every(("code", "unit"), [(2, "g"), (4, "cm/sec2"), (7, "in/sec2"), (10, "gal"), (11, "mg")])
 def test_cosmos_units_with_their_code(tmp_path: Path, code: int, unit: str) -> None:
-    """A code without its unit is a contradiction."""
+    """A code beside another unit is a contradiction."""
     (found,) = read(tmp_path, cosmos_channel(CM / 981.0, units=f"{unit}({code:02d})"))
     (plain,) = read(tmp_path, cosmos_channel(CM / 981.0, units=unit))
     assert found.record == plain.record
-    with pytest.raises(RecordFileError, match="is none of acceleration; give units"):
+    with refused("contradiction", rf"its words state mm/s\^2, and its code {code} "):
         read(tmp_path, cosmos_channel(CM, units=f"mm/sec2({code:02d})"))
 
 
-@every("units", ["g(04)", "cm/sec2 x 10(04)", "cm/sec(04)", "V(03)"])
-def test_cosmos_units_that_contradict_their_code(tmp_path: Path, units: str) -> None:
-    with pytest.raises(RecordFileError, match="is none of acceleration; give units"):
-        read(tmp_path, cosmos_channel(CM, units=units))
-    (given,) = read(tmp_path, cosmos_channel(CM, units=units), units="gal")
-    close(given, CM, 5e-4)
+def test_cosmos_units_that_contradict_their_code(tmp_path: Path) -> None:
+    for units, kind in (
+        *(("g(04)", "contradiction"), ("cm/sec(04)", "velocity")),
+        *(("V(03)", "counts"), ("cm/sec2(50)", "counts")),
+    ):
+        for given in ({}, {"units": "gal"}):
+            with refused(kind):
+                read(tmp_path, cosmos_channel(CM, units=units), **given)
+    text = cosmos_channel(CM, units="cm/sec2 x 10(04)")
+    with refused("", "the unit that the file states, .*, is not understood; give units"):
+        read(tmp_path, text)
+    (one,) = read(tmp_path, text, units="gal")
+    close(one, CM, 5e-4)
 
 
 def test_cosmos_that_is_cut(tmp_path: Path) -> None:
@@ -194,12 +206,12 @@ def test_cosmos_directions_without_a_code(tmp_path: Path) -> None:
     for text, component, orientation, azimuth in (
         (plain, "340 deg", "horizontal", 340.0),
         (plain.replace("340 deg", "Up"), "Up", "vertical", None),
-        (plain.replace("340 deg", "Other"), "Other", None, None),
+        (plain.replace("340 deg", "Other"), "Other", "unknown", None),
         (plain.replace(" | comment", scnl.format("HNE") + " |"), "HNE", "horizontal", 90.0),
         (plain.replace(" | comment", scnl.format("HN3") + " |"), "HN3", "horizontal", 340.0),
         (cosmos_channel(CM, azimuth=402, label="Vert"), "Vert", "vertical", None),
         (cosmos_channel(CM, azimuth=400, label="Up"), "Up", "vertical", None),
-        (cosmos_channel(CM, azimuth=0, label="sensor"), "sensor", None, None),
+        (cosmos_channel(CM, azimuth=0, label="sensor"), "sensor", "unknown", None),
     ):
         (result,) = read(tmp_path, text)
         assert (result.component, result.orientation, result.azimuth_deg) == (

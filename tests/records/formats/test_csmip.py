@@ -7,14 +7,15 @@ import numpy as np
 import pytest
 
 from rocksteady.errors import RecordFileError
+from tests.records import refused
 from tests.records.formats.networks import CM, close, read
 from tests.records.writers import csmip_v2_channel, rows
 
 
 def test_csmip_units_are_understood_as_a_whole(tmp_path: Path) -> None:
     text = csmip_v2_channel(CM)
-    for unit in ("cm/sec2 x 10.", "counts.", "cm/sec2 (multiplied by 10)"):
-        with pytest.raises(RecordFileError, match="is none of acceleration"):
+    for unit in ("cm/sec2 x 10.", "furlongs.", "cm/sec2 (multiplied by 10)"):
+        with refused("", "the unit that the file states, .*, is not understood; give units"):
             read(tmp_path, text.replace("in cm/sec2.", f"in {unit}"))
     with pytest.raises(RecordFileError, match=r"line 46, .*its unit of time is not understood"):
         read(tmp_path, text.replace("0.005 sec, in cm/sec2", "0.005 furlongs, in cm/sec2"))
@@ -33,8 +34,9 @@ def test_csmip_volume_2_takes_the_acceleration_of_each_channel(tmp_path: Path) -
 
 def test_csmip_without_acceleration_is_refused(tmp_path: Path) -> None:
     text = csmip_v2_channel(CM).replace("points of accel data", "points of veloc data")
-    with pytest.raises(RecordFileError, match="it holds no acceleration"):
-        read(tmp_path, text)
+    for given in ({}, {"units": "gal"}):
+        with refused("velocity", "it announces no samples of acceleration: velocity, and the base"):
+            read(tmp_path, text, **given)
 
 
 def test_csmip_volume_1(tmp_path: Path) -> None:
@@ -108,7 +110,7 @@ def test_csmip_words_of_the_header(tmp_path: Path) -> None:
         (peak, peak.replace("cm/sec/sec", "furlongs"), {"stated_peak_m_s2": None, "warnings": ()}),
         ("Hut                   ", " " * 22, {"station": "89146"}),
         ("Hut                                       CGS", "", {"station": "89146"}),
-        ("Chan  1: 360 Deg", "-", {"component": None, "orientation": None}),
+        ("Chan  1: 360 Deg", "-", {"component": None, "orientation": "unknown"}),
         ("Record of", "Rcrd of", {"event": "Rcrd of Mon Feb 13, 2012 13:06:45.0 PST"}),
         (
             "intervals of    0.005",

@@ -1,5 +1,6 @@
 """Files of ESM: values, header and units, and what is refused."""
 
+import re
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import pytest
 
 from rocksteady.errors import RecordFileError
 from tests.every import every
+from tests.records import refused
 from tests.records.formats.networks import CM, close, read
 from tests.records.writers import esm
 
@@ -32,13 +34,20 @@ def test_esm_in_other_units_and_with_many_values_in_a_line(tmp_path: Path) -> No
 
 
 def test_esm_of_another_quantity_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(RecordFileError, match=r"line 10, 'DATA_TYPE: VELOCITY': the base moves"):
-        read(tmp_path, esm(CM, data_type="VELOCITY"))
+    for given in ({}, {"units": "gal"}):
+        with refused(
+            "velocity", "line 10, 'DATA_TYPE: VELOCITY': .*: velocity, and the base moves"
+        ):
+            read(tmp_path, esm(CM, data_type="VELOCITY"), **given)
 
 
-@every("units", ["cm/s^2 * 10", "cm/s", "counts", "G/CM"])
-def test_esm_units_are_understood_as_a_whole(tmp_path: Path, units: str) -> None:
-    with pytest.raises(RecordFileError, match="is none of acceleration; give units"):
+@every(
+    ("units", "kind"),
+    [("cm/s^2 * 10", ""), ("cm/s", "velocity"), ("counts", "counts"), ("G/CM", "")],
+)
+def test_esm_units_are_understood_as_a_whole(tmp_path: Path, units: str, kind: str) -> None:
+    words = f"its numbers are in {units}: {kind}, and" if kind else "is not understood; give units"
+    with refused(kind, words):
         read(tmp_path, esm(CM, UNITS=units))
     with pytest.raises(RecordFileError, match="a factor on the samples is stated"):
         read(tmp_path, esm(CM).replace("USER1: /", "SCALE_FACTOR: 2.0\nUSER1: /"))
@@ -50,8 +59,11 @@ def test_esm_counts(tmp_path: Path) -> None:
     (found,) = read(tmp_path, esm(CM, NDATA="400"))
     assert len(found.record.acceleration_m_s2) == 400
     assert "left out" in found.warnings[0]
-    with pytest.raises(RecordFileError, match="whole number"):
-        read(tmp_path, esm(CM, NDATA="many"))
+    (whole,), (table,) = read(tmp_path, esm(CM)), read(tmp_path, esm(CM, NDATA="many"))
+    assert (table.record, table.format) == (whole.record, "columns")
+    assert re.match("it is read as a table: line 6, .* a whole number", table.warnings[0])
+    with refused("", "line 6, 'NDATA: many': it must state a whole number, once"):
+        read(tmp_path, esm(CM, NDATA="many"), format="esm-ascii")
 
 
 def test_a_peak_that_is_not_the_headers_is_a_warning(tmp_path: Path) -> None:
@@ -64,7 +76,7 @@ def test_esm_keys_that_are_missing_or_of_another_form(tmp_path: Path) -> None:
         ("STATION_CODE: HUT", "STATION_NAME: Shed", {"station": "Shed"}),
         ("STATION_CODE: HUT", "STATION_CODE: ", {"station": None}),
         ("EVENT_ID: EM-1", "EVENT_ID: ", {"event": "SOMEWHERE"}),
-        ("STREAM: HNE", "STREAM: ", {"component": None, "orientation": None}),
+        ("STREAM: HNE", "STREAM: ", {"component": None, "orientation": "unknown"}),
         ("160919.870", "160919", {"start_time": datetime(2019, 7, 28, 16, 9, 19, tzinfo=UTC)}),
         ("160919.870", "noon", {"start_time": None}),
         ("PGA_CM/S^2: ", "PGA_: ", {"stated_peak_m_s2": None, "warnings": ()}),

@@ -96,7 +96,7 @@ def test_knet_words_of_the_header(tmp_path: Path) -> None:
         ("Mag.              6.2", "Mag.", {"event": "2018/01/24 19:51:00"}),
         ("Time       2018/01/24 19:51:00", "Time", {"event": "M 6.2"}),
         ("AOM001", "", {"station": None}),
-        ("N-S", "", {"component": None, "orientation": None}),
+        ("N-S", "", {"component": None, "orientation": "unknown"}),
         ("N-S", "7", {"component": "7", "format": "knet"}),
         ("N-S", "4", {"component": "N-S", "format": "kiknet", "station": "AOM001 surface"}),
         ("N-S", "6", {"component": "U-D", "format": "kiknet", "station": "AOM001 surface"}),

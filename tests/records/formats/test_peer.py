@@ -11,6 +11,7 @@ from rocksteady import read_record
 from rocksteady.errors import RecordFileError
 from rocksteady.records import read_recordings
 from tests.every import every
+from tests.records import refused
 from tests.records.writers import at2, samples
 
 G = 9.80665
@@ -126,12 +127,22 @@ def test_a_count_beyond_all_bounds_allocates_nothing(tmp_path: Path) -> None:
             read_recordings(written(tmp_path, text))
 
 
-def test_times_beside_the_samples_are_refused(tmp_path: Path) -> None:
+def test_times_beside_the_samples_make_a_table(tmp_path: Path) -> None:
     values = samples(40)
     rows = "".join(f"{0.01 * at:8.3f} {value:15.7E}\n" for at, value in enumerate(values))
     head = "".join(at2(values).splitlines(keepends=True)[:4])
-    with pytest.raises(RecordFileError, match=r"line 5.*times stand beside the samples"):
-        read_recordings(written(tmp_path, head + rows))
+    path = written(tmp_path, head + rows)
+    (found,) = read_recordings(path)
+    np.testing.assert_allclose(found.record.acceleration_m_s2, values * G, rtol=1e-6)
+    assert (found.format, found.record.dt_s, found.units_in_file) == ("columns", 0.01, "g")
+    assert "it is read as a table: line 5, " in found.warnings[0]
+    assert "times stand beside the samples" in found.warnings[0]
+    with refused("", "line 5.*times stand beside the samples"):
+        read_recordings(path, format="peer-at2")
+    with refused("contradiction"):
+        read_recordings(path, units="mg")
+    with refused("contradiction"):
+        read_recordings(path, dt_s=0.02)
 
 
 def test_blank_lines_in_the_header(tmp_path: Path) -> None:
@@ -158,10 +169,10 @@ def test_words_after_the_last_sample_on_its_own_line(tmp_path: Path) -> None:
 def test_a_letter_among_the_samples_is_refused_with_its_line(tmp_path: Path) -> None:
     lines = at2(samples(40)).split("\n")
     lines[7] = lines[7].replace("E", "X", 1)
-    with pytest.raises(RecordFileError, match=r"line 8, .*X") as refused:
+    with pytest.raises(RecordFileError, match=r"line 8, .*X") as found:
         read_recordings(written(tmp_path, "\n".join(lines)))
-    assert refused.value.line == 8
-    assert "\n" not in str(refused.value)
+    assert found.value.line == 8
+    assert "\n" not in str(found.value)
 
 
 @every(
@@ -189,12 +200,14 @@ def test_units_of_the_file_those_asked_for_and_those_given(tmp_path: Path) -> No
         read_record(written(tmp_path, nothing))
     (found,) = read_recordings(written(tmp_path, nothing), units="gal")
     assert found.warnings == ()
-    (found,) = read_recordings(written(tmp_path, in_cm), units="mm/s^2", dt_s=0.02)
-    assert found.record.dt_s == 0.02
-    assert found.warnings == (
-        "the file states cm/s^2; its numbers are taken in mm/s^2",
-        "the file states 0.01 s between samples; 0.02 s are taken",
-    )
+    path = written(tmp_path, in_cm)
+    assert read_record(path, units="gal", dt_s=0.01) == record
+    with refused(
+        "contradiction", r"its numbers are in cm/s\^2, and units in mm/s\^2; leave out un"
+    ):
+        read_recordings(path, units="mm/s^2")
+    with refused("contradiction", "states 0.01 s between samples, and dt_s 0.02 s; leave out dt_s"):
+        read_recordings(path, dt_s=0.02)
 
 
 @every(
@@ -217,23 +230,32 @@ def test_units_of_the_interval(tmp_path: Path, counts: str, dt: float | None) ->
 
 
 @every(
-    "quantity",
+    ("quantity", "kind"),
     [
-        "ACCELERATION TIME HISTORY IN UNITS OF G (MULTIPLIED BY 981)",
-        "ACCELERATION TIME HISTORY IN UNITS OF G, SCALE FACTOR= 2.0",
-        "ACCELERATION TIME HISTORY IN UNITS OF G X 1000",
-        "ACCELERATION TIME HISTORY IN UNITS OF G/CM",
-        "ACCELERATION TIME HISTORY IN UNITS OF COUNTS",
-        "ACCELERATION TIME HISTORY IN UNITS OF THOUSANDTHS OF G",
-        "UNITS OF G. UNITS OF CM/S/S",
+        ("ACCELERATION TIME HISTORY IN UNITS OF G (MULTIPLIED BY 981)", ""),
+        ("ACCELERATION TIME HISTORY IN UNITS OF G, SCALE FACTOR= 2.0", ""),
+        ("ACCELERATION TIME HISTORY IN UNITS OF G X 1000", ""),
+        ("ACCELERATION TIME HISTORY IN UNITS OF G/CM", ""),
+        ("ACCELERATION TIME HISTORY IN UNITS OF COUNTS", "counts"),
+        ("ACCELERATION TIME HISTORY IN UNITS OF THOUSANDTHS OF G", ""),
+        ("UNITS OF G. UNITS OF CM/S/S", "contradiction"),
     ],
 )
-def test_units_that_are_not_understood_as_a_whole(tmp_path: Path, quantity: str) -> None:
+def test_units_that_are_not_understood_as_a_whole(tmp_path: Path, quantity: str, kind: str) -> None:
     path = written(tmp_path, at2(samples(40), quantity=quantity))
-    with pytest.raises(RecordFileError, match=r"line 3, .*give units"):
+    words = {
+        "": "line 3, .*give units",
+        "counts": "its numbers are in COUNTS: counts, and the base moves",
+        "contradiction": "line 3, .*which are not one unit; take out the line that is wrong",
+    }
+    with refused(kind, words[kind]):
         read_recordings(path)
-    (given,) = read_recordings(path, units="2 g")
-    assert given.record.peak_acceleration_m_s2 == pytest.approx(2.0 * G, rel=1e-6)
+    if kind:
+        with refused(kind, words[kind]):
+            read_recordings(path, units="2 g")
+    else:
+        (given,) = read_recordings(path, units="2 g")
+        assert given.record.peak_acceleration_m_s2 == pytest.approx(2.0 * G, rel=1e-6)
     scaled = at2(samples(40), counts="NPTS= {count}, DT= {dt:.4f} SEC, SCALE FACTOR= 2.0")
     with pytest.raises(RecordFileError, match=r"line 4, .*a factor on the samples"):
         read_recordings(written(tmp_path, scaled))

@@ -145,7 +145,7 @@ def test_smc_peaks_and_directions(tmp_path: Path) -> None:
         (single,) = read(tmp_path, text)
         known = angles[0] != 45 and 0 <= angles[1] <= 360
         assert (single.orientation, single.azimuth_deg) == (
-            (orientation, azimuth) if known else (None, None)
+            (orientation, azimuth) if known else ("unknown", None)
         ), angles
         sign = -1.0 if angles[0] == 180 else 1.0
         np.testing.assert_allclose(single.record.acceleration_m_s2, 0.01 * sign * CM, atol=1e-4)

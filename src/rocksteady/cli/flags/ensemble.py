@@ -5,17 +5,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
-from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
+from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.options import Panel, mass_flag
 from rocksteady.cli.flags.parsing import decimal, number, restitution_from, values_of
-from rocksteady.cli.flags.record_files import FLOOR_FLAGS, ReadingFlags, like_example
+from rocksteady.cli.flags.record_files import ReadingFlags, like_example, warn_of
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_text
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.records.core.text import CONTRADICTION, DAMAGED, NO_RECORD
+from rocksteady.records.core.text import NO_RECORD
 from rocksteady.records.examples import example_named
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.rendering import printable
@@ -80,8 +80,11 @@ class Suite:
 
         values, answer = self.values, description.answer
         if answer is not None and (self.left_out or "unstated_direction" in values):
-            fact = ("suite", suite_words(self.recordings, self.left_out))
-            answer = replace(answer, facts=[fact, *answer.facts])
+            words = suite_words(self.recordings, self.left_out)
+            runs = next((each.value for each in description.facts if each.key == "runs"), None)
+            words = f"{runs:,} runs, {words}" if isinstance(runs, int) else words
+            first, *others = [*answer.facts, ("", "")]
+            answer = replace(answer, facts=[first, ("suite", words), *others])
         columns = [
             Column("file", "file", lambda file: Path(file).name, left=True),
             Column("channel", "channel", left=True),
@@ -173,26 +176,26 @@ class SuiteFlags:
         InputError
             If nothing is left, or --pair meets a flag that it has no use for.
         """
-        from rocksteady.records.suite import INCLUDABLE, file_left_out, nothing_left
+        from rocksteady.records.suite import FAULTS, INCLUDABLE, file_left_out, nothing_left
 
         # A channel that is named is meant, whatever its kind.
         kinds = [*self.kinds, *[*INCLUDABLE] * (reading.channel is not None)]
-        if self.pair:
-            kept = ("--units", "--dt-s", *FLOOR_FLAGS.values())
-            idle = {flag: value for flag, value in reading.given.items() if flag not in kept}
-            refuse(idle, "channels are paired as their files have them", "leave one out")
-        suite, files = Suite(), self.files
+        ground = replace(reading, floor_hz=None, floor_damping=None, participation=None)
+        suite = Suite()
         channels: list[Recording] = []
-        for file in files:
+        for file in self.files:
             try:
-                channels += self._channels(file, reading, kinds, suite)
+                read = (ground if self.pair else reading).recordings(file, warned=False)
+                chosen = self._chosen(read, kinds, suite)
+                warn_of(file, chosen)
+                channels += chosen
             except InputError as error:
                 if self.records == [file]:
                     if isinstance(error, RecordFileError):
                         raise InputError("--records", file, error.valid, error.hint) from None
                     raise
                 suite.left_out.append(file_left_out(file, error))
-                if getattr(error, "kind", "") in {"", CONTRADICTION, DAMAGED}:
+                if suite.left_out[-1].kind in FAULTS.values():
                     terminal.note(f"{file} is left out: {printable(error.valid)}")
         if self.pair:
             self._pair(channels, reading, suite)
@@ -205,14 +208,13 @@ class SuiteFlags:
             raise InputError("--records", given, reason, _remedy(suite.left_out))
         return suite
 
-    def _channels(
-        self, file: Path, reading: ReadingFlags, kinds: list[str], suite: Suite
+    def _chosen(
+        self, recordings: "list[Recording]", kinds: list[str], suite: Suite
     ) -> "list[Recording]":
         """Return the horizontal channels of a file, and with --pair its vertical ones."""
         from rocksteady.records.suite import select
         from rocksteady.seismic.measures.time_course import refuse_extreme
 
-        recordings = reading.recordings(file)
         across, others = select(recordings, kinds)
         for recording in across:
             refuse_extreme(recording.record)
@@ -223,47 +225,35 @@ class SuiteFlags:
     def _pair(self, channels: "list[Recording]", reading: ReadingFlags, suite: Suite) -> None:
         """Add the motions of paired channels, and of those of --include, which are not paired."""
         from rocksteady.records.core.recording import LeftOut
-        from rocksteady.records.pairing import RecordSet, pair_records
-        from rocksteady.records.suite import select
+        from rocksteady.records.pairing import paired
+        from rocksteady.records.suite import kind_of
 
-        waiting = {}
+        ground: list[Recording] = []
+        idle: list[Recording] = []
         for each in channels:
-            if each.orientation == "vertical" or select((replace(each, left_out=()),))[0]:
-                waiting[_key(each)] = each
-            else:
+            if each.orientation != "vertical" and kind_of(each, alone=True):
                 suite.recordings.append(each)
-                suite.motions.append(each.record)
-        files = dict.fromkeys(each.path for each in waiting.values())
-        for group in pair_records(list(files), units=reading.units, dt_s=reading.dt_s):
-            known = [
-                each
-                for each in group.recordings
-                if _key(each) in waiting and each.position not in {"borehole", "structure"}
-            ]
-            across = tuple(each for each in known if each.orientation != "vertical")
-            upright = next((each for each in known if each.orientation == "vertical"), None)
-            if not across:
+                suite.motions.append(reading.on_floor(each.record))
+            else:
+                (idle if each.position in {"borehole", "structure"} else ground).append(each)
+        for group in paired(ground):
+            for warning in group.warnings:
+                terminal.note(f"{group.name}: {warning}")
+            unstated = [each for each in group.other if each.orientation == "unknown"]
+            idle += [each for each in group.other if each.orientation == "vertical"]
+            station = replace(group, horizontal=(*group.horizontal, *unstated), other=())
+            if not station.horizontal:
+                idle += station.recordings
                 continue
-            stated = group.warnings if len(known) == len(group.recordings) else ()
-            kept = RecordSet(name=group.name, horizontal=across, vertical=upright, warnings=stated)
-            for warning in kept.warnings:
-                terminal.note(f"{kept.name}: {warning}")
-            for each in kept.recordings:
-                del waiting[_key(each)]
-            steps = {recording.record.dt_s for recording in kept.recordings}
-            ready = kept.aligned("pad") if len(steps) == 1 else kept
+            steps = {recording.record.dt_s for recording in station.recordings}
+            ready = station.aligned("pad") if len(steps) == 1 else station
             suite.motions.extend(map(reading.on_floor, ready.motions()))
             suite.recordings.extend(ready.horizontal)
         why = "vertical, and no horizontal channel goes with it"
         suite.left_out.extend(
             LeftOut(file=each.path, channel=each.component, kind="vertical", why=why)
-            for each in waiting.values()
+            for each in idle
         )
-
-
-def _key(recording: "Recording") -> tuple[Path, str]:
-    """Return what tells a channel from all others."""
-    return recording.path, printable(recording.record.name or "")
 
 
 def _remedy(left_out: "list[LeftOut]") -> str:

@@ -9,6 +9,7 @@ from rocksteady.model.checks.validation import positive
 from rocksteady.model.motions.record import Record
 from rocksteady.records.core.directions import (
     Pointing,
+    contradiction,
     pointing,
     pointing_of_name,
     tells_nothing,
@@ -94,6 +95,8 @@ class Channel:
     name
         What tells the channel from those of other files; by default the file's name without its
         suffix.
+    directed
+        Whether the component is the name of a direction; by default if it tells something.
     down
         Whether a code of the header states positive values to be downwards; None without a code.
     alone
@@ -111,6 +114,7 @@ class Channel:
     down: bool | None = None
     alone: bool = True
     position: Position | None = None
+    directed: bool | None = None
     place: str = ""
     name: str | None = None
     station: str | None = None
@@ -140,6 +144,12 @@ def built(text: RecordText, format_name: str, channel: Channel, given: Given) ->
     turned: tuple[str, ...] = ()
     if towards.down:
         values, turned = -values, (TURNED.format(component=channel.component or "file's name"),)
+    directed = channel.directed
+    if directed is None:
+        directed = not tells_nothing(component)
+    if directed and towards.orientation is None:
+        odd = f"where its channel points, {component!r}, is not understood"
+        direction_warnings = (*direction_warnings, odd)
     name = text.path.stem if channel.name is None else channel.name
     try:
         record = Record(acceleration_m_s2=values, dt_s=dt_s, name=name)
@@ -158,6 +168,7 @@ def built(text: RecordText, format_name: str, channel: Channel, given: Given) ->
         component=channel.component,
         orientation=towards.orientation or "unknown",
         azimuth_deg=towards.azimuth_deg,
+        directed=directed,
         position=channel.position or position_of(f"{channel.component or ''} {channel.place}"),
         station=channel.station,
         event=channel.event,
@@ -193,7 +204,7 @@ def _pointing(text: RecordText, channel: Channel) -> tuple[Pointing, tuple[str, 
     result = of_words
     if of_code.orientation is not None:
         result = of_code
-        if difference := _contradiction(of_words, of_code):
+        if difference := contradiction(of_words, of_code):
             doubts.append(
                 f"the channel is called {channel.component!r}, {difference[0]}, and its code in "
                 f"the header states {difference[1]}: the code is taken"
@@ -202,7 +213,7 @@ def _pointing(text: RecordText, channel: Channel) -> tuple[Pointing, tuple[str, 
             result = of_words if of_words.orientation == "vertical" else of_code
     of_name = pointing_of_name(text.path.stem) if channel.alone else Pointing()
     if result.orientation is not None:
-        if difference := _contradiction(of_name, result):
+        if difference := contradiction(of_name, result):
             doubts.append(
                 f"the file's name states {difference[0]}, and its header {difference[1]}"
                 f"{f' ({channel.component})' if channel.component else ''}: the header is taken"
@@ -212,23 +223,6 @@ def _pointing(text: RecordText, channel: Channel) -> tuple[Pointing, tuple[str, 
         if of_name.down:
             doubts.append("the file's name alone states that its values are positive downwards")
     return result, tuple(doubts)
-
-
-def _contradiction(one: Pointing, other: Pointing) -> tuple[str, str] | None:
-    """Return two directions in words where they cannot both be true."""
-    if one.orientation is None or other.orientation is None:
-        return None
-    if one.orientation != other.orientation:
-        return one.orientation, other.orientation
-    if one.orientation == "vertical":
-        # Without a sense, vertical is upwards, but not against a name that states one.
-        if None in {one.down, other.down} or one.down == other.down:
-            return None
-        return ("downwards", "upwards") if one.down else ("upwards", "downwards")
-    if one.azimuth_deg is None or other.azimuth_deg is None:
-        return None
-    apart = abs((one.azimuth_deg - other.azimuth_deg + 180.0) % 360.0 - 180.0)
-    return None if apart <= 1.0 else (f"{one.azimuth_deg:g} deg", f"{other.azimuth_deg:g} deg")
 
 
 def unit(text: RecordText, stated: str | None, given: Given) -> str:

@@ -8,7 +8,7 @@ import re
 from dataclasses import dataclass
 from typing import Final, Literal
 
-from rocksteady.records.core.directions import direction, pointing
+from rocksteady.records.core.directions import direction, pointing, without_place
 from rocksteady.records.core.numbers import number
 from rocksteady.records.core.units import acceleration_unit, in_m_s2, in_seconds, quantity_of
 
@@ -18,7 +18,8 @@ _GROUND: Final = re.compile(r"u_?g['.\"]*", re.IGNORECASE)
 """What the acceleration of the ground is called in theory, which is no millionth of g."""
 _TIME: Final = re.compile(
     r"(?:(?:elapsed|relative|record(?:ing)?|sample|sampling)[\s_]+)?"
-    r"(?:t|time|times|elapsed|zeit|temps|tempo|tiempo)(?![A-Za-z])(?P<rest>.*)",
+    r"(?:t|times?|timestamps?|date[ _]?time|utc|elapsed|zeit|temps|tempo|tiempo|zaman"
+    r"|\u6642\u9593|\u65f6\u95f4)(?![A-Za-z])(?P<rest>.*)",
     re.IGNORECASE,
 )
 _OF_TIME: Final = re.compile(
@@ -44,10 +45,15 @@ _OTHER: Final = re.compile(
 _QUANTITIES: Final = {"velocity", "displacement", "counts"}
 OTHER: Final = "another quantity"
 _NAMED: Final = {
-    "velocity": re.compile(r"vel|speed", re.IGNORECASE),
-    "displacement": re.compile(r"disp|drift", re.IGNORECASE),
+    "velocity": re.compile(r"vel|speed|vitesse|geschwind", re.IGNORECASE),
+    "displacement": re.compile(r"disp|drift|desplaz|d[ée]placem|spostam|verschieb", re.IGNORECASE),
     "spectra": re.compile(r"spect|fourier|fft|fas|p?s[avd]\b|pseudo", re.IGNORECASE),
 }
+_IN_SENTENCES: Final = re.compile(
+    r"\b(?:velocit\w*|velocidad\w*(?! de m)|vitesse|geschwindigkeit|displacements?|d[ée]placement"
+    r"|desplazamiento|spostamento|verschiebung)\b",
+    re.IGNORECASE,
+)
 
 _PLOT: Final = re.compile(
     r"(?<=[)\]])\s*[-:,]?\s*(?:plot|graph|chart|trace|series|run|sheet)\s*\d+\s*$", re.IGNORECASE
@@ -64,8 +70,8 @@ _UNCERTAIN: Final = re.compile(
 """Signs and words of a factor."""
 
 _WORDS: Final = re.compile(
-    r"a|acc|accn|acce|accel|acceler|accelerogram|acceleration|accelerations"
-    r"|accelerometer|beschleunigung|accelerazione|aceleracion|aceleración|accélération"
+    r"a|acc|accn|linear|acce|accel|acceler|accelerogram|acceleration|accelerations"
+    r"|accelerometer|beschleunigung\w*|accelerazione|acelera\w*|acc[ée]l[ée]ration|i|vme|\u52a0\u901f\u5ea6"
     r"|ag|üg|agx|agy|agz|ax|ay|az|ah|av|ug|ground|base|input|table|shaking"
     r"|free|field|surface|borehole|motion|time|history|histories|series|th|data"
     r"|value|values|sample|samples|signal|amplitude|amplitudes|record|recorded"
@@ -80,7 +86,7 @@ _WORDS: Final = re.compile(
 _PARTS: Final = re.compile(
     r"(?P<network>[A-Z0-9]{1,2}\.[A-Z0-9]{1,5}\.[A-Z0-9]{0,2}\.[A-Z]{2}[A-Z0-9](?!\w))"
     r"|(?P<theory>d\^?2\s*[uxyz]_?g?\s*/\s*dt\^?2|[uüxyz]_?g?(?:''|\"|\.\.|_?ddot))(?!\w)"
-    r"|(?P<pair>(?<![A-Za-z])(?:n\s*/\s*s|e\s*/\s*w|u\s*/\s*d)(?![A-Za-z]))"
+    r"|(?P<pair>(?<![A-Za-z])(?:n\s*/\s*s|e\s*[/-]\s*[wo]|u\s*/\s*d|k-g|d-b)(?![A-Za-z]))"
     r"|(?P<word>[^\W\d_]+)(?P<digits>\d*)(?P<end>[A-Za-z]?(?![^\W_]))"
     r"|(?P<number>\d+)(?![^\W_]|\.\d)|(?P<between>[\s_,:;.-]+)",
     re.IGNORECASE,
@@ -160,8 +166,12 @@ def column_name(name: str) -> ColumnName:
         return _time(label, timed["rest"], brackets)
     if label.lower() in {"s", "sec", "secs", "second", "seconds"}:
         return _time(label, label, brackets)
-    last = label.replace("_", " ").split()[-1:] if "/" in label else []
-    measured = {quantity_of(written) for written in (*brackets, *last)} & _QUANTITIES
+    last = label.replace("_", " ").split()[-1:]
+    measured = {quantity_of(written) for written in brackets}
+    measured |= {quantity_of(word) for word in last if "/" in word or "count" in word.lower()}
+    measured &= _QUANTITIES
+    if any((in_seconds(written) or 0.0) < 0.0 for written in brackets):
+        measured = {"spectra"}  # against frequencies
     if measured or _OTHER.search(name):
         quantity = measured.pop() if len(measured) == 1 else quantity_named(name) or OTHER
         return ColumnName(
@@ -182,12 +192,19 @@ def column_name(name: str) -> ColumnName:
 
 def _uncertain(label: str) -> bool:
     """Return whether a name may hold a factor; the letter of a direction alone is none."""
+    label = without_place(label)[0]
     return _UNCERTAIN.search(label) is not None and label.upper() != "U"
 
 
 def quantity_named(words: str) -> str | None:
     """Return the quantity other than acceleration that words name, or None."""
     return next((quantity for quantity, named in _NAMED.items() if named.search(words)), None)
+
+
+def quantity_in(sentence: str) -> str | None:
+    """Return the velocity or displacement that a sentence names in whole words, or None."""
+    word = _IN_SENTENCES.search(sentence)
+    return None if word is None else quantity_named(word[0])
 
 
 def _time(label: str, rest: str, brackets: list[str]) -> ColumnName:
@@ -216,7 +233,7 @@ def _of_brackets(brackets: list[str]) -> str | None:
 
 def _acceleration(label: str, brackets: list[str]) -> ColumnName:
     """Return what a name with something in brackets states."""
-    of_label, shorter = _tail(label)
+    of_label, shorter = (None, label) if direction(label)[0] else _tail(label)
     units = [unit for written in brackets if (unit := acceleration_unit(written)) is not None]
     rest = [written for written in brackets if acceleration_unit(written) is None]
     directions = [written for written in rest if pointing(written).orientation is not None]
@@ -242,7 +259,7 @@ def _acceleration(label: str, brackets: list[str]) -> ColumnName:
 
 def _leftover(label: str) -> str:
     """Return the first part of a name without its unit that is not known, or nothing."""
-    label = label.strip()
+    label = without_place(label.strip())[0]
     if _SIGNED.search(label):
         return label
     if pointing(label).orientation is not None and not re.search(r"(?<!\w)100?(?!\w)", label):

@@ -242,8 +242,40 @@ def _misplaced(rows: list[list[tuple[str, int]]]) -> list[int] | None:
     lengths = {len(token) for row in rows for token, _ in row}
     if share < _REGULAR * (len(ends) - 1) or (len(lengths) == 1 and len(usual) == 1):
         return None
-    odd = [at for at, row in enumerate(ends[:-1]) if row != usual]
+    gaps = [
+        min(_gaps(row)[column] for row in rows if len(row) > column) for column in range(len(usual))
+    ]
+    odd = [
+        at
+        for at, row in enumerate(ends[:-1])
+        if row != usual and not _outgrown(rows[at], rows[ends.index(usual)], gaps)
+    ]
     return [*odd, *([len(ends) - 1] if ends[-1] != usual[: len(ends[-1])] else [])]
+
+
+def _gaps(row: list[tuple[str, int]]) -> list[int]:
+    """Return how many characters stand before each number of a row."""
+    starts = (end - len(token) for token, end in row)
+    return [
+        start - before for start, before in zip(starts, [0, *(end for _, end in row)], strict=False)
+    ]
+
+
+def _outgrown(row: list[tuple[str, int]], usual: list[tuple[str, int]], gaps: list[int]) -> bool:
+    """Return whether a row ends its numbers late for one that is longer than its column alone."""
+    late = next(
+        (at for at, pair in enumerate(zip(row, usual, strict=False)) if pair[0][1] != pair[1][1]),
+        None,
+    )
+    alike = len(row) == len(usual) and all(
+        _shape(token) == _shape(plain) for (token, _), (plain, _) in zip(row, usual, strict=False)
+    )
+    return (
+        late is not None
+        and alike
+        and row[late][1] > usual[late][1]
+        and _gaps(row)[late] == gaps[late]
+    )
 
 
 def _misshapen(rows: list[list[tuple[str, int]]]) -> list[int]:

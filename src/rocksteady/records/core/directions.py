@@ -1,25 +1,37 @@
 """Direction of a channel, from its name in the file or from the file's own name."""
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final
 
 from rocksteady.records.core.recording import Orientation
 
-_VERTICAL: Final = frozenset(
-    {"up", "u", "ud", "u-d", "updo", "updown", "dwn", "down", "dn", "d"}
-    | {"v", "vert", "vertical", "vrt", "ver", "z", "v1", "vertikal", "verticale", "d\u00fc\u015fey"}
-    | {"dusey", "az", "accz", "agz"}
-)
-_UPWARDS: Final = frozenset({"up", "u", "upward", "upwards"})
-_DOWNWARDS: Final = frozenset({"dwn", "down", "dn", "downward", "downwards"})
-_NEGATIVE: Final = frozenset({"negative", "neg", "minus"})
-_WITHOUT_SENSE: Final = frozenset(
-    {"v", "vert", "vertical", "vrt", "ver", "z", "ud", "updown", "vertikal", "verticale"}
-)
+_SENSES: Final = {
+    sense: frozenset(words.split())
+    for sense, words in {
+        "upwards": "up u upward upwards",
+        "downwards": "dwn down dn downward downwards",
+        "negative": "negative neg minus",
+        "neither": "v vert vertical vrt ver z ud updown vertikal verticale",
+        "short": "up u u-d updo dwn down dn d v1 v2 v3 az accz agz dusey d\u00fc\u015fey"
+        " \u4e0a\u4e0b \u5782\u76f4 \u7ad6\u5411",
+        "level": "h h1 h2 l l1 t t1 long longitudinal tran trans transverse transversal lateral hor"
+        " hor1 hor2 horizontal",
+    }.items()
+}
+_UPWARDS: Final = _SENSES["upwards"]
+_DOWNWARDS: Final = _SENSES["downwards"]
+_NEGATIVE: Final = _SENSES["negative"]
+_WITHOUT_SENSE: Final = _SENSES["neither"]
+_VERTICAL: Final = _WITHOUT_SENSE | _SENSES["short"]
+_OF_A_STRUCTURE: Final = _SENSES["level"]
+"""Horizontal directions of an instrument or a structure, whose azimuth is not in their name."""
+
 _FILLERS: Final = re.compile(
-    r"a|ag|acc\w*|ch(?:a?n(?:nel)?)?|column|comp(?:onent)?|ground|base|input|table|motion|time|hist"
-    r"|history|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|dir(?:ection)?|axis"
+    r"a|ag|acc\w*|acel\w*|beschl\w*|i?vme|i|samples?|values?|data|\u52a0\u901f\u5ea6|column"
+    r"|ch(?:a?n(?:nel)?)?|comp(?:onent)?|ground|base|input|table|motion|time|hist|history"
+    r"|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|dir(?:ection)?|axis"
 )
 """Words beside those of a direction that carry no direction."""
 
@@ -29,30 +41,24 @@ _SIGNED: Final = re.compile(
 )
 """Names of a vertical channel with a sign, or from below to above, whose sense may be either."""
 
-_OF_A_STRUCTURE: Final = frozenset(
-    {"h", "h1", "h2", "l", "l1", "t", "t1", "long", "tran", "trans", "transverse", "transversal"}
-    | {"longitudinal", "lateral", "hor", "hor1", "hor2", "horizontal"}
-)
-"""Horizontal directions of an instrument or a structure, whose azimuth is not in their name."""
-
 _ROTATED: Final = re.compile(
-    r"r|radial|[fs][np]|(?:fault|strike)[\s_-]?(?:normal|parallel)|(?:gm)?rot[id]?\d+\w*"
-    r"|rotated\b.*|(?:gm)?rot[id]|[a-z][ghnl][rt](?:\d\d)?|geo(?:metric)?[\s_-]?mean|srss|larger|maxrot|resultant"
+    r"r|rad(?:ia)?l|tang(?:ential)?|[fs][np]|(?:fault|strike)[\s_-]?(?:normal|parallel)"
+    r"|(?:gm)?rot[id](?:\d+\w*)?|rotated\b.*|[a-z][ghnl][rt](?:\d\d)?|geo(?:metric)?[\s_-]?mean"
+    r"|srss|larger|maxrot|resultant"
 )
 """Components that somebody turned, or combined, from those that were recorded."""
 
 _COMPASS: Final = {
-    **dict.fromkeys(("n", "ns", "n-s", "north", "north-south", "s-n", "sn", "nord", "norte"), 0.0),
-    **dict.fromkeys(("e", "ew", "e-w", "east", "east-west", "w-e", "we", "este", "est"), 90.0),
-    **dict.fromkeys(("eo", "e-o", "o-e", "est-ouest", "ost"), 90.0),
-    **dict.fromkeys(
-        ("nord-sud", "norte-sur", "nord-s\u00fcd", "norte-sul", "kuzey-g\u00fcney"), 0.0
-    ),
-    **dict.fromkeys(
-        ("este-oeste", "est-ovest", "ost-west", "leste-oeste", "do\u011fu-bat\u0131"), 90.0
-    ),
-    **dict.fromkeys(("s", "south", "sud", "sur"), 180.0),
-    **dict.fromkeys(("w", "west", "oeste", "ouest", "ovest"), 270.0),
+    word: azimuth
+    for azimuth, words in {
+        0.0: "n ns n-s s-n sn north north-south nord norte nord-sud norte-sur norte-sul"
+        " nord-s\u00fcd kuzey-g\u00fcney k-g \u5357\u5317",
+        90.0: "e ew e-w w-e we eo e-o o-e o-w east east-west este est ost est-ouest este-oeste"
+        " est-ovest ost-west leste-oeste do\u011fu-bat\u0131 d-b \u6771\u897f \u4e1c\u897f",
+        180.0: "s south sud sur",
+        270.0: "w west oeste ouest ovest",
+    }.items()
+    for word in words.split()
 }
 _QUADRANT: Final = re.compile(r"([ns])\s*(\d+(?:\.\d*)?)\s*(?:deg\w*)?\s*([ew])")
 # 1, 2 and 3 alone number channels.
@@ -61,13 +67,15 @@ _DEGREES: Final = re.compile(r"(?:[nh]\s*(?=\d{3}))?(?![123]$)(\d{1,3}(?:\.\d*)?
 # Of seismometers (H) the bands are named, as letters of words would else pass for theirs.
 _SEED: Final = re.compile(r"(?:[a-z][gnl]|[behlmsv]h)([enz123xyrt])(?:\d\d|--)?")
 _SEED_ID: Final = re.compile(
-    r"(?:(?:[A-Z0-9]{1,2}[._])?[A-Z0-9]{1,5}[._])?(?:\d\d|--)?[._]?([A-Z][GHNL][ENZ123XYRT])"
+    r"(?:(?:[A-Z0-9]{1,2}[._])?[A-Z0-9]{1,5}[._])?(?:\d\d|--)?[._]?([A-Z]_?[GHNL]_?[ENZ123XYRT])"
     r"(?:[._](?:\d\d|--|[A-Z]))?"
 )
 """Network, station, location and channel of SEED, as in ``XX_HUT_00_HNE_M``."""
 
 _BESIDE: Final = re.compile(
-    r"\s*(?:\((?:sta|rcrdr)\.?\s*ch[^)]*\)|,?\s*(?:location|loc)\s*:.*)$", re.IGNORECASE
+    r"\s*(?:\((?:sta|rcrdr)\.?\s*ch[^)]*\)|,?\s*(?:location|loc)\s*:.*"
+    r"|\(?\bGL\s?[+-]?\s?\d+(?:\.\d+)?\s?m?\)?)$",
+    re.IGNORECASE,
 )
 """Number and place of a channel, behind its direction: ``(STA CHN: 14)``, ``Location: Roof``."""
 
@@ -125,8 +133,9 @@ def pointing(component: str | None) -> Pointing:
     written = "" if component is None else without_place(component)[0]
     written = written.replace("(+)", "").replace("(-)", "-").strip("()[] ")
     if (of_seed := _SEED_ID.fullmatch(written)) is not None:
-        written = of_seed[1]
-    text = written.lower().replace("/", "-") if len(written) == 3 else written.lower()
+        written = of_seed[1].replace("_", "")
+    text = written.lower().replace("\u0307", "").replace("\xb0", "")  # of a Turkish capital I
+    text = text.replace("/", "-") if len(text) == 3 else text
     rotated = _ROTATED.fullmatch(text) is not None
     signed = _SIGNED.fullmatch(text) is not None
     if signed or text in _VERTICAL:
@@ -135,7 +144,7 @@ def pointing(component: str | None) -> Pointing:
     azimuth = _azimuth(text)
     if azimuth is not None or text in _OF_A_STRUCTURE or rotated:
         return Pointing(orientation="horizontal", azimuth_deg=azimuth, rotated=rotated)
-    words = [word for word in re.split(r"[^a-z0-9]+", text) if word and not _filler(word)]
+    words = [word for word in re.split(r"[\W_]+", text) if word and not _filler(word)]
     named = set(words) & (_UPWARDS | _DOWNWARDS | _WITHOUT_SENSE - {"v", "z"}) - {"u"}
     named = named or set(re.findall(r"(?<![a-z])(?:u-?d|d-?u)(?![a-z])", text))
     vertical = _vertical(text)
@@ -143,9 +152,9 @@ def pointing(component: str | None) -> Pointing:
         return vertical
     seed = _SEED.fullmatch(words[0] if len(words) == 1 else text)
     if seed is None:
-        if len(words) == 1 and words[0] != text and len(words[0]) > 1:
-            return pointing(words[0])
-        return Pointing()
+        rest = re.sub(r"[^\W_]+", lambda word: "" if _filler(word[0]) else word[0], text)
+        rest = rest.strip(" _-,.:;()")
+        return pointing(rest) if len(rest) > 1 and rest != text else Pointing()
     # A channel named 3 is the vertical one of some networks and not of others.
     towards: dict[str, Orientation | None] = {"z": "vertical", "3": None}
     return Pointing(
@@ -164,6 +173,41 @@ def without_place(component: str) -> tuple[str, str]:
     """
     at = beside.start() if (beside := _BESIDE.search(component)) else len(component)
     return component[:at].strip(), component[at:].strip(" ,")
+
+
+def contradiction(one: Pointing, other: Pointing) -> tuple[str, str] | None:
+    """Return two directions in words where they cannot both be true."""
+    if one.orientation is None or other.orientation is None:
+        return None
+    if one.orientation != other.orientation:
+        return one.orientation, other.orientation
+    if one.orientation == "vertical":
+        # Without a sense, vertical is upwards, but not against a name that states one.
+        if None in {one.down, other.down} or one.down == other.down:
+            return None
+        return ("downwards", "upwards") if one.down else ("upwards", "downwards")
+    if one.azimuth_deg is None or other.azimuth_deg is None:
+        return None
+    apart = abs((one.azimuth_deg - other.azimuth_deg + 180.0) % 360.0 - 180.0)
+    return None if apart <= 1.0 else (f"{one.azimuth_deg:g} deg", f"{other.azimuth_deg:g} deg")
+
+
+def together(names: Iterable[str]) -> str | None:
+    """Return the first name of a direction, or all that differ; None where none is understood.
+
+    Examples
+    --------
+    >>> together(("090 DEG", "E")), together(("UP", "E", "x")), together(("x",))
+    ('090 DEG', 'UP / E', None)
+    """
+    known: list[str] = []
+    for name in names:
+        direction_of = pointing(name)
+        if direction_of.orientation is None:
+            continue
+        if not known or any(contradiction(direction_of, pointing(named)) for named in known):
+            known.append(name)
+    return " / ".join(known) or None
 
 
 def direction(component: str | None) -> tuple[Orientation | None, float | None]:
@@ -204,7 +248,7 @@ def pointing_of_name(stem: str) -> Pointing:
 
 def tells_nothing(component: str | None) -> bool:
     """Return whether no word of a channel's name can be about its direction."""
-    words = re.split(r"[^a-z0-9]+", (component or "").lower())
+    words = re.split(r"[\W_]+", (component or "").lower())
     return all(_filler(word) or word.isdecimal() for word in words if word)
 
 
@@ -224,7 +268,7 @@ def _vertical(text: str) -> Pointing:
     A sense may be stated twice, as in ``DWN (positive down)``, and must be the same.
     """
     plain = re.sub(r"(?<![a-z])u-d(?![a-z])", "ud", text)
-    words = {word for word in re.split(r"[^a-z0-9]+", plain) if word and not _filler(word)}
+    words = {word for word in re.split(r"[\W_]+", plain) if word and not _filler(word)}
     known = _UPWARDS | _DOWNWARDS | _WITHOUT_SENSE | _NEGATIVE | {"hnz", "hlz"}
     others = words - known
     if not words - _NEGATIVE or (others and not words & known):

@@ -10,7 +10,7 @@ from typing import Final, TypeVar
 
 from rocksteady.errors import RecordFileError
 from rocksteady.records.core.numbers import NUMBER, number
-from rocksteady.records.core.text import CONTRADICTION, RecordText
+from rocksteady.records.core.text import CONTRADICTION, CORRECT, RecordText
 from rocksteady.records.core.units import (
     UNITS,
     acceleration_unit,
@@ -131,6 +131,7 @@ _COUNT: Final = re.compile(
     r"\s*[:=]\s*(?P<value>[+-]?(?:[\d.]|nan\b|inf)[^\n]*)",
     re.IGNORECASE,
 )
+_OTHER_COUNT: Final = re.compile(r"(?:skipped|lost|missing|event|bad|dropped)\s*$", re.IGNORECASE)
 _DECIMAL_COMMA: Final = re.compile(r"([+-]?\d+),(\d+)(?![\d,.])")
 _THOUSANDS: Final = re.compile(r"\+?[1-9]\d{0,2}(?:,\d{3})+(?![\d,.])")
 _FIRST_WORD: Final = re.compile(r"\s*[A-Za-zµμ%][\w/^%*-]*+(?!\s*[=:])")
@@ -138,7 +139,6 @@ _NEXT_KEY: Final = re.compile(r"\s+[A-Za-z]+\s+[A-Za-z]+\s*[=:]")
 """What may stand behind a number whose unit stands before it."""
 _COARSEST: Final = 0.005
 """Part by which an interval and a rate may differ for the digits that they are written with."""
-_CORRECT: Final = "take out the line that is wrong"
 _HINT_UNITS: Final = f"give units: {', '.join(UNITS)}, with a factor before it where there is one"
 
 
@@ -173,7 +173,7 @@ def stated_unit(text: RecordText, lines: list[int], *, explicit: bool = False) -
     sizes = {in_m_s2(unit) for unit in units}
     if len(sizes) > 1:
         valid = f"its header states {' and '.join(units)}, which are not one unit"
-        raise text.error(valid, _CORRECT, at=max(units.values()), kind=CONTRADICTION)
+        raise text.error(valid, CORRECT, at=max(units.values()), kind=CONTRADICTION)
     return next(iter(units), None)
 
 
@@ -187,8 +187,8 @@ def _units_in(text: RecordText, at: int, *, explicit: bool) -> Iterator[str]:
             yield acceleration_unit(unit) or unit
         elif (listed := _of_a_list(phrase)) is not None:
             yield listed
-        elif unit is None and (other := leading(phrase, quantity_of)[0]) is not None:
-            yield other
+        elif unit is None and (foreign := leading(phrase, quantity_of)[0]) is not None:
+            yield foreign
         elif phrase.strip() and not _OTHER_QUANTITY.match(phrase):
             raise _not_understood(text, at)
     if explicit:
@@ -210,20 +210,18 @@ def _units_in(text: RecordText, at: int, *, explicit: bool) -> Iterator[str]:
 def _of_a_list(phrase: str) -> str | None:
     """Return the one unit of acceleration of a list of units, one for each column."""
     body = re.split(r"[)\].]", phrase)[0]
-    pieces = [piece.strip() for piece in re.split(r"[,;]|\band\b", body) if piece.strip()]
+    pieces = [piece.strip() for piece in re.split(r"[,;&]|\band\b", body) if piece.strip()]
     units = [acceleration_unit(piece) for piece in pieces]
-    others = [
-        piece
-        for piece, unit in zip(pieces, units, strict=True)
-        if unit is None
-        and in_seconds(piece) is None
-        and quantity_of(piece) is None
-        and piece != "-"
-    ]
     named = {unit for unit in units if unit is not None}
-    return named.pop() if len(named) == 1 and not others else None
+    others = {piece for piece, unit in zip(pieces, units, strict=True) if unit is None}
+    others = {piece for piece in others if in_seconds(piece) is None and piece not in _NO_UNIT}
+    if not named and len(others) == 1:  # s, counts
+        return next((piece for piece in others if quantity_of(piece) is not None), None)
+    known = all(quantity_of(piece) is not None for piece in others)
+    return named.pop() if len(named) == 1 and known else None
 
 
+_NO_UNIT: Final = {"-", "UTC"}
 _OTHER_QUANTITY: Final = re.compile(r"(?:of|in)?\s*(?:vel|disp|time|sec)", re.IGNORECASE)
 
 
@@ -297,7 +295,13 @@ def _is_unity(written: str, rest: str) -> bool:
     return number(written) == 1.0 and not _GOES_ON.match(rest) and not _PER.match(rest)
 
 
-def time_value(text: RecordText, at: int, written: str, unit: str | None = None) -> float:
+def time_value(
+    text: RecordText,
+    at: int,
+    written: str,
+    unit: str | None = None,
+    hint: str = "give dt_s, in seconds",
+) -> float:
     """Return a time [s] by a number with its unit, at the start of a text; rates as intervals.
 
     One number, above 0, with a decimal point or comma; then its unit, seconds without one. A second
@@ -313,6 +317,8 @@ def time_value(text: RecordText, at: int, written: str, unit: str | None = None)
         Number, unit and whatever follows them.
     unit
         Unit that stands before the number; seconds without either, or ``Hz`` for a rate.
+    hint
+        What to do where it is not understood.
 
     Raises
     ------
@@ -320,7 +326,6 @@ def time_value(text: RecordText, at: int, written: str, unit: str | None = None)
         If number or unit are not understood as a whole.
     """
     written = written.strip()
-    hint = "give dt_s, in seconds"
     nothing = "it must state a time or a rate above 0"
     digits, rest = _first_number(written)
     if not digits:
@@ -390,7 +395,7 @@ def stated_interval(text: RecordText, lines: list[int]) -> float | None:
     for place, value, at in intervals[1:]:
         if abs(value - intervals[0][1]) > 1.01 * (place + intervals[0][0] + 1e-9) * value:
             valid = f"its header states {intervals[0][1]:g} s and {value:g} s between samples"
-            raise text.error(valid, _CORRECT, at=at, kind=CONTRADICTION)
+            raise text.error(valid, CORRECT, at=at, kind=CONTRADICTION)
     return intervals[0][1] if intervals else None
 
 
@@ -454,12 +459,14 @@ def stated_count(text: RecordText, lines: list[int]) -> tuple[int, int] | None:
     counts: dict[int, int] = {}
     for at in lines:
         for stated in find_values(_COUNT, text.heads[at]):
+            if _OTHER_COUNT.search(text.heads[at][: stated.start()]):
+                continue
             counts.setdefault(count_value(text, at, stated["value"]), at)
         if (alone := _COUNT_ALONE.fullmatch(text.heads[at])) is not None:
             counts.setdefault(int(alone["value"] or alone["before"]), at)
     if len(counts) > 1:
         valid = f"its header states {' and '.join(map(str, counts))} samples"
-        raise text.error(valid, _CORRECT, at=max(counts.values()), kind=CONTRADICTION)
+        raise text.error(valid, CORRECT, at=max(counts.values()), kind=CONTRADICTION)
     return next(iter(counts.items()), None)
 
 

@@ -46,14 +46,14 @@ def moment(written: str, zone: str = "") -> datetime | None:
     if match["year"] is not None:
         orders = {(match["year"], match["month"], match["day"])}
     else:
-        one, other, year = match["first"], match["second_"], match["late"]
-        orders = {(year, one, other), (year, other, one)}
-    found = set()
+        first, second, year = match["first"], match["second_"], match["late"]
+        orders = {(year, first, second), (year, second, first)}
+    times = set()
     for parts in orders:
         with contextlib.suppress(ValueError, OverflowError):
             year, month, day = map(int, parts)
             hour, minute = int(match["hour"]), int(match["minute"])
             local = datetime(year, month, day, hour, minute, tzinfo=timezone(ahead))
             seconds = timedelta(seconds=round(float(match["second"]), 6))
-            found.add((local + seconds).astimezone(UTC))
-    return found.pop() if len(found) == 1 else None
+            times.add((local + seconds).astimezone(UTC))
+    return times.pop() if len(times) == 1 else None

@@ -7,27 +7,29 @@ from rocksteady.records.core.recording import Position
 
 _PLACES: Final[dict[Position, re.Pattern[str]]] = {
     "borehole": re.compile(
-        r"\b(?:bore|down)[\s-]?hole|\bin[\s-]hole\b|\bGL\s?-\s?\d|\b(?:sensor|burial|installation|instrument)[\s_-]depth\w*\W*(?!0+(?:\.0*)?\b)\d"
-        r"|\d\s*(?:m|ft|met(?:er|re)s?|feet)\s*(?:deep|depth|below|down\b)|\bpozo\b|\bforage\b"
-        r"|\bpozzo\b|\bgeotech\w*\s+array",
+        r"\b(?:bore|down)[\s-]?hole|\bunderground\b|\bin[\s-]hole\b|\bGL\s?-\s?(?!0+(?:\.0*)?\s?m?\b)\d"
+        r"|\b(?:(?:sensor|burial|installation|instrument)[\s_-]depth\w*|depth_m)\D{0,8}(?!0+(?:\.0*)?\b)\d"
+        r"|\d\s*(?:m|ft|met(?:er|re)s?|feet)\s*(?:deep|depth|below|down\b)|\(\s*-\s*\d+(?:\.\d+)?\s*m\s*\)"
+        r"|\b(?:pozo|pozzo|forage|bohrloch)\b|\bgeotech\w*\s+array",
         re.IGNORECASE,
     ),
     "surface": re.compile(
-        r"\bfree[\s-]?field|\bFF\b|\b(?:ground|soil|rock)[\s-]?surface|^\s*surface\b|"
-        r"\bcampo libre\b|\bcampo libero\b|\bchamp libre\b",
+        r"\bfree[\s-]?field|\bFF\b|\b(?:ground|soil|rock)[\s-]?surface|^\s*surface\b|\bGL\s?-\s?0"
+        r"|\bpoint\s*:\s*ground\b|\bcampo liber?o\b|\bcampo libre\b|\bchamp libre\b|\bfreifeld\b",
         re.IGNORECASE,
     ),
     "structure": re.compile(
-        r"\broof\b|\bfloor\b|\b\d+(?:st|nd|rd|th)\s+(?:fl|level|lvl)|\bstor(?:e?y|ies)\b|\bstorey"
-        r"|\bbasement\b|\bpenthouse\b|\bmezzanine\b|\b(?:bridge|upper|lower|top)\s+deck\b|\bdeck\b"
-        r"|\bgirder|\bpile\s?cap\b|\bcrest\b|\b(?:azotea|piso|s[oó]tano|techo|tetto|toit|dach)\b",
+        r"(?<![a-z])(?:roof|floor|deck|crest|girder|basement|penthouse|mezzanine)(?![a-z])"
+        r"|\blocation\s*:\s*(?:pier|abutment|column|tower)\b"
+        r"|\b\d+(?:st|nd|rd|th)\s+(?:fl|level|lvl)|\bstor(?:e?y|eys|ies)\b|\bpile\s?cap\b"
+        r"|\b(?:azotea|piso|s[oó]tano|techo|tetto|toit|dach)\b",
         re.IGNORECASE,
     ),
 }
 
 _BUILT: Final = re.compile(
-    r"\bbldg\b|\bbuilding\b|\b\d+[\s-]stor(?:e?y)\b|\bover(?:crossing|pass)\b|\bviaduct\b"
-    r"|\bbridge\b|\binterchange\b|\bhospital\b.*\bfloor\b",
+    r"\bbldg\b|\bbuilding\b|\b\d+[\s-]story\b|\bover(?:crossing|pass)\b|\bviaduct\b|\bbridge\b"
+    r"|\binterchange\b",
     re.IGNORECASE,
 )
 """Names of stations that are structures, where a network has instruments all over them."""

@@ -65,6 +65,8 @@ class Recording(Result):
         The channel's direction as the file names it (``N-S``, ``360``).
     orientation
         Whether the channel is horizontal or vertical, or unknown.
+    directed
+        Whether the file names a direction, understood or not.
     azimuth_deg
         Direction of positive values of a horizontal channel, clockwise from north [degrees].
     position
@@ -103,6 +105,7 @@ class Recording(Result):
     units_in_file: str
     component: str | None = None
     orientation: Orientation = "unknown"
+    directed: bool = False
     azimuth_deg: float | None = None
     position: Position = "unknown"
     station: str | None = None

@@ -1,31 +1,30 @@
-"""Direction, station, event, start and place stated in the text above the samples of a table."""
+"""Direction, station, start and unit of the peak stated in the words above a table."""
 
 import re
 from collections.abc import Iterator
 from datetime import datetime
 from typing import Final
 
-from rocksteady.records.core.directions import pointing, tells_nothing
+from rocksteady.records.core.directions import pointing, tells_nothing, together
 from rocksteady.records.core.header_statements import PEAK
 from rocksteady.records.core.moments import moment
-from rocksteady.records.core.numbers import NUMBER
+from rocksteady.records.core.numbers import NUMBER, number
 from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import acceleration_unit, in_m_s2
 
 _KEYS: Final = {
-    "direction": r"comp(?:onent\w*|\.)?|orienta\w+|dire(?:c|z)\w*|dir\.?|azimut\w*|chan(?:nel)?"
-    r"(?:[ _](?:code|name))?|canal\w*|komponente?|composante|bile[sş]en|stream|rumbo"
-    r"|sid|seed[ _]id",
+    "direction": r"comp(?:onent\w*|\.)?|orienta\w+(?:[ _]of[ _]\w+)?|dire(?:c|z)\w*|dir\.?"
+    r"|azimut\w*|chan(?:nel)?(?:[ _](?:code|name))?|canal\w*|komponente?"
+    r"|composante|bile[sş]en|stream|rumbo|sid|seed[ _]id",
     "station": r"(?:recording[ _])?station(?:[ _]?(?:code|name|id|no))?(?:[ _/]+name)?"
     r"|site[ _]?code|(?:c\w+[ _]de[ _](?:la[ _])?)?estaci[oó]n|stazione|istasyon\w*",
-    "event": r"(?:earthquake|event|evento|s[ie]smo|terremoto)"
-    r"(?:[ _]?(?:name|id|date(?:[ _]&[ _]time)?))?",
     "start": r"(?:data[ _])?start(?:[ _]?(?:date|time))?|record(?:ing)?[ _]?time|initial[ _]?time"
     r"|(?:date[ _&/]*)?time[ _]of[ _](?:the[ _])?first[ _](?:sample|point)"
     r"|first[ _]sample(?:[ _]time)?|hora[ _]de[ _](?:la[ _]primera[ _]\w+|inicio)",
 }
 _VALUE: Final = (
-    r"\s*(?:\((?P<zone>[^)]*)\))?\s*[:=]\s*(?P<value>\S.*?)\s*(?:;|,?\s+[\w/]+\s?[:=]|\s{3,}|$)"
+    r"\s*(?:\((?P<zone>[^)]*)\))?(?:\s*[:=]|(?<=[pr]\.)(?=\s))\s*(?P<value>\S.*?)"
+    r"\s*(?:;|,?\s+[\w/]+\s?[:=]|\s{3,}|$)"
 )
 _STATED: Final = {
     name: re.compile(rf"(?:^|[\s,;#|*])(?P<key>{words}){_VALUE}", re.IGNORECASE)
@@ -40,28 +39,22 @@ def _values(text: RecordText, lines: list[int], name: str) -> Iterator[re.Match[
         yield from _STATED[name].finditer(text.heads[at])
 
 
-def stated_name(text: RecordText, lines: list[int], name: str) -> str | None:
-    """Return the station or event that lines of words state first, or None."""
-    return next((match["value"] for match in _values(text, lines, name)), None)
+def stated_station(text: RecordText, lines: list[int]) -> str | None:
+    """Return the station that lines of words state first, or None."""
+    return next((match["value"] for match in _values(text, lines, "station")), None)
 
 
 def stated_start(text: RecordText, lines: list[int]) -> datetime | None:
     """Return the time of the first sample that lines of words state (UTC), or None."""
-    found = (moment(each["value"], each["zone"] or "") for each in _values(text, lines, "start"))
-    return next((time for time in found if time is not None), None)
+    times = (moment(each["value"], each["zone"] or "") for each in _values(text, lines, "start"))
+    return next((time for time in times if time is not None), None)
 
 
-def stated_direction(text: RecordText, lines: list[int]) -> tuple[str | None, tuple[str, ...]]:
-    """Return the direction of the one channel as lines of words name it, and a warning.
+def stated_direction(text: RecordText, lines: list[int]) -> str | None:
+    """Return the direction of the one channel as lines of words name it, or None.
 
-    A line that is nothing but a direction, as ``090 DEGREES``, states it too.
-
-    Returns
-    -------
-    component
-        None where there is none, or two differ.
-    warnings
-        That two differ.
+    A line that is nothing but a direction, as ``090 DEGREES``, states it too; where two differ,
+    both are returned, as ``UP / 090``.
     """
     written = [
         match["value"]
@@ -75,15 +68,7 @@ def stated_direction(text: RecordText, lines: list[int]) -> tuple[str | None, tu
         for line in alone
         if len(line) <= _LONGEST and not line.isdecimal() and pointing(line).orientation is not None
     ]
-    known = {
-        (found.orientation, found.azimuth_deg, found.down): name
-        for name in written
-        if (found := pointing(name)).orientation is not None
-    }
-    if len(known) > 1:
-        return None, (f"its header states {' and '.join(known.values())}: the direction is open",)
-    odd = (name for name in written if not tells_nothing(name))
-    return next(iter(known.values()), next(odd, None)), ()
+    return together(written) or next((name for name in written if not tells_nothing(name)), None)
 
 
 def unit_of_peaks(text: RecordText, lines: list[int], peaks: list[float]) -> str | None:
@@ -103,11 +88,10 @@ def unit_of_peaks(text: RecordText, lines: list[int], peaks: list[float]) -> str
         line = text.heads[at]
         if PEAK.search(line) is None:
             continue
-        words = re.findall(rf"[(\[]([^)\]]+)[)\]]|{NUMBER}\s*([A-Za-z%][\w/^*]*)", line)
-        named = [unit for pair in words for word in pair if (unit := acceleration_unit(word))]
-        values = [
-            abs(float(number)) for number in re.findall(r"[-+]?\d+\.\d+(?:[eE][-+]?\d+)?", line)
-        ]
-        if any(abs(value - peak) <= 0.005 * peak for value in values for peak in peaks):
-            units |= {in_m_s2(unit): unit for unit in named}
+        before = re.search(r"[(\[]([A-Za-z%][^)\]]*)[)\]]", line)
+        for value in re.finditer(rf"({NUMBER})\s*([A-Za-z%][\w/^*]*)?", line):
+            unit = acceleration_unit(value[2] or (before[1] if before else ""))
+            size = abs(number(value[1]) or 0.0)
+            if unit is not None and any(abs(size - peak) <= 0.005 * peak for peak in peaks):
+                units[in_m_s2(unit)] = unit
     return next(iter(units.values())) if len(units) == 1 else None

@@ -7,15 +7,17 @@ from itertools import pairwise
 from typing import Final
 
 from rocksteady.records.core.column_names import column_name
+from rocksteady.records.core.directions import together
 from rocksteady.records.core.numbers import apart, number, numbers
-from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.text import CONTRADICTION, CORRECT, RecordText
 from rocksteady.records.core.units import in_seconds, quantity_of
 
 _COMMENT: Final = ("#", "%", "//")
 """What a comment between rows begins with; stars stand for a number that did not fit."""
 
 _NO_ROW: Final = "it must be a row of numbers, as the ones around it"
-_TAKE_OUT: Final = "fetch the file again, or take out what is no sample"
+_TAKE_OUT: Final = "correct the line"
+_BLOCKS: Final = "below it numbers follow that may be another channel or quantity"
 _SAMPLE: Final = 200
 _DECIMAL_COMMA: Final = re.compile(r"[+-]?\d*,\d+(?:[eEdD][+-]?\d+)?|[+-]?\d+(?:[eEdD][+-]?\d+)?")
 _LONGEST_HEADER: Final = 200
@@ -23,7 +25,10 @@ _LONGEST_NAME: Final = 40
 _RULE: Final = re.compile(r"\W*|.{0,20}\(?\d*[fFeE]\d+\.\d+\)?\s*")
 """A line of dashes, or the format of the rows."""
 _KEY: Final = re.compile(r"^[A-Za-z ]+:\s+")
-_OF_SENTENCES: Final = frozenset({"in", "of", "the", "and", "is", "are", "at", "for", "from", "de"})
+_OF_SENTENCES: Final = {"history", "histories", "series", "corrected", "uncorrected"} | set(
+    {"in", "of", "the", "and", "is", "are", "at", "for", "from", "de"}
+)
+_OF_WORDS: Final = re.compile(r"\s*(?![+-]?\.?\d)(?:.*[A-Za-z]{3}|/&)")
 _NEAR: Final = 3
 """Lines above the rows among which their names are looked for."""
 _TRUE_SPACES: Final = re.compile(r"\t|\s{2,}")
@@ -57,6 +62,8 @@ class Table:
         What stands between two numbers; None for blanks.
     comma
         Whether a comma stands for the decimal point.
+    trailing
+        Index of the first line of words below the last row, or None.
     """
 
     header: tuple[str, ...]
@@ -67,6 +74,7 @@ class Table:
     lines: tuple[int, ...]
     separator: str | None
     comma: bool
+    trailing: int | None = None
 
     @cached_property
     def columns(self) -> int:
@@ -101,21 +109,34 @@ def table(text: RecordText) -> Table | None:
         _refuse_spoilt(text, filled[first - 1], filled[first], separator, comma=comma)
     rows: list[tuple[float, ...]] = []
     lines: list[int] = []
-    for at in filled[first:]:
+    trailing: int | None = None
+    for place, at in enumerate(filled[first:], first):
         line = text.lines[at]
         row = _row(line, separator, comma=comma)
         if row is None:
             if line.lstrip().startswith(_COMMENT):
                 continue
-            raise text.error(
-                _NO_ROW,
-                _TAKE_OUT,
-                at=at,
-            )
+            below = [
+                _row(text.lines[later], separator, comma=comma) for later in filled[place + 1 :]
+            ]
+            if _OF_WORDS.match(line) and not any(below):
+                trailing = at
+                break
+            if below and below[0] is None:
+                raise text.error(_BLOCKS, "give each block as a file of its own", at=at)
+            raise text.error(_NO_ROW, _TAKE_OUT, at=at)
         rows.append(row)
         lines.append(at)
     header = tuple(text.heads[at].strip().lstrip("#%!*/ ") for at in filled[:first])
     named, names = _names(header, separator, max(map(len, rows)))
+    above = _fields(header[named - 1], separator, len(names)) if named else ()
+    if (
+        len(above) == len(names)
+        and all(map(_known, above))
+        and any(" / " in (together(pair) or "") for pair in zip(above, names, strict=True))
+    ):
+        valid = "the line above names other directions"
+        raise text.error(valid, CORRECT, at=filled[named], kind=CONTRADICTION)
     return Table(
         header=header,
         header_lines=tuple(filled[:first]),
@@ -125,6 +146,7 @@ def table(text: RecordText) -> Table | None:
         lines=tuple(lines),
         separator=separator,
         comma=comma,
+        trailing=trailing,
     )
 
 

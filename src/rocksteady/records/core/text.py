@@ -14,6 +14,9 @@ LARGEST_FILE: Final = 64 * 2**20
 FETCH: Final = "fetch the file again"
 """What a hint about a damaged file begins with."""
 
+CORRECT: Final = "take out the line that is wrong"
+"""What to do about two lines of a header that differ."""
+
 DAMAGED: Final = "damaged"
 NO_RECORD: Final = "no record"
 CONTRADICTION: Final = "contradiction"
@@ -120,7 +123,7 @@ class RecordText:
         )
         if first_text != second_text:
             valid = f"line {first + 1} states the same with another value"
-            raise self.error(valid, "take out the line that is wrong", at=at, kind=CONTRADICTION)
+            raise self.error(valid, CORRECT, at=at, kind=CONTRADICTION)
 
 
 def file_bytes(path: Path) -> bytes:

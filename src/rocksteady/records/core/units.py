@@ -37,7 +37,7 @@ _ACCELERATION: Final = (1, -2)
 _TIME: Final = (0, 1)
 _RATE: Final = (0, -1)
 _QUANTITIES: Final = {_ACCELERATION: "acceleration", (1, -1): "velocity", (1, 0): "displacement"}
-_COUNTS: Final = re.compile(r"counts?|cnts?|lsb|(?:digital|ad|raw) ?counts?|bits?|mv|volts?")
+_COUNTS: Final = re.compile(r"counts?|cnts?|lsb|(?:digital|ad|raw) ?counts?|bits?|m?v|volts?")
 """What an instrument's numbers are in before its scale is applied."""
 
 _BASES: Final[dict[str, tuple[float, tuple[int, int]]]] = {
@@ -46,7 +46,7 @@ _BASES: Final[dict[str, tuple[float, tuple[int, int]]]] = {
     **dict.fromkeys(("m", "meter", "meters", "metre", "metres"), (1.0, (1, 0))),
     **dict.fromkeys(("in", "inch", "inches"), (0.0254, (1, 0))),
     **dict.fromkeys(("ft", "foot", "feet"), (0.3048, (1, 0))),
-    **dict.fromkeys(("s", "sec", "secs", "second", "seconds"), (1.0, (0, 1))),
+    **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "seg", "sek", "sn"), (1.0, (0, 1))),
     **dict.fromkeys(("min", "mins", "minute", "minutes"), (60.0, (0, 1))),
     **dict.fromkeys(("h", "hr", "hrs", "hour", "hours"), (3600.0, (0, 1))),
     **dict.fromkeys(("hz", "hertz", "sps", "cps"), (1.0, (0, -1))),
@@ -134,7 +134,7 @@ def _parsed(written: str) -> tuple[float, tuple[int, int]] | None:
         at = match.end()
     if not parts or len(parts) > 24:
         return None
-    other = None
+    motion = None
     for together in (False, True):
         tokens = _Tokens(parts)
         try:
@@ -145,8 +145,8 @@ def _parsed(written: str) -> tuple[float, tuple[int, int]] | None:
             return None
         if powers in {_ACCELERATION, _TIME, _RATE}:
             return size, powers
-        other = other or ((size, powers) if powers in _QUANTITIES else None)
-    return other
+        motion = motion or ((size, powers) if powers in _QUANTITIES else None)
+    return motion
 
 
 def _product(tokens: _Tokens, *, together: bool) -> tuple[float, tuple[int, int]]:
@@ -324,7 +324,7 @@ def quantity_of(written: str) -> str | None:
     """
     parsed = _parsed(written) if len(written) <= 60 else None
     if parsed is None:
-        return "counts" if _COUNTS.fullmatch(_plain(written)) else None
+        return "counts" if _COUNTS.fullmatch(_plain(written).rpartition("/")[2]) else None
     return _QUANTITIES.get(parsed[1])
 
 

@@ -13,7 +13,8 @@ from typing import Final
 
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
-from rocksteady.records.core.column_names import OTHER, column_name, quantity_named
+from rocksteady.records.core.blocks import blocks, numeric, plain
+from rocksteady.records.core.column_names import OTHER, column_name, quantity_in, quantity_named
 from rocksteady.records.core.consistency import Lines, agreed, layout, timing
 from rocksteady.records.core.directions import tells_nothing
 from rocksteady.records.core.header_statements import (
@@ -25,39 +26,31 @@ from rocksteady.records.core.header_statements import (
     stated_unit,
     unless_given,
 )
-from rocksteady.records.core.moments import moment
-from rocksteady.records.core.numbers import apart, numbers
 from rocksteady.records.core.recording import LeftOut, Recording
 from rocksteady.records.core.sampling import Spaced, evenly_spaced, places
 from rocksteady.records.core.stated_words import (
     stated_direction,
-    stated_name,
     stated_start,
+    stated_station,
     unit_of_peaks,
 )
 from rocksteady.records.core.table import Table, table
-from rocksteady.records.core.text import NO_RECORD, RecordText
-from rocksteady.records.core.units import UNITS, in_m_s2
+from rocksteady.records.core.text import CONTRADICTION, CORRECT, FETCH, NO_RECORD, RecordText
+from rocksteady.records.core.units import in_m_s2
 from rocksteady.results.numbers import plural
 
 CSV: Final = "csv"
 COLUMNS: Final = "columns"
 
-_DATED: Final = re.compile(r"\s*\"?(\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d(?:\.\d+)?)Z?\"?(?=[\s,;])")
-_TIMESERIES: Final = re.compile(
-    r"TIMESERIES (\S+), (\d+) samples, ([\d.]+ sps), ([^,]+), \w+, \w+, (.+)"
-)
-_OF_TIMESERIES: Final = r"channel: \1; samples: \2; sampling rate: \3; start time: \4; units: \5"
-"""The header of EarthScope's lists of samples."""
-_EQUAL: Final = re.compile(r"([:=]\s*)/([^/\s]+)(?:/\2)+\s*$")
-_PER_CHANNEL: Final = re.compile(r",?\s*C1-C\d+(?=\s*[,(:])")
-"""Values of several channels that are one, and the words that number the channels."""
 _DATA_TYPE: Final = re.compile(r"\bdata[ _]type\s*[:=]\s*([A-Za-z]+)", re.IGNORECASE)
-_HEADER: Final = 200
+_SPECTRA: Final = re.compile(
+    r"peer\b.*\bspectrum\b|\W*(?:pseudo\W*)?(?:response|fourier)\b.*\bspectr(?:a|um)\b(?!.*(?:compatib|match))",
+    re.IGNORECASE,
+)
 _LONGEST_INTERVAL: Final = 0.1
 _BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
+_LONGEST_HEADER: Final = 40
 _NO_ROWS: Final = "it holds no rows of numbers"
-_FEW_LINES: Final = 40
 _AS_CHANNELS: Final = 4
 """Columns without names that may be channels as well as consecutive samples."""
 
@@ -77,11 +70,12 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     InputError
         If the file has no such column.
     """
+    refuse_spectra(text)
     refuse_geonet(text)
-    text, start = _plain(text)
+    text, start = plain(text)
     recordings: list[Recording] = []
     others: list[RecordFileError] = []
-    for block in _blocks(text):
+    for block in blocks(text):
         try:
             recordings += _read(block, given, start)
         except RecordFileError as error:
@@ -103,11 +97,11 @@ def read_samples(text: RecordText, given: Given) -> tuple[Recording, ...]:
     """
     runs = [
         list(lines)
-        for numeric, lines in groupby(
+        for of_numbers, lines in groupby(
             (at for at, line in enumerate(text.lines) if line.strip(" \t,;")),
-            key=lambda at: bool(apart(re.split(r"[\s,;]+", text.lines[at].strip(" \t,;")), None)),
+            key=lambda at: numeric(text.lines[at]),
         )
-        if numeric
+        if of_numbers
     ]
     longest = max(runs, key=len, default=[])
     if len(longest) < 2:
@@ -126,81 +120,28 @@ def read_samples(text: RecordText, given: Given) -> tuple[Recording, ...]:
     )
 
 
-def _plain(text: RecordText) -> tuple[RecordText, datetime | None]:
-    """Return a file with lists of equal values as one, and dates as seconds; and its first date."""
-    lines = [_PER_CHANNEL.sub("", _EQUAL.sub(r"\1\2", line)) for line in text.lines[:_HEADER]]
-    lines = [_TIMESERIES.sub(_OF_TIMESERIES, line) for line in lines] + [*text.lines[_HEADER:]]
-    dates = {at: match for at, line in enumerate(lines) if (match := _DATED.match(line))}
-    if 2 * len(dates) < len(lines):
-        return replace(text, lines=tuple(lines)), None
-    times = {at: moment(match[1]) for at, match in dates.items()}
-    first = next(iter(times.values()))
-    for at, time in times.items():
-        if time is not None and first is not None:
-            seconds = f"{(time - first).total_seconds():.6f}"
-            lines[at] = f"{seconds}{lines[at][dates[at].end() :]}"
-    return replace(text, lines=tuple(lines)), first
-
-
-def _blocks(text: RecordText) -> list[RecordText]:
-    """Return the tables of a file, each with the words above it; one where it is one table.
-
-    Each of several must have a line that states its number of samples, for a line of words among
-    samples may be one that is damaged.
-    """
-    kinds = groupby(
-        (at for at, line in enumerate(text.lines) if line.strip(" \t,;")),
-        key=lambda at: numbers(text.lines[at].replace(",", " ")) is not None,
-    )
-    parts: list[list[int]] = [[]]
-    for numeric, lines in kinds:
-        held = list(lines)
-        if not numeric and parts[-1] and len(held) > 1:
-            parts.append([])
-        parts[-1] += held
-    if len(parts) < 2:
-        return [text]
-    blocks = []
-    for part in parts:
-        kept = set(part)
-        block = replace(
-            text, lines=tuple(line if at in kept else "" for at, line in enumerate(text.lines))
-        )
-        rows = [at for at in part if numbers(block.lines[at].replace(",", " ")) is not None]
-        words = [at for at in part if at not in set(rows)]
-        try:
-            stated = stated_count(block, words)
-        except RecordFileError:
-            return [text]
-        held_numbers = sum(len(block.lines[at].replace(",", " ").split()) for at in rows)
-        if stated is None or stated[0] not in {len(rows), held_numbers}:
-            return [text]
-        blocks.append(block)
-    return blocks
-
-
 def _read(text: RecordText, given: Given, start: datetime | None) -> tuple[Recording, ...]:
     """Return the channels of one table."""
     data_table = table(text)
     if data_table is None:
         raise text.error(_NO_ROWS, "give a record as text", kind=NO_RECORD)
+    if sum(map(len, data_table.rows)) < 2:
+        raise text.error("it holds one number, which is no record", "see whether it is whole")
     at = data_table.lines[0]
     count, interval, data_table = _without_counts(text, data_table, given)
-    named = data_table.columns > 1 and bool(data_table.names)
-    format_name = CSV if named or data_table.separator is not None else COLUMNS
     _refuse_other_quantities(text, data_table)
     if count is None:
         _refuse_short_rows(text, data_table)
     header = list(data_table.header_lines) if data_table.columns == 1 else _words(data_table)
     timed = data_table.columns > 1 and _time_column(data_table) is not None
     stated, unread = _interval(text, header, given, timed=timed)
-    spaced, picked = _values(text, data_table, given, interval or stated)
+    if count is None and (of_words := stated_count(text, header)) is not None:
+        count, at = of_words
+    spaced, picked = _values(text, data_table, given, interval or stated, count)
     values, interval, warnings = spaced.values, spaced.dt_s, (*unread, *spaced.warnings)
     if len(picked) == 1 and not picked[0] and 1 < data_table.columns <= _AS_CHANNELS:
         what = f"{data_table.columns} numbers a line are taken as samples that follow each other"
         warnings += (f"{what}; give column where they are channels",)
-    if count is None and (of_words := stated_count(text, header)) is not None:
-        count, at = of_words
     where = Lines(stated=at, start=data_table.lines[0], end=len(text.lines))
     if count is not None:
         values, doubts = agreed(text, values, count, where)
@@ -212,31 +153,80 @@ def _read(text: RecordText, given: Given, start: datetime | None) -> tuple[Recor
     if given.dt_s is None:
         warnings += timing(values[:, 0], interval, duration=stated_duration(text, header))
     labels = [column_name(name).label or name or None for name in picked]
+    direction = None
     if len(picked) == 1 and tells_nothing(labels[0]):
-        direction, doubts = stated_direction(text, header)
-        labels, warnings = [direction or labels[0]], (*warnings, *doubts)
-    level = _three_axes(labels)
-    peaks = [float(abs(column).max()) for column in values.T]
-    recordings = []
-    for index, name in enumerate(picked):
-        of_name = partial(_unit_of, text, name, data_table)
-        units, doubts = unless_given(given.units, of_name) or (None, ())
-        channel = Channel(
-            values=values[:, index],
-            units=units or unit_of_peaks(text, header, peaks),
-            dt_s=interval,
-            component=labels[index],
+        direction = stated_direction(text, header)
+        labels = [direction or labels[0]]
+    if data_table.trailing is not None:
+        after = f"what stands after the last sample, from line {data_table.trailing + 1}"
+        warnings += (f"{after}, is left out",)
+    channels = Channel(
+        values=values,
+        units=None,
+        dt_s=interval,
+        directed=direction is not None,
+        alone=len(picked) == 1,
+        place=" ".join(text.heads[at] for at in header),
+        station=stated_station(text, header),
+        start_time=start or stated_start(text, header),
+        warnings=warnings,
+        processing=spaced.notes,
+    )
+    return _recordings(text, data_table, given, channels, [*zip(picked, labels, strict=True)])
+
+
+def _recordings(
+    text: RecordText,
+    data_table: Table,
+    given: Given,
+    channels: Channel,
+    labels: list[tuple[str, str | None]],
+) -> tuple[Recording, ...]:
+    """Return the channels of a table; columns of which the unit is not understood are left out.
+
+    Parameters
+    ----------
+    text, data_table, given
+        As above.
+    channels
+        What the channels share, with their values, shape (samples, channels).
+    labels
+        Name of each one's column, and what it is called.
+
+    Raises
+    ------
+    RecordFileError
+        If no unit is understood, or as for `built`.
+    """
+    named = data_table.columns > 1 and bool(data_table.names)
+    format_name = CSV if named or data_table.separator is not None else COLUMNS
+    level = _three_axes([label for _, label in labels])
+    peaks = [float(abs(column).max()) for column in channels.values.T]
+    recordings: list[Recording] = []
+    odd: list[str] = []
+    faults: list[RecordFileError] = []
+    for index, (name, label) in enumerate(labels):
+        try:
+            of_name = partial(_unit_of, text, name, data_table)
+            units, doubts = unless_given(given.units, of_name) or (None, ())
+        except RecordFileError as error:
+            if error.kind:
+                raise
+            faults.append(error)
+            odd.append(name)
+            continue
+        channel = replace(
+            channels,
+            values=channels.values[:, index],
+            units=units or unit_of_peaks(text, [*data_table.header_lines], peaks),
+            component=label,
             orientation="horizontal" if index in level else None,
-            alone=len(picked) == 1,
-            place=" ".join(data_table.header),
-            station=stated_name(text, header, "station"),
-            event=stated_name(text, header, "event"),
-            start_time=start or stated_start(text, header),
-            warnings=(*warnings, *doubts),
-            processing=spaced.notes,
+            warnings=(*channels.warnings, *doubts),
         )
         recordings.append(built(text, format_name, channel, given))
-    left = _left_out(text, data_table, given)
+    if not recordings:
+        raise faults[0]
+    left = _left_out(text, data_table, given, [name for name, _ in labels if name not in odd])
     return tuple(replace(each, left_out=left) for each in recordings)
 
 
@@ -245,20 +235,38 @@ def _three_axes(labels: list[str | None]) -> set[int]:
     axes = [
         re.search(r"(?:^|[^a-z]|a|acc)([xyz])(?:$|[^a-z])", (name or "").lower()) for name in labels
     ]
-    found = [match[1] if match else "" for match in axes]
-    return {found.index("x"), found.index("y")} if sorted(found) == ["x", "y", "z"] else set()
+    letters = [match[1] if match else "" for match in axes]
+    return {letters.index("x"), letters.index("y")} if sorted(letters) == ["x", "y", "z"] else set()
 
 
-def _left_out(text: RecordText, data_table: Table, given: Given) -> tuple[LeftOut, ...]:
-    """Return the named columns that are another quantity."""
+def _left_out(
+    text: RecordText, data_table: Table, given: Given, picked: list[str]
+) -> tuple[LeftOut, ...]:
+    """Return the named columns that are another quantity, or are not understood."""
     if given.column is not None or data_table.columns == 1:
         return ()
     named = [(column_name(name), name) for name in data_table.names]
     return tuple(
-        LeftOut(file=text.path, channel=name, kind=found.quantity, why=found.quantity)
-        for found, name in named
-        if found.kind == "other"
+        LeftOut(file=text.path, channel=name, kind=kind, why=kind)
+        for column, name in named
+        if name not in picked and column.kind != "time"
+        for kind in (column.quantity or "not understood",)
     )
+
+
+def refuse_without_rows(text: RecordText) -> None:
+    """Raise where a file has the names of a table's columns, and no rows.
+
+    Raises
+    ------
+    RecordFileError
+        As above.
+    """
+    for at, line in enumerate(text.heads[:_LONGEST_HEADER]):
+        fields = re.split(r"[;,\t]|\s{2,}", line.strip().lstrip("#%!*/ "))
+        if {"time", "acceleration"} <= {column_name(field.strip(" \"'")).kind for field in fields}:
+            valid = "it holds the names of columns and no rows of numbers"
+            raise text.error(valid, f"{FETCH}: it is cut after its header", at=at)
 
 
 def _interval(
@@ -279,33 +287,16 @@ def _interval(
         return None, (f"{error.valid}: the times of the table are taken",)
 
 
-def refuse_without_rows(text: RecordText) -> None:
-    """Raise where a file has the names of a table's columns, and no rows.
-
-    Raises
-    ------
-    RecordFileError
-        As above; other files without numbers are left to the caller.
-    """
-    filled = [at for at, line in enumerate(text.heads) if line.strip()]
-    for at in filled[:_FEW_LINES] if len(filled) <= _FEW_LINES else ():
-        fields = re.split(r"[;,\t]|\s{2,}", text.heads[at].strip().lstrip("#%!*/ "))
-        kinds = [column_name(field.strip(" \"'")).kind for field in fields if field.strip()]
-        if {"time", "acceleration"} & set(kinds) and (len(kinds) > 1 or len(filled) == 1):
-            valid = "it holds the names of columns and no rows of numbers"
-            raise text.error(valid, "fetch the file again: it is cut after its header", at=at)
-
-
 def _values(
-    text: RecordText, data_table: Table, given: Given, stated: float | None
+    text: RecordText, data_table: Table, given: Given, stated: float | None, count: int | None
 ) -> tuple[Spaced, tuple[str, ...]]:
     """Return the samples (samples, channels) with their interval, and the channels' names."""
     import numpy as np
 
     width = data_table.columns
-    alone = width == 1 or (
-        not data_table.names and given.column is None and not _has_times(data_table)
-    )
+    in_a_row = given.column is None and not _has_times(data_table)
+    in_a_row = in_a_row and count != len(data_table.rows) and not _side_by_side(data_table)
+    alone = width == 1 or (not data_table.names and in_a_row)
     if alone:
         if (
             data_table.names
@@ -345,6 +336,22 @@ def _values(
     return replace(spaced, warnings=doubts), names
 
 
+def _side_by_side(data_table: Table) -> bool:
+    """Return whether rows of a few numbers are channels: smoother downwards than along the rows."""
+    import numpy as np
+
+    whole = data_table.rows[:-1]
+    if (
+        len(whole) < 2
+        or not 1 < data_table.columns <= _AS_CHANNELS
+        or len({len(row) for row in whole}) != 1
+    ):
+        return False
+    values = np.array(whole)
+    downwards = np.abs(np.diff(values, axis=0)).mean()
+    return bool(2.0 * downwards < np.abs(np.diff(values.ravel())).mean())
+
+
 def _has_times(data_table: Table) -> bool:
     """Return whether a table without names has times in its first column."""
     rows = data_table.rows
@@ -361,7 +368,13 @@ def _has_times(data_table: Table) -> bool:
 
 def _time_column(data_table: Table) -> int | None:
     """Return which column holds the times, or None."""
-    named = [at for at, name in enumerate(data_table.names) if column_name(name).kind == "time"]
+    names = [name.upper() for name in data_table.names]
+    across = {"L", "V"} & set(names)  # T is then transverse
+    named = [
+        at
+        for at, name in enumerate(names)
+        if column_name(name).kind == "time" and not (name == "T" and across)
+    ]
     if named:
         return named[0]
     return 0 if not data_table.names and _has_times(data_table) else None
@@ -381,7 +394,7 @@ def _seconds(text: RecordText, data_table: Table, time: int) -> float:
     named = column_name(data_table.names[time])
     if of_words is not None and named.seconds not in {None, of_words}:
         valid = f"the words above its column {data_table.names[time]!r} state another unit of time"
-        raise text.error(valid, "correct one of them", at=data_table.names_at)
+        raise text.error(valid, CORRECT, at=data_table.names_at, kind=CONTRADICTION)
     if named.uncertain:
         valid = f"its unit of time, {named.uncertain!r}, is not understood"
         hint = "name the column time (s), time (ms), time (us) or time (min)"
@@ -395,18 +408,23 @@ def _columns(
     """Return the columns of acceleration."""
     if given.column is not None:
         chosen = _asked_for(data_table, given.column)
-        quantity = column_name(data_table.names[chosen]).quantity if data_table.names else ""
-        if quantity in {"velocity", "displacement", "counts"}:
+        named = column_name(data_table.names[chosen]) if data_table.names else None
+        if named is not None and named.kind == "other":
             valid = f"its column is {data_table.names[chosen]}"
-            raise other_quantity(text, quantity, valid, at=data_table.names_at)
+            raise other_quantity(text, named.quantity, valid, at=data_table.names_at)
         return (chosen,)
     others = [at for at in range(data_table.columns) if at != time]
     if not data_table.names:
         return tuple(others)
     kinds = {at: column_name(data_table.names[at]).kind for at in others}
+    kinds |= {at: "acceleration" for at in others if data_table.names[at].upper() == "T"}
     for wanted in ("acceleration", "unknown"):
         of_kind = tuple(at for at in others if kinds[at] == wanted)
-        if of_kind and (wanted == "acceleration" or len(of_kind) == 1):
+        if wanted == "unknown" and len(of_kind) > 1:
+            # Of several, what the words above or mere numbers show to be channels.
+            numbered = all(data_table.names[at].isdecimal() for at in of_kind)
+            of_kind = of_kind if numbered or stated_unit(text, _words(data_table)) else ()
+        if of_kind:
             return of_kind
     raise _no_acceleration(text, data_table)
 
@@ -414,9 +432,10 @@ def _columns(
 def _no_acceleration(text: RecordText, data_table: Table) -> RecordFileError:
     """Return the error that no column is one of acceleration."""
     listed = ", ".join(data_table.names)
-    found = map(column_name, data_table.names)
-    quantities = {each.quantity for each in found if each.kind != "time"}
-    if len(quantities) == 1 and (quantity := quantities.pop()) not in {"", OTHER}:
+    columns = [each for each in map(column_name, data_table.names) if each.kind != "time"]
+    quantities = {each.quantity for each in columns if each.kind == "other"} - {OTHER}
+    if columns and all(each.kind == "other" for each in columns):
+        quantity = quantities.pop() if len(quantities) == 1 else OTHER
         return other_quantity(text, quantity, f"its columns are {listed}", at=data_table.names_at)
     return text.error(
         f"none of its columns is called an acceleration: {listed}",
@@ -464,15 +483,16 @@ def _unit_of(text: RecordText, name: str, data_table: Table) -> tuple[str | None
     words = _words(data_table)
     named = column_name(name)
     title = data_table.columns == 1 and bool(data_table.names)
-    if title and re.search(r"[:=]|\bunits?\b|\bin\b", name):
+    if title and re.search(r"[:=]|\bunits?\b|\bin\b", name, re.IGNORECASE):
         # A line of words above one column is a title rather than a name.
         return stated_unit(text, [*words, data_table.names_at]), ()
     odd = named.uncertain
     if data_table.columns > 1 or named.unit is not None:
         odd = odd or named.leftover
-    if odd and data_table.names and named.kind != "other":
+    coded = named.kind == "unknown" and re.fullmatch(r"[A-Za-z]{2,}\d+\w*", name)
+    if odd and data_table.names and named.kind != "other" and not coded:
         valid = f"its column {name!r} is not understood: {odd!r}"
-        raise text.error(valid, f"give units: {', '.join(UNITS)}", at=data_table.names_at)
+        raise text.error(valid, "rename the column, as acc (g)", at=data_table.names_at)
     of_words = stated_unit(text, words, explicit=named.unit is not None)
     if named.unit is None:
         beside = {column_name(label).unit for label in data_table.names} - {None}
@@ -488,7 +508,7 @@ def _unit_of(text: RecordText, name: str, data_table: Table) -> tuple[str | None
         doubts = (f"{error.valid}: the unit of its column {name!r} is taken",)
     if of_words is not None and in_m_s2(of_words) != in_m_s2(named.unit):
         valid = f"its column {name!r} is in {named.unit}, and the words above it state {of_words}"
-        raise text.error(valid, f"give units: {', '.join(UNITS)}", at=data_table.names_at)
+        raise text.error(valid, CORRECT, at=data_table.names_at, kind=CONTRADICTION)
     return named.unit, doubts
 
 
@@ -547,7 +567,7 @@ def _refuse_short_rows(text: RecordText, data_table: Table, *, last: bool = Fals
         if len(row) != columns:
             count = plural(len(row), "number")
             valid = f"it has {count}, and the table has {plural(columns, 'column')}"
-            raise text.error(valid, "fetch the file again, or take out what is no sample", at=at)
+            raise text.error(valid, "complete the row, or take out what is no sample", at=at)
 
 
 def refuse_geonet(text: RecordText) -> None:
@@ -561,6 +581,18 @@ def refuse_geonet(text: RecordText) -> None:
         )
 
 
+def refuse_spectra(text: RecordText) -> None:
+    """Raise where the first line is that of a file of spectra.
+
+    Raises
+    ------
+    RecordFileError
+        As above.
+    """
+    if _SPECTRA.match(text.first) is not None:
+        raise other_quantity(text, "spectra", "its first line names another quantity")
+
+
 def _refuse_other_quantities(text: RecordText, data_table: Table) -> None:
     """Raise where the words above name counts, or another quantity and no acceleration."""
     words = " ".join(data_table.header)
@@ -568,14 +600,19 @@ def _refuse_other_quantities(text: RecordText, data_table: Table) -> None:
         valid = "its header states the scale of an instrument's counts, which is not applied here"
         hint = "give the file as its network publishes it (K-NET, KiK-net)"
         raise text.error(valid, hint, kind="counts")
-    stated = _DATA_TYPE.search(words)
-    if stated is None and (
-        data_table.names or not words or re.search(r"acc|acel|beschl", words, re.IGNORECASE)
-    ):
+    types = _DATA_TYPE.findall(words)
+    named_columns = data_table.columns > 1 and data_table.names
+    if not types and (named_columns or re.search(r"acc|acel|beschl", words, re.IGNORECASE)):
         return
-    named = {"VL": "velocity", "DS": "displacement"}.get(stated[1].upper()) if stated else None
-    quantity = named or quantity_named(words if stated is None else stated[1])
-    if quantity and not (stated is None and quantity == "spectra"):
+    named = {"VL": "velocity", "DS": "displacement"}
+    quantities = {named.get(each.upper()) or quantity_named(each) for each in types}
+    quantities = quantities or {quantity_in(words)}
+    if len(quantities) > 1:
+        raise text.error(
+            f"it states data of two types, {', '.join(types)}", CORRECT, kind=CONTRADICTION
+        )
+    quantity = quantities.pop()
+    if quantity:
         raise other_quantity(text, quantity, "its header names another quantity")
 
 

@@ -21,9 +21,9 @@ from rocksteady.records.core.fortran_format import fixed_values, stated_width
 from rocksteady.records.core.header_statements import interval_value
 from rocksteady.records.core.numbers import NUMBER, samples
 from rocksteady.records.core.positions import of_station
-from rocksteady.records.core.recording import Orientation, Recording
-from rocksteady.records.core.text import RecordText
-from rocksteady.records.core.units import acceleration_unit, in_m_s2
+from rocksteady.records.core.recording import Orientation, Position, Recording
+from rocksteady.records.core.text import CONTRADICTION, RecordText
+from rocksteady.records.core.units import acceleration_unit, in_m_s2, quantity_of
 
 if TYPE_CHECKING:
     from rocksteady.arrays import Floats
@@ -44,8 +44,13 @@ _UNKNOWN: Final = re.compile(
     rf"Values used when.*?:\s*({NUMBER})\s*,?\s*({NUMBER})?", re.IGNORECASE
 )
 _PLACE: Final = re.compile(r"\b(?:location|loc)\s*:", re.IGNORECASE)
+_TYPES: Final[dict[int, Position]] = {
+    **dict.fromkeys((1, 2, 4, 6, 8, 9), "surface"),
+    **dict.fromkeys((5, 10, 11, 12, 13, 14, 15, 20), "structure"),
+}
+"""Codes of the types of stations; those of arrays are told by the words of each channel."""
 _CODES: Final = {2: "g", 4: "cm/s^2", 7: "in/s^2", 10: "gal", 11: "mg"}
-_COUNTS_CODE: Final = 50
+_COUNTS_CODES: Final = {50, 51}
 _VERTICAL: Final[dict[int, bool | None]] = {400: False, 401: True, 402: None}
 """Codes of vertical channels: upwards, downwards, sense not stated."""
 _HINT: Final = "fetch the file again"
@@ -180,11 +185,14 @@ def _recording(
         raise text.error("it must announce samples", _HINT, at=at)
     code = int(described["code"]) if described["code"] else None
     written = described["unit"].strip()
-    units = "counts" if code == _COUNTS_CODE or "count" in written.lower() else written
-    if code in _CODES:
+    units = "counts" if code in _COUNTS_CODES else written
+    if code in _CODES and quantity_of(written) in {None, "acceleration"}:
         of_words, units = acceleration_unit(written), _CODES[code]
-        if of_words is None or in_m_s2(of_words) != in_m_s2(units):
-            units = f"{written} ({code:02d})"  # contradictory, and so none
+        if of_words is not None and in_m_s2(of_words) != in_m_s2(units):
+            valid = f"its words state {of_words}, and its code {code} {units}"
+            raise text.error(valid, "correct one of them", at=at, kind=CONTRADICTION)
+        if of_words is None:
+            units = f"{written} ({code:02d})"  # not understood as a whole
     first = head.words[0].lower() if head.words else ""
     level = "cosmos-v1" if "uncorrected" in first or "raw" in first else "cosmos-v2"
     seconds = None
@@ -213,7 +221,8 @@ def _recording(
         alone=False,
         station=station,
         event=head.words[1].strip() or None if len(head.words) > 1 else None,
-        position=of_station(station or "", " ".join(filter(_PLACE.search, head.words))),
+        position=_TYPES.get(head.integer(19) or 0)
+        or of_station(station or "", " ".join(filter(_PLACE.search, head.words))),
         start_time=_start(head),
         warnings=(*warnings, *doubt),
     )

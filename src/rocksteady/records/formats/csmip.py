@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
 from rocksteady.records.core.column_names import OTHER, quantity_named
 from rocksteady.records.core.consistency import Lines, agreed, timing
+from rocksteady.records.core.directions import together
 from rocksteady.records.core.fortran_format import stated_width
 from rocksteady.records.core.header_statements import interval_value
 from rocksteady.records.core.numbers import NUMBER, number, samples
@@ -20,7 +21,7 @@ from rocksteady.records.core.positions import of_station
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.sampling import evenly_spaced
 from rocksteady.records.core.text import RecordText
-from rocksteady.records.core.units import acceleration_unit, in_m_s2, leading, modifies
+from rocksteady.records.core.units import acceleration_unit, in_m_s2, leading, modifies, quantity_of
 
 if TYPE_CHECKING:
     from rocksteady.arrays import Floats
@@ -47,7 +48,8 @@ _PEAK: Final = re.compile(
 )
 _MAX: Final = re.compile(rf"Max\s*=\s*({NUMBER})\s*([A-Za-z/0-9^]+)", re.IGNORECASE)
 _SPACED: Final = re.compile(rf"equally-spaced intervals of\s+({NUMBER})\s*sec", re.IGNORECASE)
-_CHANNEL: Final = re.compile(r"^\s*Chan\s+(\d+)\s*:\s*(.*?)\s*$", re.IGNORECASE)
+_CHANNEL: Final = re.compile(r"\bChan\s+\d+\s*:\s*(.*?)(?:\s+from)?\s*$", re.IGNORECASE)
+_NAMED: Final = re.compile(r"^\s*Chan\s+\d+\s*:\s*(.*?)\s*$", re.IGNORECASE)
 _PLACE: Final = re.compile(r"\b(?:location|loc)\s*:|^\s*chan\s+\d+\s*:", re.IGNORECASE)
 _STATION: Final = re.compile(r"\s*Station\s+(?:No|Id)\.?\s*(\S+)", re.IGNORECASE)
 _START: Final = re.compile(
@@ -164,7 +166,8 @@ def _channel(
     processing: tuple[str, ...] = (),
 ) -> Channel:
     """Return what the lines of words state about a channel."""
-    channel = _first(_CHANNEL, head)
+    component = together(match[1] for line in head if (match := _CHANNEL.search(line)))
+    channel = _first(_NAMED, head)
     station = next((at for at, line in enumerate(head) if _STATION.match(line)), None)
     name = None
     if station is not None:
@@ -182,7 +185,7 @@ def _channel(
         units=units,
         dt_s=dt_s,
         stated_peak=stated,
-        component=channel[2] if channel else None,
+        component=component or (channel[1] if channel else None),
         alone=False,
         station=name,
         position=of_station(name or "", " ".join(filter(_PLACE.search, head))),
@@ -204,7 +207,7 @@ def _second_interval(head: tuple[str, ...], interval: float | None) -> tuple[str
 
 def _whole_unit(written: str) -> str:
     """Return the unit that words begin with; all of them where it is not understood as a whole."""
-    unit, rest = leading(re.split(r"\(\s*\d*[fFeE]\d|\s{3}", written)[0])
+    unit, rest = leading(re.split(r"\(\s*\d*[fFeE]\d|\s{3}", written)[0], quantity_of)
     return written.strip() if unit is None or modifies(rest) else unit
 
 

@@ -147,7 +147,7 @@ def _time(text: RecordText, lines: dict[str, int], key: str, unit: str) -> float
     written = _value(text, lines, key)
     # `100Hz`: a unit goes before that of the key, which is the same.
     stated = re.sub(rf"(?<=[\d.])\s*{unit}\s*$", "", written, flags=re.IGNORECASE)
-    return time_value(text, at, stated, unit)
+    return time_value(text, at, stated, unit, "correct the line")
 
 
 def _named(written: str, station: str) -> tuple[str, str | None, str | None, Position]:

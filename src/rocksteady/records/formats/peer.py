@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final
 from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
 from rocksteady.records.core.column_names import quantity_named
 from rocksteady.records.core.consistency import Lines, agreed
+from rocksteady.records.core.directions import together
 from rocksteady.records.core.header_statements import (
     count_value,
     find_values,
@@ -89,6 +90,8 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     _refuse_times(text, values, dt_s, last + 1)
     kept, warnings = agreed(text, values, count, Lines(stated=at, start=last + 1, end=end))
     event, station, component = _words(head[1] if len(head) > 1 else "")
+    others = (_words(line)[2] for line in head[2:])
+    component = together(name for name in (component, *others) if name) or component
     channel = Channel(
         values=kept,
         units=_units(text, last, given),

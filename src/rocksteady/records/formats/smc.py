@@ -27,6 +27,8 @@ _GROW: Final = 0.95
 _WORDS, _WHOLE, _REAL = 11, 6, 10
 """Lines of each part of the header."""
 
+_STRUCTURES: Final = {1.0, 2.0, 3.0}
+"""Codes of buildings, bridges and dams; a bridge's or a dam's place 0 is the free field."""
 _KIND: Final = re.compile(
     r"\s*(?:\d+\s+(?:(?:UN)?CORRECTED\s+ACCELEROGRAM|UNKNOWN)|\*)\s*", re.IGNORECASE
 )
@@ -114,6 +116,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         orientation=orientation,
         azimuth_deg=azimuth,
         down=down,
+        position="structure" if known[18] in _STRUCTURES and 0.0 not in known[26:28] else None,
         station=_after(text, 5, "station", until="component") or text.heads[2].strip() or None,
         event=text.heads[3][25:].strip() or None,
         start_time=_start(known[1:7]),

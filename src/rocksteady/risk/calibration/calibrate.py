@@ -130,7 +130,8 @@ def calibrate(
     options = DrawOptions() if sampling is None else sampling
     known = Prior() if prior is None else prior
     chosen = _temper(temper)
-    equations = as_model("model", model) or Nonlinear(tolerance=TOLERANCE)
+    chosen_model = as_model("model", model)
+    equations = Nonlinear(tolerance=TOLERANCE) if chosen_model is None else chosen_model
     if run is not None:
         run.in_memory("the draws of a round follow from the round before")
     objects = {name: known.object_prior(given) for name, given in tests.objects.items()}

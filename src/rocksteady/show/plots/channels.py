@@ -99,6 +99,7 @@ def _rows(channels: RecordSet | Sequence[Record]) -> Iterator[tuple[str, float, 
 def _direction(channel: Recording) -> str:
     """Return the direction of a channel in words, else the name of its file."""
     if channel.azimuth_deg is not None:
-        return f"{channel.orientation or 'azimuth'} {channel.azimuth_deg:g}°"
-    words = (channel.orientation, channel.component)
+        way = "azimuth" if channel.orientation == "unknown" else channel.orientation
+        return f"{way} {channel.azimuth_deg:g}°"
+    words = ("" if channel.orientation == "unknown" else channel.orientation, channel.component)
     return " ".join(word for word in words if word) or channel.path.stem

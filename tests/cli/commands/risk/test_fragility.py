@@ -232,7 +232,7 @@ def test_the_example_says_that_its_motions_are_synthetic() -> None:
         ("--replicates 5", "--replicates"),
         ("--seed -1", "--seed = -1"),
         ("--example", "--example has synthetic motions"),
-        ("--pair --column 2", "--column"),
+        ("--include vertical", "--include = 'vertical' is not valid: it must be a kind of"),
         ("--resume", "without --out there is no store"),
     ],
 )
