@@ -46,7 +46,7 @@ LISTED: Final = ", ".join(PREFIX + name for name in EXAMPLES)
 
 def is_example(path: Path) -> bool:
     """Return whether a path is the name of an example."""
-    return str(path).startswith(PREFIX)
+    return str(path).lower().startswith(PREFIX)
 
 
 def example_named(path: Path) -> _Example:
@@ -57,7 +57,7 @@ def example_named(path: Path) -> _Example:
     RecordFileError
         If there is no such example.
     """
-    example = EXAMPLES.get(str(path).removeprefix(PREFIX))
+    example = EXAMPLES.get(str(path).lower().removeprefix(PREFIX))
     if example is None:
         valid = "there is no example of that name"
         raise RecordFileError(path=path, valid=valid, hint=f"give one of {LISTED}")
@@ -95,7 +95,7 @@ def read_example(path: Path) -> "Recording":
         )
         samples = example.noise * samples + (1.0 - 2.0 * late) * exp(-late)
     values_g = np.round(samples * (example.pga_g / np.abs(samples).max()), DIGITS)
-    name = str(path).removeprefix(PREFIX)
+    name = str(path).lower().removeprefix(PREFIX)
     return Recording(
         record=Record(
             acceleration_m_s2=values_g * STANDARD_GRAVITY,

@@ -178,7 +178,7 @@ def test_every_file_that_cannot_be_read_has_its_line(file: Path, tmp_path: Path)
         ("column.txt --units g", ["column.txt", "interval", "give --dt-s"]),
         ("uneven.txt --units g", ["uneven.txt", "line 5", "(--resample)"]),
         ("uneven.txt --units g --resample --dt-s 1e-12", ["uneven.txt", "another --dt-s"]),
-        ("speed.csv --units g", ["speed.csv", "velocity", "give the file of acceleration"]),
+        ("two.csv --units g", ["two.csv", "give --column"]),
         (
             "hut.AT2 --units gal",
             ["in g, and --units in gal", "leave out --units", "--ignore-header"],
@@ -208,7 +208,7 @@ def test_what_is_refused(
     Path("broken.AT2").write_text("\n".join(text))
     Path("column.txt").write_text("0.1\n-0.2\n0.3\n")
     Path("uneven.txt").write_text("t acc\n0 1\n.1 2\n.2 1\n.35 0\n.4 1\n")
-    Path("speed.csv").write_text("time,velocity,other velocity\n0,1,2\n1,2,3\n2,1,2\n")
+    Path("two.csv").write_text("time,alpha,beta\n0,1,2\n1,2,3\n2,1,2\n")
     with ZipFile("sheet.xlsx", "w") as sheet:
         sheet.writestr("xl/workbook.xml", "<workbook/>")
     before = sorted(file.parent.iterdir())

@@ -55,8 +55,9 @@ def test_a_suite_has_the_horizontal_motions_of_the_ground(folder: Path) -> None:
     ) in (words := " ".join(ran.out.split()))
     assert "1 not understood" in words
     assert len(ran.out.splitlines()) <= 9
-    # The one record that cannot be read; other files are counted.
+    # The one channel that is not understood, and the one record that cannot be read.
     assert ran.err == (
+        f"rocksteady: {folder / 'X.AT2'}: where its channel points, 'XYZ', is not understood\n"
         f"rocksteady: {folder / 'open.csv'} is left out: the file does not state the unit of its "
         "numbers\n"
     )

@@ -10,13 +10,13 @@ from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.options import Panel, mass_flag
 from rocksteady.cli.flags.parsing import decimal, number, restitution_from, values_of
-from rocksteady.cli.flags.record_files import ReadingFlags, like_example, warn_of
+from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.records.core.text import NO_RECORD
-from rocksteady.records.examples import example_named
+from rocksteady.records.examples import example_named, is_example
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.rendering import printable
 
@@ -80,11 +80,8 @@ class Suite:
 
         values, answer = self.values, description.answer
         if answer is not None and (self.left_out or "unstated_direction" in values):
-            words = suite_words(self.recordings, self.left_out)
-            runs = next((each.value for each in description.facts if each.key == "runs"), None)
-            words = f"{runs:,} runs, {words}" if isinstance(runs, int) else words
-            first, *others = [*answer.facts, ("", "")]
-            answer = replace(answer, facts=[first, ("suite", words), *others])
+            fact = ("suite", suite_words(self.recordings, self.left_out))
+            answer = replace(answer, facts=[fact, *answer.facts])
         columns = [
             Column("file", "file", lambda file: Path(file).name, left=True),
             Column("channel", "channel", left=True),
@@ -153,7 +150,7 @@ class SuiteFlags:
         for path in self.records or []:
             if path.is_dir():
                 paths += files_of(path)
-            elif like_example(path):
+            elif is_example(path):
                 example_named(path)
                 paths.append(path)
             elif path.exists():
@@ -180,22 +177,18 @@ class SuiteFlags:
 
         # A channel that is named is meant, whatever its kind.
         kinds = [*self.kinds, *[*INCLUDABLE] * (reading.channel is not None)]
-        ground = replace(reading, floor_hz=None, floor_damping=None, participation=None)
-        suite = Suite()
+        suite, files = Suite(), self.files
         channels: list[Recording] = []
-        for file in self.files:
+        for file in files:
             try:
-                read = (ground if self.pair else reading).recordings(file, warned=False)
-                chosen = self._chosen(read, kinds, suite)
-                warn_of(file, chosen)
-                channels += chosen
+                channels += self._channels(file, reading, kinds, suite)
             except InputError as error:
                 if self.records == [file]:
                     if isinstance(error, RecordFileError):
                         raise InputError("--records", file, error.valid, error.hint) from None
                     raise
                 suite.left_out.append(file_left_out(file, error))
-                if suite.left_out[-1].kind in FAULTS.values():
+                if getattr(error, "kind", "") in FAULTS:
                     terminal.note(f"{file} is left out: {printable(error.valid)}")
         if self.pair:
             self._pair(channels, reading, suite)
@@ -208,18 +201,20 @@ class SuiteFlags:
             raise InputError("--records", given, reason, _remedy(suite.left_out))
         return suite
 
-    def _chosen(
-        self, recordings: "list[Recording]", kinds: list[str], suite: Suite
+    def _channels(
+        self, file: Path, reading: ReadingFlags, kinds: list[str], suite: Suite
     ) -> "list[Recording]":
         """Return the horizontal channels of a file, and with --pair its vertical ones."""
-        from rocksteady.records.suite import select
+        from rocksteady.records.suite import kind_of, select
         from rocksteady.seismic.measures.time_course import refuse_extreme
 
+        ground = replace(reading, floor_hz=None, floor_damping=None, participation=None)
+        recordings = (ground if self.pair else reading).recordings(file)
         across, others = select(recordings, kinds)
         for recording in across:
             refuse_extreme(recording.record)
         suite.left_out.extend(each for each in others if not self.pair or each.kind != "vertical")
-        upright = [each for each in recordings if each.orientation == "vertical"]
+        upright = [each for each in recordings if kind_of(each, alone=True) == "vertical"]
         return [*across, *upright * self.pair]
 
     def _pair(self, channels: "list[Recording]", reading: ReadingFlags, suite: Suite) -> None:
@@ -228,31 +223,31 @@ class SuiteFlags:
         from rocksteady.records.pairing import paired
         from rocksteady.records.suite import kind_of
 
-        ground: list[Recording] = []
-        idle: list[Recording] = []
+        pairable: list[Recording] = []
+        lone: list[Recording] = []
         for each in channels:
-            if each.orientation != "vertical" and kind_of(each, alone=True):
+            if kind_of(each, alone=True) in {"", "vertical"}:
+                pairable.append(each)
+            else:
                 suite.recordings.append(each)
                 suite.motions.append(reading.on_floor(each.record))
-            else:
-                (idle if each.position in {"borehole", "structure"} else ground).append(each)
-        for group in paired(ground):
-            for warning in group.warnings:
-                terminal.note(f"{group.name}: {warning}")
-            unstated = [each for each in group.other if each.orientation == "unknown"]
-            idle += [each for each in group.other if each.orientation == "vertical"]
-            station = replace(group, horizontal=(*group.horizontal, *unstated), other=())
-            if not station.horizontal:
-                idle += station.recordings
+        for group in paired(pairable):
+            across = tuple(each for each in group.recordings if each.orientation != "vertical")
+            if not across:
+                lone += group.recordings
                 continue
-            steps = {recording.record.dt_s for recording in station.recordings}
-            ready = station.aligned("pad") if len(steps) == 1 else station
+            lone += [each for each in group.other if each.orientation == "vertical"]
+            kept = replace(group, horizontal=across, other=())
+            for warning in kept.warnings:
+                terminal.note(f"{kept.name}: {warning}")
+            steps = {recording.record.dt_s for recording in kept.recordings}
+            ready = kept.aligned("pad") if len(steps) == 1 else kept
             suite.motions.extend(map(reading.on_floor, ready.motions()))
             suite.recordings.extend(ready.horizontal)
         why = "vertical, and no horizontal channel goes with it"
         suite.left_out.extend(
             LeftOut(file=each.path, channel=each.component, kind="vertical", why=why)
-            for each in idle
+            for each in lone
         )
 
 

@@ -85,10 +85,10 @@ mass_flag = partial(
 
 NAMESAKES = (
     "one_sided phase oscillations cycles start side kick max_period max_impacts max_branches "
-    "max_curves length other doublings top seeds seed angles velocities resolution speed "
-    "model tab tolerance out only executor workers chunk refine channel format units dt_s "
-    "column resample ignore_header include baseline damping periods_s scale pga_g pgv_m_s "
-    "friction spectrum vertical_g vertical_share vertical by legend scene embed"
+    "max_curves length other doublings top seeds seed angles velocities resolution speed model tab "
+    "tolerance out only executor workers chunk refine channel format units dt_s column resample "
+    "ignore_header baseline damping periods_s scale pga_g pgv_m_s friction spectrum vertical_g "
+    "vertical_share vertical by legend scene embed"
 )
 """Arguments of the library whose flags have their names."""
 FLAG_OF_ARGUMENT = {name: "--" + name.replace("_", "-") for name in NAMESAKES.split()} | {

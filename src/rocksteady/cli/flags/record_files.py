@@ -2,7 +2,6 @@
 
 import math
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -20,7 +19,7 @@ from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.fourier import FourierSeries
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.records.examples import LISTED, PREFIX, example_named, is_example
+from rocksteady.records.examples import LISTED, example_named, is_example
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -206,15 +205,8 @@ class ReadingFlags(FloorFlags):
         """The flags that were given, with their values."""
         return given_in(self)
 
-    def recordings(self, file: Path, *, warned: bool = True) -> "list[Recording]":
-        """Return the channels of a file, or the chosen channel.
-
-        Parameters
-        ----------
-        file
-            The file.
-        warned
-            Whether their warnings are printed; default True.
+    def recordings(self, file: Path) -> "list[Recording]":
+        """Return the channels of a file, or the chosen channel; their warnings are printed.
 
         Raises
         ------
@@ -225,9 +217,7 @@ class ReadingFlags(FloorFlags):
 
         channels = self._channels(file)
         wanted = channels if self.channel is None else (chosen(channels, self.channel),)
-        if warned:
-            warn_of(file, wanted)
-        return self._ready(wanted)
+        return self._ready(file, wanted)
 
     def read(self, file: Path) -> "Recording":
         """Return the one channel of a file, and print its warnings.
@@ -247,8 +237,7 @@ class ReadingFlags(FloorFlags):
                 raise missing("--channel", valid=error.valid, hint=error.hint) from None
         else:
             channel = chosen(channels, self.channel)
-        warn_of(file, (channel,))
-        return self._ready((channel,))[0]
+        return self._ready(file, (channel,))[0]
 
     def read_vertical(self, file: Path) -> "Recording":
         """Return the vertical channel of a file: its one channel, or the vertical one of several.
@@ -270,9 +259,7 @@ class ReadingFlags(FloorFlags):
                 f"of its {len(channels)} channels {len(upright)} are vertical",
                 "give a file with one channel",
             )
-        wanted = upright if len(channels) > 1 else channels
-        warn_of(file, wanted)
-        (channel,) = self._ready(wanted, across=False)
+        (channel,) = self._ready(file, upright if len(channels) > 1 else channels, across=False)
         if channel.orientation == "unknown":
             warn(file, "where its channel points is not stated: it is taken as vertical, upwards")
         return channel
@@ -281,7 +268,7 @@ class ReadingFlags(FloorFlags):
         """Return all channels of a file."""
         from rocksteady.records.read import read_recordings
 
-        if like_example(file):
+        if is_example(file):
             example_named(file)
         try:
             return read_recordings(
@@ -304,11 +291,13 @@ class ReadingFlags(FloorFlags):
             ) from error
 
     def _ready(
-        self, channels: "tuple[Recording, ...]", *, across: bool = True
+        self, file: Path, channels: "tuple[Recording, ...]", *, across: bool = True
     ) -> "list[Recording]":
-        """Return channels without their baseline, on the floor."""
+        """Return channels without their baseline, on the floor, and print their warnings."""
         from rocksteady.records.processing import correct_baseline
 
+        for words in dict.fromkeys(words for each in channels for words in each.warnings):
+            warn(file, in_flags(words))
         ready = [_named(correct_baseline(channel, self.baseline)) for channel in channels]
         if self.floor is None or not across:
             return ready
@@ -340,32 +329,23 @@ def in_flags(words: str) -> str:
     return ASKED_FOR.sub(lambda match: FLAG_OF_ARGUMENT[match[0]], words)
 
 
-def like_example(path: Path) -> bool:
-    """Return whether a path is the name of an example, in whatever case."""
-    return str(path).lower().startswith(PREFIX)
-
-
 def warn(file: Path, words: str) -> None:
     """Keep a warning about a file, to be printed beside the result."""
     terminal.note(f"{file}: {words}")
 
 
-def warn_of(file: Path, channels: "Sequence[Recording]") -> None:
-    """Keep the warnings about channels of a file, each once."""
-    for words in dict.fromkeys(words for each in channels for words in each.warnings):
-        warn(file, in_flags(words))
-
-
 def warn_across(recording: "Recording") -> None:
     """Warn about a channel that shakes across, and is no horizontal motion of the ground."""
-    from rocksteady.records.suite import INCLUDABLE, kind_of
+    from rocksteady.records.suite import select
 
-    reasons = {"vertical": f"{recording.component or 'its channel'} is vertical"} | INCLUDABLE
-    reason = reasons.get(kind_of(recording, alone=True), "")
-    if not reason and recording.orientation == "unknown":
-        reason = "where it points is not stated"
-    if reason:
-        warn(recording.path, f"{reason}: it shakes across")
+    _, others = select((replace(recording, left_out=()),))
+    reasons = [each.why for each in others]
+    if recording.orientation == "vertical":
+        reasons = [f"{recording.component or 'its channel'} is vertical"]
+    elif recording.orientation == "unknown" and not others:
+        reasons = ["where it points is not stated"]
+    if reasons:
+        warn(recording.path, f"{reasons[0]}: it shakes across")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -42,7 +42,7 @@ def grounds_of(motions: Record | BaseMotion | Sequence[Record | BaseMotion]) -> 
             "motions",
             given,
             "it must be a record, a BaseMotion of records, or a list of them",
-            "give records, as [read_record('one.AT2'), read_record('two.AT2')]",
+            "give records, as [read_record('example:near-fault')]",
         )
     return grounds
 
