@@ -1,11 +1,14 @@
 """Suites of `--records`: what is a horizontal motion of the ground, and what is left out."""
 
+from dataclasses import replace
 from pathlib import Path
 from zipfile import ZipFile
 
 import numpy as np
 import pytest
 
+from rocksteady.records import read
+from rocksteady.records.core.recording import Position
 from rocksteady.records.suite import INCLUDABLE
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
@@ -53,11 +56,11 @@ def test_a_suite_has_the_horizontal_motions_of_the_ground(folder: Path) -> None:
         "3 records, 1 of unstated direction; 6 channels left out: 1 borehole, 1 rotated, "
         "1 unknown direction, 1 velocity, 2 vertical"
     ) in (words := " ".join(ran.out.split()))
+    assert "6 runs, 3 records" in words
     assert "1 not understood" in words
     assert len(ran.out.splitlines()) <= 9
-    # The one channel that is not understood, and the one record that cannot be read.
+    # The one record that cannot be read; warnings are those of channels that are taken.
     assert ran.err == (
-        f"rocksteady: {folder / 'X.AT2'}: where its channel points, 'XYZ', is not understood\n"
         f"rocksteady: {folder / 'open.csv'} is left out: the file does not state the unit of its "
         "numbers\n"
     )
@@ -120,6 +123,19 @@ def test_pairs_take_verticals_of_the_ground_alone(folder: Path) -> None:
     left = {Path(each["file"]).name: each["why"] for each in values["left_out"]}
     assert "H-V.AT2" not in left
     assert "no horizontal channel goes with it" in left["B.UD1"]
+
+
+@every(("position", "vertical"), [("surface", ["without", "with"]), ("borehole", ["without"])])
+def test_a_vertical_below_ground_is_not_paired(
+    position: Position, vertical: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (across,) = read.read_recordings(at2(tmp_path / "a.AT2", samples()))
+    (up,) = read.read_recordings(at2(tmp_path / "b.AT2", 0.05 * samples(2), component="UP"))
+    channels = (across, replace(up, path=across.path, position=position))
+    monkeypatch.setattr(read, "read_recordings", lambda *_, **__: channels)
+    values = rocksteady(FEW, across.path, "--pair", "--json").json
+    assert values["vertical"] == vertical
+    assert [row["channel"] for row in values["left_out"]] == ["UP"] * (position == "borehole")
 
 
 def test_a_channel_that_is_named_is_taken_whatever_its_kind(tmp_path: Path) -> None:

@@ -332,6 +332,7 @@ def test_every_argument_in_a_text_of_a_reader_becomes_its_flag() -> None:
             "the file states that its numbers are in g, and --units in gal",
         ),
         ("it states two units of time", "it states two units of time"),
+        ("give column, by its name", "give --column, by its name"),
         ("ask for resampling (resample) to have it", "ask for resampling (--resample) to have it"),
     ],
 )

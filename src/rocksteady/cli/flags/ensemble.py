@@ -10,7 +10,7 @@ from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.options import Panel, mass_flag
 from rocksteady.cli.flags.parsing import decimal, number, restitution_from, values_of
-from rocksteady.cli.flags.record_files import ReadingFlags
+from rocksteady.cli.flags.record_files import ReadingFlags, warn_of
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_text
@@ -80,13 +80,11 @@ class Suite:
 
         values, answer = self.values, description.answer
         if answer is not None and (self.left_out or "unstated_direction" in values):
-            runs = [
-                f"{fact.value:,} runs, "
-                for fact in description.facts
-                if fact.key == "runs" and isinstance(fact.value, int)
-            ]
-            words = "".join(runs) + suite_words(self.recordings, self.left_out)
-            answer = replace(answer, facts=[("suite", words), *answer.facts])
+            words = suite_words(self.recordings, self.left_out)
+            runs = next((each.value for each in description.facts if each.key == "runs"), None)
+            words = f"{runs:,} runs, {words}" if isinstance(runs, int) else words
+            first, *others = [*answer.facts, ("", "")]
+            answer = replace(answer, facts=[first, ("suite", words), *others])
         columns = [
             Column("file", "file", lambda file: Path(file).name, left=True),
             Column("channel", "channel", left=True),
@@ -214,13 +212,15 @@ class SuiteFlags:
         from rocksteady.seismic.measures.time_course import refuse_extreme
 
         ground = replace(reading, floor_hz=None, floor_damping=None, participation=None)
-        recordings = (ground if self.pair else reading).recordings(file)
+        recordings = (ground if self.pair else reading).recordings(file, warned=False)
         across, others = select(recordings, kinds)
         for recording in across:
             refuse_extreme(recording.record)
         suite.left_out.extend(each for each in others if not self.pair or each.kind != "vertical")
         upright = [each for each in recordings if kind_of(each, alone=True) == "vertical"]
-        return [*across, *upright * self.pair]
+        chosen = [*across, *upright * self.pair]
+        warn_of(file, chosen)
+        return chosen
 
     def _pair(self, channels: "list[Recording]", reading: ReadingFlags, suite: Suite) -> None:
         """Add the motions of paired channels, and of those of --include, which are not paired."""
@@ -231,7 +231,9 @@ class SuiteFlags:
         pairable: list[Recording] = []
         lone: list[Recording] = []
         for each in channels:
-            if kind_of(each, alone=True) in {"", "vertical"}:
+            if each.orientation == "vertical" and each.position in {"borehole", "structure"}:
+                lone.append(each)
+            elif kind_of(each, alone=True) in {"", "vertical"}:
                 pairable.append(each)
             else:
                 suite.recordings.append(each)

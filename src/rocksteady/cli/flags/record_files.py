@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -205,8 +206,15 @@ class ReadingFlags(FloorFlags):
         """The flags that were given, with their values."""
         return given_in(self)
 
-    def recordings(self, file: Path) -> "list[Recording]":
-        """Return the channels of a file, or the chosen channel; their warnings are printed.
+    def recordings(self, file: Path, *, warned: bool = True) -> "list[Recording]":
+        """Return the channels of a file, or the chosen channel.
+
+        Parameters
+        ----------
+        file
+            The file.
+        warned
+            Whether their warnings are printed; default True.
 
         Raises
         ------
@@ -217,7 +225,9 @@ class ReadingFlags(FloorFlags):
 
         channels = self._channels(file)
         wanted = channels if self.channel is None else (chosen(channels, self.channel),)
-        return self._ready(file, wanted)
+        if warned:
+            warn_of(file, wanted)
+        return self._ready(wanted)
 
     def read(self, file: Path) -> "Recording":
         """Return the one channel of a file, and print its warnings.
@@ -237,7 +247,8 @@ class ReadingFlags(FloorFlags):
                 raise missing("--channel", valid=error.valid, hint=error.hint) from None
         else:
             channel = chosen(channels, self.channel)
-        return self._ready(file, (channel,))[0]
+        warn_of(file, (channel,))
+        return self._ready((channel,))[0]
 
     def read_vertical(self, file: Path) -> "Recording":
         """Return the vertical channel of a file: its one channel, or the vertical one of several.
@@ -259,7 +270,9 @@ class ReadingFlags(FloorFlags):
                 f"of its {len(channels)} channels {len(upright)} are vertical",
                 "give a file with one channel",
             )
-        (channel,) = self._ready(file, upright if len(channels) > 1 else channels, across=False)
+        wanted = upright if len(channels) > 1 else channels
+        warn_of(file, wanted)
+        (channel,) = self._ready(wanted, across=False)
         if channel.orientation == "unknown":
             warn(file, "where its channel points is not stated: it is taken as vertical, upwards")
         return channel
@@ -291,13 +304,11 @@ class ReadingFlags(FloorFlags):
             ) from error
 
     def _ready(
-        self, file: Path, channels: "tuple[Recording, ...]", *, across: bool = True
+        self, channels: "tuple[Recording, ...]", *, across: bool = True
     ) -> "list[Recording]":
-        """Return channels without their baseline, on the floor, and print their warnings."""
+        """Return channels without their baseline, on the floor."""
         from rocksteady.records.processing import correct_baseline
 
-        for words in dict.fromkeys(words for each in channels for words in each.warnings):
-            warn(file, in_flags(words))
         ready = [_named(correct_baseline(channel, self.baseline)) for channel in channels]
         if self.floor is None or not across:
             return ready
@@ -334,18 +345,22 @@ def warn(file: Path, words: str) -> None:
     terminal.note(f"{file}: {words}")
 
 
+def warn_of(file: Path, channels: "Sequence[Recording]") -> None:
+    """Keep the warnings about channels of a file, each once."""
+    for words in dict.fromkeys(words for each in channels for words in each.warnings):
+        warn(file, in_flags(words))
+
+
 def warn_across(recording: "Recording") -> None:
     """Warn about a channel that shakes across, and is no horizontal motion of the ground."""
-    from rocksteady.records.suite import select
+    from rocksteady.records.suite import INCLUDABLE, kind_of
 
-    _, others = select((replace(recording, left_out=()),))
-    reasons = [each.why for each in others]
-    if recording.orientation == "vertical":
-        reasons = [f"{recording.component or 'its channel'} is vertical"]
-    elif recording.orientation == "unknown" and not others:
-        reasons = ["where it points is not stated"]
-    if reasons:
-        warn(recording.path, f"{reasons[0]}: it shakes across")
+    reasons = {"vertical": f"{recording.component or 'its channel'} is vertical"} | INCLUDABLE
+    reason = reasons.get(kind_of(recording, alone=True), "")
+    if not reason and recording.orientation == "unknown":
+        reason = "where it points is not stated"
+    if reason:
+        warn(recording.path, f"{reason}: it shakes across")
 
 
 @dataclass(frozen=True, kw_only=True)
