@@ -103,7 +103,7 @@ class RecordSet(Result):
             Column("file", "file", lambda file: Path(file).name, left=True),
             Column("component", "component", left=True),
             Column("npts", "samples"),
-            Column("dt_s", "dt [s]"),
+            Column("dt_s", "dt [s]", lambda value: f"{value:g}"),
             Column("pga_m_s2", "PGA [g]", lambda value: number(value / STANDARD_GRAVITY)),
         ]
         return Description(

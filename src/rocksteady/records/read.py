@@ -115,7 +115,8 @@ def read_recordings(
     file = Path(path)
     if is_example(file):
         stated = {"format": format, "units": units, "dt_s": dt_s, "column": column}
-        for name, value in (stated | {"resample": resample or None}).items():
+        stated |= {"resample": resample or None, "ignore_header": ignore_header or None}
+        for name, value in stated.items():
             if value is not None:
                 raise InputError(name, value, f"{file} is no file", "leave it out")
         return (read_example(file),)

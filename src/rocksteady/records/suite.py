@@ -191,8 +191,9 @@ def check_includable(name: str, kind: object) -> str:
 
 def file_left_out(file: Path, error: InputError) -> LeftOut:
     """Return why a file has no channel in a suite."""
-    kind = error.kind if isinstance(error, RecordFileError) else ""
-    return LeftOut(file=file, kind=FAULTS.get(kind, kind), why=error.valid)
+    if not isinstance(error, RecordFileError):
+        return LeftOut(file=file, kind=FAULTS[""], why=error.valid)
+    return LeftOut(file=file, kind=FAULTS.get(error.kind, error.kind), why=error.clause)
 
 
 def select(
