@@ -55,9 +55,15 @@ def test_a_name_is_always_that_of_the_example(
 
 
 def test_refusals() -> None:
-    for unknown in ("example:", "example:Soft-Soil"):
+    for unknown in ("example:", "example:soft"):
         with pytest.raises(RecordFileError, match="example:near-fault, example:firm-ground, exam"):
             read_record(unknown)
-    for options in ({"units": "g"}, {"dt_s": 0.01}, {"resample": True}, {"format": "csv"}):
+    for options in (
+        {"units": "g"},
+        {"dt_s": 0.01},
+        {"resample": True},
+        {"format": "csv"},
+        {"ignore_header": True},
+    ):
         with pytest.raises(InputError, match=rf"{next(iter(options))} = .*is no file; leave it"):
             read_recordings("example:soft-soil", **options)
