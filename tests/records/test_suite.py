@@ -16,7 +16,7 @@ from tests.records.writers import at2, csv, esm, knet, samples
 VALUES = samples(200)
 COLUMNS = (
     "Time (s);N-S (g);U-D (g);acc roof (g);EW GL-30m (g);vel N (cm/s);Radial (g);QX (g);what\n"
-    + "".join(f"{k * 0.01:.2f};{v:.4f};1;2;3;4;5;6;7\n" for k, v in enumerate(VALUES))
+    + "".join(f"{k * 0.01:.2f}" + f";{v:.4f}" * 8 + "\n" for k, v in enumerate(VALUES))
 )
 KINDS = {
     "U-D": "vertical",

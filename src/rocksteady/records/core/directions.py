@@ -56,6 +56,15 @@ _COMPASS: Final = {
         90.0: "e ew e-w w-e we eo e-o o-e o-w east east-west este est ost est-ouest este-oeste"
         " est-ovest ost-west leste-oeste do\u011fu-bat\u0131 d-b \u6771\u897f \u4e1c\u897f",
         180.0: "s south sud sur",
+        22.5: "nne",
+        45.0: "ne",
+        135.0: "se",
+        157.5: "sse",
+        202.5: "ssw",
+        225.0: "sw",
+        292.5: "wnw",
+        315.0: "nw",
+        337.5: "nnw",
         270.0: "w west oeste ouest ovest",
     }.items()
     for word in words.split()
@@ -65,7 +74,7 @@ _QUADRANT: Final = re.compile(r"([ns])\s*(\d+(?:\.\d*)?)\s*(?:deg\w*)?\s*([ew])"
 _DEGREES: Final = re.compile(r"(?:[nh]\s*(?=\d{3}))?(?![123]$)(\d{1,3}(?:\.\d*)?)\s*(?:deg\w*)?")
 # Band, instrument, direction: the three letters of a SEED channel, with its location behind them.
 # Of seismometers (H) the bands are named, as letters of words would else pass for theirs.
-_SEED: Final = re.compile(r"(?:[a-z][gnl]|[behlmsv]h)([enz123xyrt])(?:\d\d|--)?")
+_SEED: Final = re.compile(r"(?:[a-mo-z][gnl]|[behlmsv]h)([enz123xyrt])(?:\d\d|--)?")
 _SEED_ID: Final = re.compile(
     r"(?:(?:[A-Z0-9]{1,2}[._])?[A-Z0-9]{1,5}[._])?(?:\d\d|--)?[._]?([A-Z]_?[GHNL]_?[ENZ123XYRT])"
     r"(?:[._](?:\d\d|--|[A-Z]))?"
@@ -135,7 +144,7 @@ def pointing(component: str | None) -> Pointing:
     if (of_seed := _SEED_ID.fullmatch(written)) is not None:
         written = of_seed[1].replace("_", "")
     text = written.lower().replace("\u0307", "").replace("\xb0", "")  # of a Turkish capital I
-    text = text.replace("/", "-") if len(text) == 3 else text
+    text = text.replace("/", "-") if text in {"n/s", "e/w", "u/d", "e/o"} else text
     rotated = _ROTATED.fullmatch(text) is not None
     signed = _SIGNED.fullmatch(text) is not None
     if signed or text in _VERTICAL:

@@ -34,7 +34,7 @@ _IN: Final = re.compile(r"(?<![A-Za-z])in\s+(?!units?\b)|[(\[]\s*(?!units?\b)", 
 PEAK: Final = re.compile(r"pga|peak|\bpk\b|max(?![a-z]*\s*freq)|m[aá]xim", re.IGNORECASE)
 """Words of a largest value."""
 _OF_ANOTHER: Final = re.compile(
-    rf"(?:{PEAK.pattern}|\bmin\b|trigger|threshold|umbral|sensor|sensit|full[\s-]?scale|\besc\.|escala"
+    rf"(?:{PEAK.pattern}|\bmin\b|gravit|\bg\s*=|trigger|threshold|umbral|sensor|sensit|full[\s-]?scale|\besc\.|escala"
     r"|\brange\b|resolution|noise|instr|rms|limit).*$",
     re.IGNORECASE,
 )
@@ -195,7 +195,8 @@ def _units_in(text: RecordText, at: int, *, explicit: bool) -> Iterator[str]:
         return
     for statement in _IN.finditer(line):
         unit, rest = leading(line[statement.end() :])
-        if unit is None or _OF_ANOTHER.search(line[: statement.start()]):
+        before = line[: statement.start()]
+        if unit is None or _OF_ANOTHER.search(before) or re.search(r"\d\s*$", before):
             continue
         if _modified(unit, rest):
             raise _not_understood(text, at)
@@ -388,6 +389,8 @@ def stated_interval(text: RecordText, lines: list[int]) -> float | None:
                 value = time_value(text, at, written, unit)
                 intervals.append((_relative_place(written), value, at))
         alone = _RATE_ALONE.fullmatch(text.heads[at])
+        if at > 0 and re.search("filter|corner|cut", text.heads[at - 1], re.IGNORECASE):
+            alone = None
         if alone is not None and (in_seconds(alone["unit"]) or 0.0) < 0.0:
             value = time_value(text, at, alone["value"])
             intervals.append((_relative_place(alone["value"]), value, at))

@@ -31,6 +31,10 @@ _STATED: Final = {
     for name, words in _KEYS.items()
 }
 _LONGEST: Final = 30
+_OF_EVENT: Final = re.compile(
+    r"(?:epicent\w*|back|source|event|hypocent\w*|fault)\W*$", re.IGNORECASE
+)
+_TITLES: Final = re.compile(r"\b(vertical|horizontal)\b", re.IGNORECASE)
 
 
 def _values(text: RecordText, lines: list[int], name: str) -> Iterator[re.Match[str]]:
@@ -59,8 +63,9 @@ def stated_direction(text: RecordText, lines: list[int]) -> str | None:
     written = [
         match["value"]
         for match in _values(text, lines, "direction")
-        # The number of a channel is no azimuth.
-        if not (match["value"].isdecimal() and match["key"].lower().startswith(("ch", "can")))
+        # The number of a channel is no azimuth, nor is the direction of an epicentre.
+        if not _OF_EVENT.search(match.string[: match.start("key")])
+        and not (match["value"].isdecimal() and match["key"].lower().startswith(("ch", "can")))
     ]
     alone = (text.heads[at].strip(" \t#%!*/") for at in lines)
     written += [
@@ -68,6 +73,8 @@ def stated_direction(text: RecordText, lines: list[int]) -> str | None:
         for line in alone
         if len(line) <= _LONGEST and not line.isdecimal() and pointing(line).orientation is not None
     ]
+    if together(written) is None:
+        written += [word for at in lines for word in _TITLES.findall(text.heads[at])]
     return together(written) or next((name for name in written if not tells_nothing(name)), None)
 
 

@@ -29,6 +29,9 @@ _OF_SENTENCES: Final = {"history", "histories", "series", "corrected", "uncorrec
     {"in", "of", "the", "and", "is", "are", "at", "for", "from", "de"}
 )
 _OF_WORDS: Final = re.compile(r"\s*(?![+-]?\.?\d)(?:.*[A-Za-z]{3}|/&)")
+_MOST_BLOCKS: Final = 30
+_SHORTEST: Final = 50
+"""Blocks of a file, and rows of one, that are told from rows that are merely set apart."""
 _NEAR: Final = 3
 """Lines above the rows among which their names are looked for."""
 _TRUE_SPACES: Final = re.compile(r"\t|\s{2,}")
@@ -105,6 +108,7 @@ def table(text: RecordText) -> Table | None:
     if first is None:
         return None
     _refuse_torn(text, filled[: first + 1], separator, comma=comma)
+    _refuse_parted(text, filled[first:])
     if first:
         _refuse_spoilt(text, filled[first - 1], filled[first], separator, comma=comma)
     rows: list[tuple[float, ...]] = []
@@ -148,6 +152,16 @@ def table(text: RecordText) -> Table | None:
         comma=comma,
         trailing=trailing,
     )
+
+
+def _refuse_parted(text: RecordText, rows: list[int]) -> None:
+    """Raise where comments or blank lines part the rows into blocks of one length."""
+    kept = [at for at in rows if not text.lines[at].lstrip().startswith(_COMMENT)]
+    starts = [at for before, at in pairwise(kept) if at > before + 1]
+    ends = [kept.index(at) for at in starts]
+    lengths = {end - start for start, end in pairwise([0, *ends, len(kept)])}
+    if starts and len(starts) < _MOST_BLOCKS and len(lengths) == 1 and min(lengths) >= _SHORTEST:
+        raise text.error(_BLOCKS, "give each block as a file of its own", at=starts[0] - 1)
 
 
 def _refuse_torn(

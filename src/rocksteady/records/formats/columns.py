@@ -44,12 +44,15 @@ COLUMNS: Final = "columns"
 
 _DATA_TYPE: Final = re.compile(r"\bdata[ _]type\s*[:=]\s*([A-Za-z]+)", re.IGNORECASE)
 _SPECTRA: Final = re.compile(
-    r"peer\b.*\bspectrum\b|\W*(?:pseudo\W*)?(?:response|fourier)\b.*\bspectr(?:a|um)\b(?!.*(?:compatib|match))",
+    r"(?!.*(?:compatib|match|histor|record|accelerogram))"
+    r"(?:peer\b.*\bspectrum\b|.*\b(?:response|fourier)\b.*\bspectr(?:a|um)\b)",
     re.IGNORECASE,
 )
 _LONGEST_INTERVAL: Final = 0.1
 _BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
 _LONGEST_HEADER: Final = 40
+_SHORTEST: Final = 20
+"""Rows of a column of which it is told that it counts, or never moves."""
 _NO_ROWS: Final = "it holds no rows of numbers"
 _AS_CHANNELS: Final = 4
 """Columns without names that may be channels as well as consecutive samples."""
@@ -84,7 +87,11 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
             others.append(error)
     if not recordings:
         raise others[0]
-    return tuple(recordings)
+    left = tuple(
+        LeftOut(file=text.path, channel="a block", kind=error.kind, why=error.clause)
+        for error in others
+    )
+    return tuple(replace(each, left_out=(*each.left_out, *left)) for each in recordings)
 
 
 def read_samples(text: RecordText, given: Given) -> tuple[Recording, ...]:
@@ -200,14 +207,16 @@ def _recordings(
     """
     named = data_table.columns > 1 and bool(data_table.names)
     format_name = CSV if named or data_table.separator is not None else COLUMNS
-    level = _three_axes([label for _, label in labels])
+    turned = re.search(r"\b[xy]\b.{0,12}\b(?:up|vertical)", channels.place, re.IGNORECASE)
+    level = set() if turned else _three_axes([label for _, label in labels])
     peaks = [float(abs(column).max()) for column in channels.values.T]
+    spans = [float(column.max() - column.min()) for column in channels.values.T]
     recordings: list[Recording] = []
     odd: list[str] = []
     still: list[str] = []
     faults: list[RecordFileError] = []
     for index, (name, label) in enumerate(labels):
-        if peaks[index] == 0.0 < max(peaks):
+        if len(channels.values) >= _SHORTEST and spans[index] == 0.0 < max(spans):
             still.append(name)
             continue
         try:
@@ -232,7 +241,7 @@ def _recordings(
         raise faults[0]
     left = _left_out(text, data_table, given, [name for name, _ in labels if name not in odd])
     left += tuple(
-        LeftOut(file=text.path, channel=name, kind="still", why="all its samples are zero")
+        LeftOut(file=text.path, channel=name, kind="still", why="all its samples are equal")
         for name in still
     )
     return tuple(replace(each, left_out=left) for each in recordings)
@@ -345,15 +354,11 @@ def _values(
 
 
 def _side_by_side(data_table: Table) -> bool:
-    """Return whether rows of a few numbers are channels: smoother downwards than along the rows."""
+    """Return whether rows of numbers are channels: smoother downwards than along the rows."""
     import numpy as np
 
     whole = data_table.rows[:-1]
-    if (
-        len(whole) < 2
-        or not 1 < data_table.columns <= _AS_CHANNELS
-        or len({len(row) for row in whole}) != 1
-    ):
+    if len(whole) < 2 or data_table.columns < 2 or len({len(row) for row in whole}) != 1:
         return False
     values = np.array(whole)
     downwards = np.abs(np.diff(values, axis=0)).mean()
@@ -374,6 +379,19 @@ def _has_times(data_table: Table) -> bool:
     return usual > 0.0 and (steps[0] >= 0.0 or (near >= 0.9 * len(steps) and grows))
 
 
+def _grows(data_table: Table, column: int) -> bool:
+    """Return whether the numbers of a column grow from row to row."""
+    values = [row[column] for row in data_table.rows if len(row) > column]
+    return all(later > before for before, later in pairwise(values))
+
+
+def _counts_rows(data_table: Table, column: int) -> bool:
+    """Return whether a column holds the numbers of its rows."""
+    values = [row[column] for row in data_table.rows if len(row) > column]
+    counts = all(later == before + 1.0 for before, later in pairwise(values))
+    return counts and len(values) >= _SHORTEST
+
+
 def _time_column(data_table: Table) -> int | None:
     """Return which column holds the times, or None."""
     names = [name.upper() for name in data_table.names]
@@ -381,7 +399,8 @@ def _time_column(data_table: Table) -> int | None:
     named = [
         at
         for at, name in enumerate(names)
-        if column_name(name).kind == "time" and not (name == "T" and across)
+        if column_name(name).kind == "time"
+        and not (name == "T" and across and not _grows(data_table, at))
     ]
     if named:
         return named[0]
@@ -426,6 +445,13 @@ def _columns(
         return tuple(others)
     kinds = {at: column_name(data_table.names[at]).kind for at in others}
     kinds |= {at: "acceleration" for at in others if data_table.names[at].upper() == "T"}
+    if any(kinds[at] == "time" and time is not None and _grows(data_table, at) for at in others):
+        raise text.error(
+            "it has two columns of times",
+            "give each motion with its times as a file of its own",
+            at=data_table.names_at,
+        )
+    kinds |= {at: "other" for at in others if _counts_rows(data_table, at)}
     for wanted in ("acceleration", "unknown"):
         of_kind = tuple(at for at in others if kinds[at] == wanted)
         if wanted == "unknown" and len(of_kind) > 1:

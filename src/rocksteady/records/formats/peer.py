@@ -98,6 +98,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         dt_s=dt_s,
         component=component,
         station=station,
+        place=station or "",
         event=event,
         warnings=warnings,
     )
