@@ -309,6 +309,8 @@ class ReadingFlags(FloorFlags):
         """Return channels without their baseline, on the floor."""
         from rocksteady.records.processing import correct_baseline
 
+        if self.ignore_header:
+            warn(channels[0].path, "its header is ignored")
         ready = [_named(correct_baseline(channel, self.baseline)) for channel in channels]
         if self.floor is None or not across:
             return ready

@@ -13,7 +13,8 @@ from rocksteady.records.core.numbers import numbers
 from rocksteady.records.core.text import RecordText
 
 _DATED: Final = re.compile(
-    r"\s*\"?(?P<date>\d{4}-\d\d-\d\d[T ])?(?P<clock>\d\d:\d\d:\d\d(?:\.\d+)?)Z?\"?(?=[\s,;])"
+    r"\s*\"?(?P<date>\d{4}-\d\d-\d\d[T ])?(?P<clock>\d\d:\d\d:\d\d(?:\.\d+)?)"
+    r"(?:Z|[+-]\d\d:?\d\d)?\"?(?=[\s,;])"
 )
 _TIMESERIES: Final = re.compile(
     r"TIMESERIES (\S+), (\d+) samples, ([\d.]+ sps), ([^,]+), \w+, \w+, (.+)"

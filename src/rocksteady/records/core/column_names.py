@@ -246,6 +246,8 @@ def _acceleration(label: str, brackets: list[str]) -> ColumnName:
     for written in rest:
         if not units or _UNCERTAIN.search(written) or re.match(r"[\dx×]", written):
             uncertain = written
+    if "-" in brackets and direction(label)[0] is not None:
+        uncertain = f"{label}(-)"
     if len({in_m_s2(unit) for unit in units}) > 1:
         uncertain = ", ".join(units)
     return ColumnName(

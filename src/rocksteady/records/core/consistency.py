@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from rocksteady.records.core.numbers import NUMBER, numbers, samples
-from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.text import CONTRADICTION, CORRECT, RecordText
 
 if TYPE_CHECKING:
     from rocksteady.arrays import Floats
@@ -84,6 +84,9 @@ def agreed(
     more, after = samples(text.lines, end)
     surplus = len(values) - count + len(more)
     doubts = []
+    if surplus > count:
+        valid = f"{count + surplus} samples follow, and it states {count}"
+        raise text.error(valid, CORRECT, at=lines.stated, kind=CONTRADICTION)
     if surplus:
         rest = "one is" if surplus == 1 else f"{surplus} are"
         doubts.append(

@@ -32,6 +32,7 @@ _FILLERS: Final = re.compile(
     r"a|ag|acc\w*|acel\w*|beschl\w*|i?vme|i|samples?|values?|data|\u52a0\u901f\u5ea6|column"
     r"|ch(?:a?n(?:nel)?)?|comp(?:onent)?|ground|base|input|table|motion|time|hist|history"
     r"|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|dir(?:ection)?|axis"
+    r"|orientat\w*|trace|code|id|cmpt?|eje|asse|axe|kanal|richtung|bile\w+|componente"
 )
 """Words beside those of a direction that carry no direction."""
 

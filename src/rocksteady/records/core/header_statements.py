@@ -34,7 +34,7 @@ _IN: Final = re.compile(r"(?<![A-Za-z])in\s+(?!units?\b)|[(\[]\s*(?!units?\b)", 
 PEAK: Final = re.compile(r"pga|peak|\bpk\b|max(?![a-z]*\s*freq)|m[aá]xim", re.IGNORECASE)
 """Words of a largest value."""
 _OF_ANOTHER: Final = re.compile(
-    rf"(?:{PEAK.pattern}|\bmin\b|gravit|\bg\s*=|trigger|threshold|umbral|sensor|sensit|full[\s-]?scale|\besc\.|escala"
+    rf"(?:{PEAK.pattern}|\bmin\b|gravit|\bg\s*=|offset|clip|alarm|design|previous|soil|mass|format|trigger|threshold|umbral|sensor|sensit|full[\s-]?scale|\besc\.|escala"
     r"|\brange\b|resolution|noise|instr|rms|limit).*$",
     re.IGNORECASE,
 )
@@ -131,7 +131,13 @@ _COUNT: Final = re.compile(
     r"\s*[:=]\s*(?P<value>[+-]?(?:[\d.]|nan\b|inf)[^\n]*)",
     re.IGNORECASE,
 )
-_OTHER_COUNT: Final = re.compile(r"(?:skipped|lost|missing|event|bad|dropped)\s*$", re.IGNORECASE)
+_OTHER_COUNT: Final = re.compile(
+    r"(?:skipped|lost|missing|event|bad|dropped|interpolated|spectral|fft|raw)\s*$", re.IGNORECASE
+)
+_OTHER_RATE: Final = re.compile(
+    r"(?:raw|original|digiti[sz]er|newmark|gps|analysis|output)\W*$", re.IGNORECASE
+)
+"""Words before a count or an interval that is not that of the samples."""
 _DECIMAL_COMMA: Final = re.compile(r"([+-]?\d+),(\d+)(?![\d,.])")
 _THOUSANDS: Final = re.compile(r"\+?[1-9]\d{0,2}(?:,\d{3})+(?![\d,.])")
 _FIRST_WORD: Final = re.compile(r"\s*[A-Za-zµμ%][\w/^%*-]*+(?!\s*[=:])")
@@ -183,7 +189,9 @@ def _units_in(text: RecordText, at: int, *, explicit: bool) -> Iterator[str]:
     for statement in _EXPLICIT.finditer(line):
         phrase = line[statement.end() :]
         unit, rest = leading(phrase)
-        if unit is not None and not _modified(unit, rest):
+        if quantity_of(phrase.strip()) in {"velocity", "displacement"}:
+            yield phrase.strip()
+        elif unit is not None and not _modified(unit, rest):
             yield acceleration_unit(unit) or unit
         elif (listed := _of_a_list(phrase)) is not None:
             yield listed
@@ -381,6 +389,8 @@ def stated_interval(text: RecordText, lines: list[int]) -> float | None:
     for at in lines:
         for name in ("interval", "rate"):
             for stated in find_values(_STATED[name], text.heads[at]):
+                if _OTHER_RATE.search(text.heads[at][: stated.start()]):
+                    continue
                 unit = stated["unit"] or stated["tail"]
                 written = stated["value"]
                 after = re.sub(rf"^\s*{NUMBER}\s*\(?", "", written)

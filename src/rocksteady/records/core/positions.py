@@ -7,10 +7,11 @@ from rocksteady.records.core.recording import Position
 
 _PLACES: Final[dict[Position, re.Pattern[str]]] = {
     "borehole": re.compile(
-        r"\b(?:bore|down)[\s-]?hole|\bunderground\b|\bin[\s-]hole\b|\bGL\s?-\s?(?!0+(?:\.0*)?\s?m?\b)\d"
-        r"|\b(?:(?:sensor|burial|installation|instrument)[\s_-]depth\w*|depth_m)\D{0,8}(?!0+(?:\.0*)?\b)\d"
-        r"|\d\s*(?:m|ft|met(?:er|re)s?|feet)\s*(?:deep|depth|below|down\b)|\(\s*-\s*\d+(?:\.\d+)?\s*m\s*\)"
-        r"|\b(?:pozo|pozzo|forage|bohrloch)\b|\bgeotech\w*\s+array",
+        r"\b(?:bore|down)[\s-]?hole|\bunderground\b|\bin[\s-]hole\b|\bburied\b|\bforage\b|\bbohrloch\b"
+        r"|\bG\.?L\.?\s?-\s?(?!0+(?:\.0*)?\s?m?\b)\d|\(\s*-\s*\d+(?:\.\d+)?\s*m\s*\)"
+        r"|\b(?:(?:sensor|burial|installation|instrument)[\s_-]depth\w*|depth_m)\D{0,8}"
+        r"(?!0+(?:\.0*)?\b)\d|\d\s*(?:m|ft|met(?:er|re)s?|feet)\s*below\s+(?:the\s+)?(?:gr|surf)"
+        r"|\bpozo \d|\bgeotech\w*\s+array|\u5b54\u5185|\u5730\u4e0b",
         re.IGNORECASE,
     ),
     "surface": re.compile(
@@ -19,10 +20,12 @@ _PLACES: Final[dict[Position, re.Pattern[str]]] = {
         re.IGNORECASE,
     ),
     "structure": re.compile(
-        r"(?<![a-z])(?:roof|floor|deck|crest|girder|basement|penthouse|mezzanine)(?![a-z])"
-        r"|\blocation\s*:\s*(?:pier|abutment|column|tower)\b"
-        r"|\b\d+(?:st|nd|rd|th)\s+(?:fl|level|lvl)|\bstor(?:e?y|eys|ies)\b|\bpile\s?cap\b"
-        r"|\b(?:azotea|piso|s[oó]tano|techo|tetto|toit|dach)\b",
+        r"(?<![a-z])(?:roof(?:top)?|(?<!valley )floor|deck|crest|girder|basement(?!\s+rock)"
+        r"|penthouse|mezzanine|mid-?span)(?![a-z])|\b\d+(?:st|nd|rd|th)\s+(?:fl|level|lvl)"
+        r"|\blocation\s*:\s*(?:pier|abutment|column|tower)\b|\bstor(?:e?y|eys|ies)\b|\bb?\d{1,2}F\b"
+        r"|\bpile\s?cap\b|\b(?:top of|bridge|dam) (?:the )?(?:building|bldg|tower|top|pier)\b"
+        r"|\bpier top\b|\btunnel\b|\b(?:planta|piano|piso|level) \d"
+        r"|\b(?:azotea|s[oó]tano|techo|tetto|toit|dach|keller)\b",
         re.IGNORECASE,
     ),
 }

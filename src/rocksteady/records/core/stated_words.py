@@ -15,7 +15,8 @@ from rocksteady.records.core.units import acceleration_unit, in_m_s2
 _KEYS: Final = {
     "direction": r"comp(?:onent\w*|\.)?|orienta\w+(?:[ _]of[ _]\w+)?|dire(?:c|z)\w*|dir\.?"
     r"|azimut\w*|chan(?:nel)?(?:[ _](?:code|name))?|canal\w*|komponente?"
-    r"|composante|bile[sş]en|stream|rumbo|sid|seed[ _]id",
+    r"|composante|bile[sş]en|stream|rumbo|sid|(?:seed[ _])?id|trace|code"
+    r"|nslc|kcmpnm|cmpt?|eje|asse|axe|axis|kanal|richtung|\u6210\u5206",
     "station": r"(?:recording[ _])?station(?:[ _]?(?:code|name|id|no))?(?:[ _/]+name)?"
     r"|site[ _]?code|(?:c\w+[ _]de[ _](?:la[ _])?)?estaci[oó]n|stazione|istasyon\w*",
     "start": r"(?:data[ _])?start(?:[ _]?(?:date|time))?|record(?:ing)?[ _]?time|initial[ _]?time"
@@ -32,7 +33,8 @@ _STATED: Final = {
 }
 _LONGEST: Final = 30
 _OF_EVENT: Final = re.compile(
-    r"(?:epicent\w*|back|source|event|hypocent\w*|fault)\W*$", re.IGNORECASE
+    r"\b(?:epicent\w*|back|source|event|hypocent\w*|fault|strike|rupture|wind|slip|distance)\b",
+    re.IGNORECASE,
 )
 _TITLES: Final = re.compile(r"\b(vertical|horizontal)\b", re.IGNORECASE)
 

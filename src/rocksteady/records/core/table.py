@@ -32,6 +32,7 @@ _OF_WORDS: Final = re.compile(r"\s*(?![+-]?\.?\d)(?:.*[A-Za-z]{3}|/&)")
 _MOST_BLOCKS: Final = 30
 _SHORTEST: Final = 50
 """Blocks of a file, and rows of one, that are told from rows that are merely set apart."""
+_SPOKEN: Final = re.compile(r"[^\W\d_]{2}")
 _NEAR: Final = 3
 """Lines above the rows among which their names are looked for."""
 _TRUE_SPACES: Final = re.compile(r"\t|\s{2,}")
@@ -158,6 +159,13 @@ def _refuse_parted(text: RecordText, rows: list[int]) -> None:
     """Raise where comments or blank lines part the rows into blocks of one length."""
     kept = [at for at in rows if not text.lines[at].lstrip().startswith(_COMMENT)]
     starts = [at for before, at in pairwise(kept) if at > before + 1]
+    worded = [
+        at
+        for at in rows
+        if at not in kept and kept and at < kept[-1] and _SPOKEN.search(text.lines[at])
+    ]
+    if worded:
+        raise text.error(_BLOCKS, "give each block as a file of its own", at=worded[0])
     ends = [kept.index(at) for at in starts]
     lengths = {end - start for start, end in pairwise([0, *ends, len(kept)])}
     if starts and len(starts) < _MOST_BLOCKS and len(lengths) == 1 and min(lengths) >= _SHORTEST:

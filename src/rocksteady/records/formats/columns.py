@@ -45,11 +45,14 @@ COLUMNS: Final = "columns"
 _DATA_TYPE: Final = re.compile(r"\bdata[ _]type\s*[:=]\s*([A-Za-z]+)", re.IGNORECASE)
 _SPECTRA: Final = re.compile(
     r"(?!.*(?:compatib|match|histor|record|accelerogram))"
-    r"(?:peer\b.*\bspectrum\b|.*\b(?:response|fourier)\b.*\bspectr(?:a|um)\b)",
+    r".*(?:\bspectr(?:a|um)\b|\bspettro\b|\benvelope\b|autocorrelation|\bangular\s+acc|rad/s)",
     re.IGNORECASE,
 )
 _LONGEST_INTERVAL: Final = 0.1
 _BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
+_SAYS_ACC: Final = re.compile(r"(?<![A-Z])(?:A|ACC\w*|ACEL\w*|BESCHL\w*)(?![A-Z])")
+_AGAINST: Final = re.compile(r"(?:freq|period|f\b|natural)", re.IGNORECASE)
+"""What a column begins with against which spectra are drawn."""
 _LONGEST_HEADER: Final = 40
 _SHORTEST: Final = 20
 """Rows of a column of which it is told that it counts, or never moves."""
@@ -144,6 +147,9 @@ def _read(text: RecordText, given: Given, start: datetime | None) -> tuple[Recor
     stated, unread = _interval(text, header, given, timed=timed)
     if count is None and (of_words := stated_count(text, header)) is not None:
         count, at = of_words
+        # Of all channels together.
+        wide = bool(data_table.names) and count == sum(map(len, data_table.rows))
+        count = len(data_table.rows) if wide else count
     spaced, picked = _values(text, data_table, given, interval or stated, count)
     values, interval, warnings = spaced.values, spaced.dt_s, (*unread, *spaced.warnings)
     if len(picked) == 1 and not picked[0] and 1 < data_table.columns <= _AS_CHANNELS:
@@ -379,6 +385,20 @@ def _has_times(data_table: Table) -> bool:
     return usual > 0.0 and (steps[0] >= 0.0 or (near >= 0.9 * len(steps) and grows))
 
 
+def _beside(data_table: Table, others: list[int]) -> list[int]:
+    """Return the columns of one letter that are no directions: of velocity, of anything.
+
+    ``t, a, v, d`` are quantities; and beside an acceleration with its unit a bare ``N`` counts.
+    """
+    names = {at: data_table.names[at].strip().upper() for at in others}
+    known = {at: column_name(data_table.names[at]) for at in others}
+    quantities = {"V", "D"} <= {*names.values()} or {"V", "U"} <= {*names.values()}
+    lettered = [at for at, name in names.items() if quantities and name in {"V", "D", "U"}]
+    bare = [at for at in others if known[at].unit is None and not _SAYS_ACC.search(names[at])]
+    named = any(known[at].unit and _SAYS_ACC.search(names[at]) for at in others)
+    return [*lettered, *(bare if named else [])]
+
+
 def _grows(data_table: Table, column: int) -> bool:
     """Return whether the numbers of a column grow from row to row."""
     values = [row[column] for row in data_table.rows if len(row) > column]
@@ -443,6 +463,9 @@ def _columns(
     others = [at for at in range(data_table.columns) if at != time]
     if not data_table.names:
         return tuple(others)
+    if any(_AGAINST.match(name) for name in data_table.names):
+        valid = f"its columns are {', '.join(data_table.names)}"
+        raise other_quantity(text, "spectra", valid, at=data_table.names_at)
     kinds = {at: column_name(data_table.names[at]).kind for at in others}
     kinds |= {at: "acceleration" for at in others if data_table.names[at].upper() == "T"}
     if any(kinds[at] == "time" and time is not None and _grows(data_table, at) for at in others):
@@ -452,6 +475,7 @@ def _columns(
             at=data_table.names_at,
         )
     kinds |= {at: "other" for at in others if _counts_rows(data_table, at)}
+    kinds |= dict.fromkeys(_beside(data_table, others), "other")
     for wanted in ("acceleration", "unknown"):
         of_kind = tuple(at for at in others if kinds[at] == wanted)
         if wanted == "unknown" and len(of_kind) > 1:
@@ -526,7 +550,7 @@ def _unit_of(text: RecordText, name: str, data_table: Table) -> tuple[str | None
     coded = named.kind == "unknown" and re.fullmatch(r"[A-Za-z]{2,}\d+\w*", name)
     if odd and data_table.names and named.kind != "other" and not coded:
         valid = f"its column {name!r} is not understood: {odd!r}"
-        raise text.error(valid, "rename the column, as acc (g)", at=data_table.names_at)
+        raise text.error(valid, "name the acceleration itself, as acc (g)", at=data_table.names_at)
     of_words = stated_unit(text, words, explicit=named.unit is not None)
     if named.unit is None:
         beside = {column_name(label).unit for label in data_table.names} - {None}

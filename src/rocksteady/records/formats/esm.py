@@ -77,6 +77,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         # The key names the unit of the peak, whatever that of the samples is.
         stated_peak=_peak(_value(text, lines, "PGA_CM/S^2"), units),
         component=_value(text, lines, "STREAM") or None,
+        place=f"{_value(text, lines, 'STATION_NAME')} {_value(text, lines, 'LOCATION')}",
         station=_value(text, lines, "STATION_CODE") or _value(text, lines, "STATION_NAME") or None,
         event=_value(text, lines, "EVENT_ID") or _value(text, lines, "EVENT_NAME") or None,
         start_time=moment(_value(text, lines, "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS")),

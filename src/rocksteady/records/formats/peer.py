@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final
 from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
 from rocksteady.records.core.column_names import quantity_named
 from rocksteady.records.core.consistency import Lines, agreed
-from rocksteady.records.core.directions import together
+from rocksteady.records.core.directions import Pointing, pointing, together
 from rocksteady.records.core.header_statements import (
     count_value,
     find_values,
@@ -47,8 +47,10 @@ _INTERVAL: Final = re.compile(
     re.IGNORECASE,
 )
 _OTHER: Final = re.compile(
-    r"\s*(VELOCITY|DISPLACEMENT|(?:PSEUDO[\s-]*)?(?:SPECTRAL|RESPONSE)\s+\w+)\b", re.IGNORECASE
+    r"\s*(VELOCITY|DISPLACEMENT|PSEUDO\W*\w+|ROTD\w*|(?:\w+\s+)?(?:RESPONSE|SPECTR\w*)|(?:PSEUDO[\s-]*)?(?:SPECTRAL|RESPONSE)\s+\w+)\b",
+    re.IGNORECASE,
 )
+_UPRIGHT: Final = re.compile(r"\b(?:vertical|vert|up|dwn|down)\b", re.IGNORECASE)
 _ACCELERATION: Final = re.compile(r"\s*acc", re.IGNORECASE)
 _OWNER: Final = re.compile(
     r"\s*\((?![^()]*(?:posit|negat|\bup|\bdo?wn|\bdown|rever|invert|flip|turn|oppos|minus|sign))"
@@ -92,6 +94,9 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     event, station, component = _words(head[1] if len(head) > 1 else "")
     others = (_words(line)[2] for line in head[2:])
     component = together(name for name in (component, *others) if name) or component
+    word = _UPRIGHT.search(" ".join(head[1:2]))
+    if word is not None and pointing(component) == Pointing() and " / " not in (component or ""):
+        component = word[0]
     channel = Channel(
         values=kept,
         units=_units(text, last, given),

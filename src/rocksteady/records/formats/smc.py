@@ -117,6 +117,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         azimuth_deg=azimuth,
         down=down,
         position="structure" if known[18] in _STRUCTURES and 0.0 not in known[26:28] else None,
+        place=text.heads[5],
         station=_after(text, 5, "station", until="component") or text.heads[2].strip() or None,
         event=text.heads[3][25:].strip() or None,
         start_time=_start(known[1:7]),

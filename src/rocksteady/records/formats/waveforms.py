@@ -224,5 +224,8 @@ def _number(header: "Mapping[str, object]", key: str) -> float:
 
 def _start(time: object) -> datetime | None:
     """Return ObsPy's time as Python's (UTC)."""
-    moment = getattr(time, "datetime", None)
+    try:
+        moment = getattr(time, "datetime", None)
+    except (ValueError, OverflowError):  # a year that is none
+        return None
     return moment.replace(tzinfo=UTC) if isinstance(moment, datetime) else None
