@@ -7,11 +7,14 @@ from rocksteady.records.core.recording import Position
 
 _PLACES: Final[dict[Position, re.Pattern[str]]] = {
     "borehole": re.compile(
-        r"\b(?:bore|down)[\s-]?hole|\bunderground\b|\bin[\s-]hole\b|\bburied\b|\bforage\b|\bbohrloch\b"
+        r"\b(?:bore|down)[\s-]?hole|\bunderground\b|\bin[\s-]hole\b|\bburied\b|\bforage\b"
+        r"|\bbohrloch\b"
         r"|\bG\.?L\.?\s?-\s?(?!0+(?:\.0*)?\s?m?\b)\d|\(\s*-\s*\d+(?:\.\d+)?\s*m\s*\)"
         r"|\b(?:(?:sensor|burial|installation|instrument)[\s_-]depth\w*|depth_m)\D{0,8}"
         r"(?!0+(?:\.0*)?\b)\d|\d\s*(?:m|ft|met(?:er|re)s?|feet)\s*below\s+(?:the\s+)?(?:gr|surf)"
-        r"|\bpozo \d|\bgeotech\w*\s+array|\u5b54\u5185|\u5730\u4e0b",
+        r"|\bdepth of (?:instrument|sensor)|\bat depth\b|\bsubsurface\b|\bocean bottom\b|\bOBS\b"
+        r"|\bwithin rock\b|\b(?:elevation|location|quote)\s*:?\s*-\d|\bpozo \d"
+        r"|\bgeotech\w*\s+array|\u5b54\u5185|\u5730\u4e0b",
         re.IGNORECASE,
     ),
     "surface": re.compile(
@@ -20,12 +23,15 @@ _PLACES: Final[dict[Position, re.Pattern[str]]] = {
         re.IGNORECASE,
     ),
     "structure": re.compile(
-        r"(?<![a-z])(?:roof(?:top)?|(?<!valley )floor|deck|crest|girder|basement(?!\s+rock)"
+        r"(?<![a-z])(?:roof(?:top)?|(?<!valley )floors?|ceiling|podium|deck|crest|girder|basement(?!\s+rock"
+        r")"
         r"|penthouse|mezzanine|mid-?span)(?![a-z])|\b\d+(?:st|nd|rd|th)\s+(?:fl|level|lvl)"
         r"|\blocation\s*:\s*(?:pier|abutment|column|tower)\b|\bstor(?:e?y|eys|ies)\b|\bb?\d{1,2}F\b"
         r"|\bpile\s?cap\b|\b(?:top of|bridge|dam) (?:the )?(?:building|bldg|tower|top|pier)\b"
-        r"|\bpier top\b|\btunnel\b|\b(?:planta|piano|piso|level) \d"
-        r"|\b(?:azotea|s[oó]tano|techo|tetto|toit|dach|keller)\b",
+        r"|\bpier top\b|\btunnel\b|\b(?:planta|piano|piso|level|nivel|plancher|entrepiso|kat):? \d"
+        r"|\b(?:bent cap|tank top|top of pile|machine room|gallery|obergeschoss|untergeschoss)\b"
+        r"|\b(?:copertura|terrazza|toiture|livello)\b|\b\d\. ?(?:og|ug|kat)\b|\u5c4b\u4e0a"
+        r"|\b(?:azoteas?|s[oó]tano|techo|tetto|toit|dach|keller)\b",
         re.IGNORECASE,
     ),
 }

@@ -36,6 +36,9 @@ _OF_EVENT: Final = re.compile(
     r"\b(?:epicent\w*|back|source|event|hypocent\w*|fault|strike|rupture|wind|slip|distance)\b",
     re.IGNORECASE,
 )
+_UPRIGHT: Final = re.compile(r"[:=]\s*(\S{2,12}|[zZ])\s*$")
+_UPRIGHT_ANGLE: Final = re.compile(r"\bdip\W{1,3}-?90\b|\bcmpinc\W+(?:0|180)\b", re.IGNORECASE)
+"""What states a vertical direction under whatever key."""
 _TITLES: Final = re.compile(r"\b(vertical|horizontal)\b", re.IGNORECASE)
 
 
@@ -75,6 +78,13 @@ def stated_direction(text: RecordText, lines: list[int]) -> str | None:
         for line in alone
         if len(line) <= _LONGEST and not line.isdecimal() and pointing(line).orientation is not None
     ]
+    written += [
+        match[1]
+        for at in lines
+        if (match := _UPRIGHT.search(text.heads[at]))
+        and pointing(match[1]).orientation == "vertical"
+    ]
+    written += ["vertical" for at in lines if _UPRIGHT_ANGLE.search(text.heads[at])]
     if together(written) is None:
         written += [word for at in lines for word in _TITLES.findall(text.heads[at])]
     return together(written) or next((name for name in written if not tells_nothing(name)), None)
