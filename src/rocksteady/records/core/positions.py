@@ -23,9 +23,8 @@ _PLACES: Final[dict[Position, re.Pattern[str]]] = {
         re.IGNORECASE,
     ),
     "structure": re.compile(
-        r"(?<![a-z])(?:roof(?:top)?|(?<!valley )floors?|ceiling|podium|deck|crest|girder|basement(?!\s+rock"
-        r")"
-        r"|penthouse|mezzanine|mid-?span)(?![a-z])|\b\d+(?:st|nd|rd|th)\s+(?:fl|level|lvl)"
+        r"(?<![a-z])(?:roof(?:top)?|(?<!valley )floors?|ceiling|podium|deck|crest|girder"
+        r"|basement(?!\s+rock)|penthouse|mezzanine|mid-?span)(?![a-z])|\b\d+(?:st|nd|rd|th)\s+(?:fl|level|lvl)"
         r"|\blocation\s*:\s*(?:pier|abutment|column|tower)\b|\bstor(?:e?y|eys|ies)\b|\bb?\d{1,2}F\b"
         r"|\bpile\s?cap\b|\b(?:top of|bridge|dam) (?:the )?(?:building|bldg|tower|top|pier)\b"
         r"|\bpier top\b|\btunnel\b|\b(?:planta|piano|piso|level|nivel|plancher|entrepiso|kat):? \d"
