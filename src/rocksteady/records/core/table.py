@@ -157,15 +157,12 @@ def table(text: RecordText) -> Table | None:
 
 def _refuse_parted(text: RecordText, rows: list[int]) -> None:
     """Raise where comments or blank lines part the rows into blocks of one length."""
-    kept = [at for at in rows if not text.lines[at].lstrip().startswith(_COMMENT)]
-    starts = [at for before, at in pairwise(kept) if at > before + 1]
-    worded = [
-        at
-        for at in rows
-        if at not in kept and kept and at < kept[-1] and _SPOKEN.search(text.lines[at])
-    ]
+    remarks = [at for at in rows if text.lines[at].lstrip().startswith(_COMMENT)]
+    kept = sorted({*rows} - {*remarks})
+    worded = [at for at in remarks if at < kept[-1] and _SPOKEN.search(text.lines[at])]
     if worded:
         raise text.error(_BLOCKS, "give each block as a file of its own", at=worded[0])
+    starts = [at for before, at in pairwise(kept) if at > before + 1][:_MOST_BLOCKS]
     ends = [kept.index(at) for at in starts]
     lengths = {end - start for start, end in pairwise([0, *ends, len(kept)])}
     if starts and len(starts) < _MOST_BLOCKS and len(lengths) == 1 and min(lengths) >= _SHORTEST:
