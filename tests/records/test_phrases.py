@@ -21,6 +21,7 @@ INTERVALS = [
     *("# sample_rate_hz: 100", "Passo di campionamento: 0.01 s", "Pas de temps : 0.01 s"),
     *("Frequenza di campionamento: 100 Hz", "Fréquence d'échantillonnage : 100 Hz"),
     *("Abtastrate: 100 Hz", "Zeitschritt: 0.01 s", "Örnekleme frekans\u0131: 100 Hz", "100 sps"),
+    "Sampling: every 10 ms",
     *(
         "Örnekleme aral\u0131\u011f\u0131 (sn): 0.01",
         "SAMPLES/SEC=100 FILTER TYPE=NONE ORDER=4",
@@ -84,6 +85,7 @@ ACROSS = {
 UPRIGHT = [
     *("U-D", "UD", "UP", "Up", "UP       (STA CHN: 15)", "HNZ", "BHZ00", "BHZ.00", "IU.CCM.00.BHZ"),
     *("U", "U(+)", "V", "Z", "VER", "UPDO", "Vert", "Vertical", "verticale", "vertikal", "Düşey"),
+    *("Κατακόρυφη", "Вертикальная компонента", "XX.HUT..HNZ", "HUT.HNZ.XX.00"),
     *("HNZ--", "COMP V2", "上下", "竖向", "XX_HUT_00_H_N_Z"),
 ]
 TURNED = ["FN", "FP", "SN", "SP", "Fault Normal", "Radial", "RADL", "Tang", "HNR", "HNT", "RotD50"]
@@ -94,6 +96,7 @@ LINES = {
     ),
     **dict.fromkeys(("# SID: XX_QXA_00_H_N_E", "Componente: N-S", "Component S14E"), "horizontal"),
     **dict.fromkeys(("STREAM: U", "COMP. V", "Component: UP"), "vertical"),
+    **dict.fromkeys(("Orient. Z", "SNCL: HUT.HNZ.XX.00"), "vertical"),
     **dict.fromkeys(("Component: QX", "Channel: 3", "Direction: wherever"), "unknown"),
 }
 PLACES = {
@@ -103,8 +106,12 @@ PLACES = {
     **dict.fromkeys(
         ("Location: Basement", "Location: Dam crest", "Ubicación: Sótano"), "structure"
     ),
+    **dict.fromkeys(
+        ("1er étage", "çat\u0131", "Primo piano", "Sensor: 3/F", "Dam, left abutment"), "structure"
+    ),
     **dict.fromkeys(("Location: Free Field", "OBSERVING POINT: GROUND", "HUT FF"), "surface"),
     **dict.fromkeys(("Location: Downhole 30 m", "Sensor depth (m): 30", "GL-30m"), "borehole"),
+    **dict.fromkeys(("Depth: 100 m", "井下 30 m"), "borehole"),
     **dict.fromkeys(("OBSERVING POINT: B2 (-30M)", "SENSOR_DEPTH_M: 30.0"), "borehole"),
     **dict.fromkeys(("Sensor depth (m): 0", "EARTHQUAKE DEPTH (km): 10", "Pacoima Dam"), "unknown"),
 }

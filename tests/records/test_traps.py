@@ -28,6 +28,11 @@ def table(names: str, *columns: np.ndarray, time: bool = True) -> str:
     [
         ("# dt: 0.01 s\n# units: gal\n# N\n" + ALONE + "# E\n" + ALONE, "another channel"),
         (HEAD + ALONE + "\n" + ALONE, "another channel or quantity; give each block"),
+        (HEAD + ALONE + "UD, dt .01 s\n" + ALONE, "another channel or quantity; give each block"),
+        *(
+            (HEAD + ALONE + f"{odd}\n" + ALONE, "line 303, .*a row of numbers")
+            for odd in ("%", "# 0.0071", ",", "n/a")
+        ),
         (
             table("time (s),acc (gal),Time2 (s),acc2 (gal)", N, np.arange(300.0), E),
             "two columns of",
@@ -44,6 +49,20 @@ def test_what_is_refused(tmp_path: Path, text: str, words: str) -> None:
     (tmp_path / "hut.txt").write_text(text)
     with pytest.raises(RecordFileError, match=words):
         read_recordings(tmp_path / "hut.txt")
+
+
+def test_what_an_option_leaves_unread_is_said(tmp_path: Path) -> None:
+    """A folder's options meet files that state something else in words that are not understood."""
+    path = tmp_path / "hut.txt"
+    for line in ("Units: dm/s2", "Units: x1000 g", "-acc (g)", "1000*acc (g)", "DT: 1/100 s"):
+        path.write_text(f"{line}\n{ALONE}")
+        (found,) = read_recordings(path, units="gal", dt_s=0.01)
+        assert [doubt for doubt in found.warnings if line in doubt and "as given" in doubt], line
+    path.write_text(f"Duration: 3 s\n{ALONE}")
+    (found,) = read_recordings(path, units="gal", dt_s=0.05)
+    assert "the header states 3 s" in found.warnings[0]
+    path.write_text(HEAD + ALONE + "\n" + ALONE[:99])
+    assert read_recordings(path)[0].warnings[0] == "1 blank line among its samples passed over"
 
 
 @every(

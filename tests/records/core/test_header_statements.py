@@ -322,7 +322,9 @@ def test_times_with_their_units() -> None:
     ):
         with pytest.raises(RecordFileError, match=f"line 2, .*: {words}; give dt_s, in seconds"):
             statements.time_value(head("", "dt"), 1, written, before)
-        assert statements.interval_value(head("dt"), 0, written, before, 0.01) is None
+        value, doubts = statements.interval_value(head("dt"), 0, written, before, 0.01)
+        assert value is None
+        assert doubts[0].endswith(": 0.01 s, as given, is taken")
         with pytest.raises(RecordFileError):
             statements.interval_value(head("dt"), 0, written, before, None)
 

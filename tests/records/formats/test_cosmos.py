@@ -65,7 +65,8 @@ def test_cosmos_values_that_are_unknown(tmp_path: Path, marker: float | None) ->
         text = text.replace(line, f"{line.partition(':')[0]}: {marker:.0f}, {marker}")
     (found,) = read(tmp_path, text, dt_s=0.01)
     assert found.start_time == datetime(2005, 6, 16, 20, 53, tzinfo=UTC)
-    assert found.warnings == ()
+    (doubt,) = found.warnings
+    assert doubt.endswith("a time or a rate above 0: 0.01 s, as given, is taken")
 
 
 def test_cosmos_of_several_channels_and_quantities(tmp_path: Path) -> None:
@@ -137,7 +138,7 @@ def test_cosmos_that_is_cut(tmp_path: Path) -> None:
 
 
 def test_cosmos_intervals_and_times_of_peaks(tmp_path: Path) -> None:
-    """The interval of the caller goes before both of the header, which then raise no doubt."""
+    """The interval of the caller goes before both of the header; doubts of its peak remain."""
     values = samples(4000, peak=150.0)
     text = cosmos_channel(values, raw_dt=0.01)
     late = f"{np.abs(values).argmax() * 0.01:13.6f}"
@@ -146,7 +147,9 @@ def test_cosmos_intervals_and_times_of_peaks(tmp_path: Path) -> None:
     (result,) = read(tmp_path, moved)
     assert len(result.warnings) == 1
     assert "and the header states 39 s: see whether the interval is right" in result.warnings[0]
-    assert read(tmp_path, moved, dt_s=0.01)[0].warnings == ()
+    assert read(tmp_path, moved, dt_s=0.01)[0].warnings == result.warnings
+    placed = cosmos_channel(values).replace("Location: ground", "Location: 3rd Floor")
+    assert read(tmp_path, placed)[0].position == "structure"
     # The line of the samples states whole seconds, cut or rounded.
     for dt_ms, raw, seconds, dt in (
         *((10.0, -999.0, 40, 0.01), (10.0, -999.0, 39, 0.01), (10.0, -999.0, 41, 0.01)),

@@ -91,7 +91,7 @@ def test_esm_keys_that_are_missing_or_of_another_form(tmp_path: Path) -> None:
         assert old in text
         (result,) = read(tmp_path, text.replace(old, new))
         assert {name: getattr(result, name) for name in fields} == fields, new
-    for wrong, dt_s, doubts in (("3.000", None, 1), ("1.900", None, 1), ("3.000", 0.005, 0)):
+    for wrong, dt_s, doubts in (("3.000", None, 1), ("1.900", None, 1), ("3.000", 0.005, 1)):
         text = esm(CM, DURATION_S=wrong)
         given = {} if dt_s is None else {"dt_s": dt_s}
         assert len(read(tmp_path, text, **given)[0].warnings) == doubts, wrong

@@ -24,6 +24,9 @@ def test_knet_takes_the_offset_off_and_says_so(tmp_path: Path, offset: int) -> N
     (found,) = read(tmp_path, knet(counts_of(in_cm, offset), peak=stated))
     close(found, in_cm, 2e-3)
     assert (found.format, found.units_in_file, found.component) == ("knet", "counts", "N-S")
+    assert found.position == "surface"
+    roof = knet(counts_of(in_cm)).replace("Memo.", "Memo.             on the roof")
+    assert read(tmp_path, roof)[0].position == "structure"
     assert found.start_time == datetime(2018, 1, 24, 10, 51, 28, tzinfo=UTC)
     assert found.warnings == ()
     noted = float(found.processing[0].partition("(")[2].partition(" ")[0])

@@ -15,7 +15,9 @@ _SENSES: Final = {
         "negative": "negative neg minus",
         "neither": "v vert vertical vrt ver z ud updown vertikal verticale",
         "short": "up u u-d updo dwn down dn d v1 v2 v3 az accz agz dusey d\u00fc\u015fey"
-        " \u4e0a\u4e0b \u5782\u76f4 \u7ad6\u5411",
+        " \u4e0a\u4e0b \u5782\u76f4 \u7ad6\u5411"
+        " \u03ba\u03b1\u03c4\u03b1\u03ba\u03cc\u03c1\u03c5\u03c6\u03b7"
+        " \u0432\u0435\u0440\u0442\u0438\u043a\u0430\u043b\u044c\u043d\u0430\u044f",
         "level": "h h1 h2 l l1 t t1 long longitudinal tran trans transverse transversal lateral hor"
         " hor1 hor2 horizontal",
     }.items()
@@ -32,7 +34,7 @@ _FILLERS: Final = re.compile(
     r"a|ag|acc\w*|acel\w*|beschl\w*|i?vme|i|samples?|values?|data|\u52a0\u901f\u5ea6|column"
     r"|ch(?:a?n(?:nel)?)?|comp(?:onent)?|ground|base|input|table|motion|time|hist|history"
     r"|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|dir(?:ection)?|axis"
-    r"|orientat\w*|trace|code|id|cmpt?|eje|asse|axe|kanal|richtung|bile\w+|componente"
+    r"|orient\w*|trace|code|id|cmpt?|eje|asse|axe|kanal|\u043a\u043e\u043c\u043f\u043e\u043d\u0435\u043d\u0442\u0430|richtung|bile\w+|componente"
 )
 """Words beside those of a direction that carry no direction."""
 
@@ -78,7 +80,7 @@ _DEGREES: Final = re.compile(r"(?:[nh]\s*(?=\d{3}))?(?![123]$)(\d{1,3}(?:\.\d*)?
 _SEED: Final = re.compile(r"(?:[a-mo-z][gnl]|[behlmsv]h)([enz123xyrt])(?:\d\d|--)?")
 _SEED_ID: Final = re.compile(
     r"(?:(?:[A-Z0-9]{1,2}[._])?[A-Z0-9]{1,5}[._])?(?:\d\d|--)?[._]?([A-Z]_?[GHNL]_?[ENZ123XYRT])"
-    r"(?:[._](?:\d\d|--|[A-Z]))?"
+    r"(?:[._](?:\d\d|--|[A-Z]|[A-Z0-9]{2}[._](?:\d\d|--)))?"
 )
 """Network, station, location and channel of SEED, as in ``XX_HUT_00_HNE_M``."""
 

@@ -101,9 +101,10 @@ _FACTOR: Final = re.compile(
 )
 _NAMES: Final = {
     "interval": r"dt|d\.t\.|Δt|delta(?:[ _]*t)?|time[ _-]?(?:step|interval|increment|spacing)"
-    r"|sampl(?:e|ing)[ _-]?(?:interval|period|step|time|spacing)|(?:equally|evenly)[ -]spaced[ -]"
-    r"(?:at|intervals?)|digiti[sz]ation[ _]interval|(?:intervall?o|pass?o?)(?:[ _]d[ei][ _]\w+)?"
-    r"|abtast(?:intervall|zeit)|zeitschritt|[öo]rnekleme aral\w+",
+    r"|sampl(?:e|ing)[ _-]?(?:interval|period|step|time|spacing)|sampl\w*:?[ _]every"
+    r"|(?:equally|evenly)[ -]spaced[ -](?:at|intervals?)|digiti[sz]ation[ _]interval"
+    r"|(?:intervall?o|pass?o?)(?:[ _]d[ei][ _]\w+)?|abtast(?:intervall|zeit)|zeitschritt"
+    r"|[öo]rnekleme aral\w+",
     "rate": r"(?:data[ _])?sampl(?:e|ing)[ _-]?(?:rate|freq\w*)|fs|samples? ?(?:/|per) ?s(?:ec\w*)?"
     r"|(?:vel\w*\.?|frec\w*\.?|tasa)[ _]de[ _]muestreo|freq\w*[ _]di[ _]campionamento"
     r"|fr[ée]quence[ _]d.[ée]chantillonnage|abtast(?:rate|frequenz)|[öo]rnekleme (?!aral)\w+",
@@ -283,8 +284,8 @@ def refuse_factors(text: RecordText, lines: list[int], *, names: int | None = No
             raise text.error(valid, hint, at=at)
 
 
-def unless_given(given: object, state: Callable[[], T]) -> T | None:
-    """Return what a file states; None where that is not understood and the caller says it.
+def unless_given(given: object, state: Callable[[], T]) -> tuple[T | None, tuple[str, ...]]:
+    """Return what a file states; None and a warning where it is not understood, but given.
 
     Raises
     ------
@@ -292,11 +293,11 @@ def unless_given(given: object, state: Callable[[], T]) -> T | None:
         If it is not understood and not given, contradicts itself or is of another quantity.
     """
     try:
-        return state()
+        return state(), ()
     except RecordFileError as error:
         if given is None or error.kind:
             raise
-        return None
+        return None, (f"{error.valid}: {given}, as given, is taken",)
 
 
 def _is_unity(written: str, rest: str) -> bool:
@@ -364,9 +365,10 @@ def time_value(
 
 def interval_value(
     text: RecordText, at: int, written: str, unit: str | None, given: float | None
-) -> float | None:
-    """Return a time [s] as `time_value`; None where it is not understood and another is given."""
-    return unless_given(given, lambda: time_value(text, at, written, unit))
+) -> tuple[float | None, tuple[str, ...]]:
+    """Return a time [s] as `time_value`; None and a warning where another is given."""
+    words = None if given is None else f"{given:g} s"
+    return unless_given(words, lambda: time_value(text, at, written, unit))
 
 
 def _goes_on(rest: str) -> bool:

@@ -14,13 +14,14 @@ _PLACES: Final[dict[Position, re.Pattern[str]]] = {
         r"(?!0+(?:\.0*)?\b)\d|\d\s*(?:m|ft|met(?:er|re)s?|feet)\s*below\s+(?:the\s+)?(?:gr|surf)"
         r"|\bdepth of (?:instrument|sensor)|\bat depth\b|\bsubsurface\b|\bocean bottom\b|\bOBS\b"
         r"|\bwithin rock\b|\b(?:elevation|location|quote)\s*:?\s*-\d|\bpozo \d"
-        r"|\bgeotech\w*\s+array|\u5b54\u5185|\u5730\u4e0b",
-        re.IGNORECASE,
+        r"|\bgeotech\w*\s+array|^\s*depth\s*[:=]\s*[1-9]\d{0,2}(?:\.\d+)?\s*m\b"
+        r"|\u5b54\u5185|\u5730\u4e0b|\u4e95\u4e0b",
+        re.IGNORECASE | re.MULTILINE,
     ),
     "surface": re.compile(
         r"\bfree[\s-]?field|\bFF\b|\b(?:ground|soil|rock)[\s-]?surface|^\s*surface\b|\bGL\s?-\s?0"
         r"|\bpoint\s*:\s*ground\b|\bcampo liber?o\b|\bcampo libre\b|\bchamp libre\b|\bfreifeld\b",
-        re.IGNORECASE,
+        re.IGNORECASE | re.MULTILINE,
     ),
     "structure": re.compile(
         r"(?<![a-z])(?:roof(?:top)?|(?<!valley )floors?|ceiling|podium|deck|crest|girder"
@@ -29,9 +30,11 @@ _PLACES: Final[dict[Position, re.Pattern[str]]] = {
         r"|\bpile\s?cap\b|\b(?:top of|bridge|dam) (?:the )?(?:building|bldg|tower|top|pier)\b"
         r"|\bpier top\b|\btunnel\b|\b(?:planta|piano|piso|level|nivel|plancher|entrepiso|kat):? \d"
         r"|\b(?:bent cap|tank top|top of pile|machine room|gallery|obergeschoss|untergeschoss)\b"
-        r"|\b(?:copertura|terrazza|toiture|livello)\b|\b\d\. ?(?:og|ug|kat)\b|\u5c4b\u4e0a"
+        r"|\b(?:copertura|terrazza|toiture|livello|[ée]tage|\u00e7at\u0131)\b"
+        r"|\b(?:primo|secondo|terzo) piano\b|\b\d\. ?(?:og|ug|kat)\b"
+        r"|\b\d/F\b|\bdam,? (?:\w+ )?abutment\b|\u5c4b\u4e0a"
         r"|\b(?:azoteas?|s[oó]tano|techo|tetto|toit|dach|keller)\b",
-        re.IGNORECASE,
+        re.IGNORECASE | re.MULTILINE,
     ),
 }
 

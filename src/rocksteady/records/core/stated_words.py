@@ -13,10 +13,10 @@ from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import acceleration_unit, in_m_s2
 
 _KEYS: Final = {
-    "direction": r"comp(?:onent\w*|\.)?|orienta\w+(?:[ _]of[ _]\w+)?|dire(?:c|z)\w*|dir\.?"
+    "direction": r"comp(?:onent\w*|\.)?|orient(?:a\w+(?:[ _]of[ _]\w+)?|\.)|dire(?:c|z)\w*|dir\.?"
     r"|azimut\w*|chan(?:nel)?(?:[ _](?:code|name))?|canal\w*|komponente?"
     r"|composante|bile[sş]en|stream|rumbo|sid|(?:seed[ _])?id|trace|code"
-    r"|nslc|kcmpnm|cmpt?|eje|asse|axe|axis|kanal|richtung|\u6210\u5206",
+    r"|nslc|sncl|kcmpnm|cmpt?|eje|asse|axe|axis|kanal|richtung|\u6210\u5206",
     "station": r"(?:recording[ _])?station(?:[ _]?(?:code|name|id|no))?(?:[ _/]+name)?"
     r"|site[ _]?code|(?:c\w+[ _]de[ _](?:la[ _])?)?estaci[oó]n|stazione|istasyon\w*",
     "start": r"(?:data[ _])?start(?:[ _]?(?:date|time))?|record(?:ing)?[ _]?time|initial[ _]?time"
@@ -24,7 +24,7 @@ _KEYS: Final = {
     r"|first[ _]sample(?:[ _]time)?|hora[ _]de[ _](?:la[ _]primera[ _]\w+|inicio)",
 }
 _VALUE: Final = (
-    r"\s*(?:\((?P<zone>[^)]*)\))?(?:\s*[:=]|(?<=[pr]\.)(?=\s))\s*(?P<value>\S.*?)"
+    r"\s*(?:\((?P<zone>[^)]*)\))?(?:\s*[:=]|(?<=[prt]\.)(?=\s))\s*(?P<value>\S.*?)"
     r"\s*(?:;|,?\s+[\w/]+\s?[:=]|\s{3,}|$)"
 )
 _STATED: Final = {
@@ -36,7 +36,7 @@ _OF_EVENT: Final = re.compile(
     r"\b(?:epicent\w*|back|source|event|hypocent\w*|fault|strike|rupture|wind|slip|distance)\b",
     re.IGNORECASE,
 )
-_UPRIGHT: Final = re.compile(r"[:=]\s*(\S{2,12}|[zZ])\s*$")
+_UPRIGHT: Final = re.compile(r"(?:[:=]|\bID\b)\s*(\S{2,12}|[zZ])\s*$")
 _UPRIGHT_ANGLE: Final = re.compile(r"\bdip\W{1,3}-?90\b|\bcmpinc\W+(?:0|180)\b", re.IGNORECASE)
 """What states a vertical direction under whatever key."""
 _TITLES: Final = re.compile(r"\b(vertical|horizontal)\b", re.IGNORECASE)

@@ -18,6 +18,8 @@ _COMMENT: Final = ("#", "%", "//")
 _NO_ROW: Final = "it must be a row of numbers, as the ones around it"
 _TAKE_OUT: Final = "correct the line"
 _BLOCKS: Final = "below it numbers follow that may be another channel or quantity"
+_APART: Final = "give each block as a file of its own"
+_SEPARATORS: Final = frozenset(",;")
 _SAMPLE: Final = 200
 _DECIMAL_COMMA: Final = re.compile(r"[+-]?\d*,\d+(?:[eEdD][+-]?\d+)?|[+-]?\d+(?:[eEdD][+-]?\d+)?")
 _LONGEST_HEADER: Final = 200
@@ -32,7 +34,8 @@ _OF_WORDS: Final = re.compile(r"\s*(?![+-]?\.?\d)(?:.*[A-Za-z]{3}|/&)")
 _MOST_BLOCKS: Final = 30
 _SHORTEST: Final = 50
 """Blocks of a file, and rows of one, that are told from rows that are merely set apart."""
-_SPOKEN: Final = re.compile(r"[^\W\d_]{2}")
+_HEADS: Final = re.compile(r"\s*(?:[#%/].*|[^\W\d_]{2}\S*[\s,]+\S*)[^\W\d_]")
+"""What may head another block: a remark, or two words."""
 _NEAR: Final = 3
 """Lines above the rows among which their names are looked for."""
 _TRUE_SPACES: Final = re.compile(r"\t|\s{2,}")
@@ -109,29 +112,9 @@ def table(text: RecordText) -> Table | None:
     if first is None:
         return None
     _refuse_torn(text, filled[: first + 1], separator, comma=comma)
-    _refuse_parted(text, filled[first:])
     if first:
         _refuse_spoilt(text, filled[first - 1], filled[first], separator, comma=comma)
-    rows: list[tuple[float, ...]] = []
-    lines: list[int] = []
-    trailing: int | None = None
-    for place, at in enumerate(filled[first:], first):
-        line = text.lines[at]
-        row = _row(line, separator, comma=comma)
-        if row is None:
-            if line.lstrip().startswith(_COMMENT):
-                continue
-            below = [
-                _row(text.lines[later], separator, comma=comma) for later in filled[place + 1 :]
-            ]
-            if _OF_WORDS.match(line) and not any(below):
-                trailing = at
-                break
-            if below and below[0] is None:
-                raise text.error(_BLOCKS, "give each block as a file of its own", at=at)
-            raise text.error(_NO_ROW, _TAKE_OUT, at=at)
-        rows.append(row)
-        lines.append(at)
+    rows, lines, trailing = _rows(text, filled[first:], separator, comma=comma)
     header = tuple(text.heads[at].strip().lstrip("#%!*/ ") for at in filled[:first])
     named, names = _names(header, separator, max(map(len, rows)))
     above = _fields(header[named - 1], separator, len(names)) if named else ()
@@ -147,26 +130,44 @@ def table(text: RecordText) -> Table | None:
         header_lines=tuple(filled[:first]),
         names=names,
         names_at=filled[named] if first else 0,
-        rows=tuple(rows),
-        lines=tuple(lines),
+        rows=rows,
+        lines=lines,
         separator=separator,
         comma=comma,
         trailing=trailing,
     )
 
 
-def _refuse_parted(text: RecordText, rows: list[int]) -> None:
-    """Raise where comments or blank lines part the rows into blocks of one length."""
-    remarks = [at for at in rows if text.lines[at].lstrip().startswith(_COMMENT)]
-    kept = sorted({*rows} - {*remarks})
-    worded = [at for at in remarks if at < kept[-1] and _SPOKEN.search(text.lines[at])]
-    if worded:
-        raise text.error(_BLOCKS, "give each block as a file of its own", at=worded[0])
-    starts = [at for before, at in pairwise(kept) if at > before + 1][:_MOST_BLOCKS]
-    ends = [kept.index(at) for at in starts]
-    lengths = {end - start for start, end in pairwise([0, *ends, len(kept)])}
-    if starts and len(starts) < _MOST_BLOCKS and len(lengths) == 1 and min(lengths) >= _SHORTEST:
-        raise text.error(_BLOCKS, "give each block as a file of its own", at=starts[0] - 1)
+def _rows(
+    text: RecordText, filled: list[int], separator: str | None, *, comma: bool
+) -> tuple[tuple[tuple[float, ...], ...], tuple[int, ...], int | None]:
+    """Return the rows from the first one on, the index of each, and that of words below them.
+
+    Raises
+    ------
+    RecordFileError
+        If another line stands among them, or blank lines part them into blocks of one length.
+    """
+    parsed = [_row(text.lines[at], separator, comma=comma) for at in filled]
+    last = max(place for place, row in enumerate(parsed) if row is not None)
+    kept, rest = filled[: last + 1], filled[last + 1 :]
+    rows = tuple(row for row in parsed if row is not None)
+    after = [at for at in rest if not text.lines[at].lstrip().startswith(_COMMENT)]
+    odd = [at for at, row in zip(kept, parsed, strict=False) if row is None]
+    odd += [at for at in after[:1] if not _OF_WORDS.match(text.lines[at])]
+    odd += [at for at in range(kept[0], kept[-1]) if text.lines[at].strip() in _SEPARATORS]
+    if odd:
+        at = min(odd)
+        header = at < kept[-1] and (
+            _HEADS.match(text.lines[at]) or (at + 1 in odd and text.lines[at][:1].isalpha())
+        )
+        valid, hint = (_BLOCKS, _APART) if header else (_NO_ROW, _TAKE_OUT)
+        raise text.error(valid, hint, at=at)
+    starts = [place for place in range(1, len(kept)) if kept[place] > kept[place - 1] + 1]
+    lengths = {end - start for start, end in pairwise([0, *starts, len(kept)])}
+    if 0 < len(starts) < _MOST_BLOCKS and len(lengths) == 1 and min(lengths) >= _SHORTEST:
+        raise text.error(_BLOCKS, _APART, at=kept[starts[0]] - 1)
+    return rows, tuple(kept), after[0] if after else None
 
 
 def _refuse_torn(

@@ -155,6 +155,9 @@ def _read(text: RecordText, given: Given, start: datetime | None) -> tuple[Recor
     if len(picked) == 1 and not picked[0] and 1 < data_table.columns <= _AS_CHANNELS:
         what = f"{data_table.columns} numbers a line are taken as samples that follow each other"
         warnings += (f"{what}; give column where they are channels",)
+    blank = data_table.lines[-1] - data_table.lines[0] + 1 - len(data_table.lines)
+    if blank and not timed:
+        warnings += (f"{plural(blank, 'blank line')} among its samples passed over",)
     where = Lines(stated=at, start=data_table.lines[0], end=len(text.lines))
     if count is not None:
         values, doubts = agreed(text, values, count, where)
@@ -163,8 +166,8 @@ def _read(text: RecordText, given: Given, start: datetime | None) -> tuple[Recor
         warnings += layout(
             text, data_table.lines, separator=data_table.separator, comma=data_table.comma
         )
-    if given.dt_s is None:
-        warnings += timing(values[:, 0], interval, duration=stated_duration(text, header))
+    lasts = stated_duration(text, header)
+    warnings += timing(values[:, 0], given.dt_s or interval, duration=lasts)
     labels = [column_name(name).label or name or None for name in picked]
     direction = None
     if len(picked) == 1 and tells_nothing(labels[0]):
@@ -179,7 +182,7 @@ def _read(text: RecordText, given: Given, start: datetime | None) -> tuple[Recor
         dt_s=interval,
         directed=direction is not None,
         alone=len(picked) == 1,
-        place=" ".join(text.heads[at] for at in header),
+        place="\n".join(text.heads[at] for at in header),
         station=stated_station(text, header),
         start_time=start or stated_start(text, header),
         warnings=warnings,
@@ -227,7 +230,8 @@ def _recordings(
             continue
         try:
             of_name = partial(_unit_of, text, name, data_table)
-            units, doubts = unless_given(given.units, of_name) or (None, ())
+            known, unread = unless_given(given.units, of_name)
+            units, doubts = known or (None, unread)
         except RecordFileError as error:
             if error.kind:
                 raise
@@ -303,7 +307,8 @@ def _interval(
         If it is not understood as a whole, and the table has no times.
     """
     try:
-        return unless_given(given.dt_s, lambda: stated_interval(text, header)), ()
+        words = None if given.dt_s is None else f"{given.dt_s:g} s"
+        return unless_given(words, lambda: stated_interval(text, header))
     except RecordFileError as error:
         if not timed or error.kind:
             raise

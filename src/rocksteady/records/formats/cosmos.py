@@ -20,7 +20,7 @@ from rocksteady.records.core.directions import pointing
 from rocksteady.records.core.fortran_format import fixed_values, stated_width
 from rocksteady.records.core.header_statements import interval_value
 from rocksteady.records.core.numbers import NUMBER, samples
-from rocksteady.records.core.positions import of_station
+from rocksteady.records.core.positions import of_station, position_of
 from rocksteady.records.core.recording import Orientation, Position, Recording
 from rocksteady.records.core.text import CONTRADICTION, RecordText
 from rocksteady.records.core.units import acceleration_unit, in_m_s2, quantity_of
@@ -197,7 +197,8 @@ def _recording(
     level = "cosmos-v1" if "uncorrected" in first or "raw" in first else "cosmos-v2"
     seconds = None
     if described["lasts"] is not None and not re.match(r"0+\b(?!\.)", described["lasts"]):
-        seconds = interval_value(text, at, described["lasts"], None, given.dt_s)
+        seconds, unread = interval_value(text, at, described["lasts"], None, given.dt_s)
+        warnings += unread
     interval, doubt = _interval(head, len(values), seconds, corrected=level == "cosmos-v2")
     if interval is None and given.dt_s is None:
         raise text.error(
@@ -205,10 +206,11 @@ def _recording(
             "give dt_s, in seconds",
             at=at,
         )
-    if given.dt_s is None:
-        warnings += timing(values, interval, peak_at=head.number(65))
+    warnings += timing(values, given.dt_s or interval, peak_at=head.number(65))
     component, orientation, azimuth, down = _pointing(head)
     station = head.word(r"Statn No:.*?Code:\s*(\S.*?)\s*$")
+    place = " ".join(filter(_PLACE.search, head.words))
+    words, kind = position_of(place), _TYPES.get(head.integer(19) or 0)
     channel = Channel(
         values=values,
         units=units,
@@ -221,8 +223,7 @@ def _recording(
         alone=False,
         station=station,
         event=head.words[1].strip() or None if len(head.words) > 1 else None,
-        position=_TYPES.get(head.integer(19) or 0)
-        or of_station(station or "", " ".join(filter(_PLACE.search, head.words))),
+        position=kind or of_station(station or "", place) if words == "unknown" else words,
         start_time=_start(head),
         warnings=(*warnings, *doubt),
     )

@@ -133,7 +133,7 @@ def _recording(
     if announced is None:  # the caller has found this line by the same patterns
         raise text.error("no line announces samples", "fetch the file again")
     volume_2 = announced.re is _VOLUME_2
-    interval = interval_value(text, lines[-1], announced["dt"], None, given.dt_s)
+    interval, unread = interval_value(text, lines[-1], announced["dt"], None, given.dt_s)
     units: str | None = announced["unit"]
     peak = _first(_PEAK if volume_2 else _MAX, head)
     if units is not None:
@@ -141,9 +141,8 @@ def _recording(
     elif peak is not None:
         units = peak[2]
     at_peak = number(peak[3] or "") if volume_2 and peak is not None else None
-    if given.dt_s is None:
-        warnings += timing(values, interval, peak_at=at_peak)
-        warnings += _second_interval(head, interval)
+    warnings += unread + timing(values, given.dt_s or interval, peak_at=at_peak)
+    warnings += _second_interval(head, given.dt_s or interval)
     channel = _channel(
         head,
         values,

@@ -55,10 +55,10 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         refuse_factors(text, stated)
         return _value(text, lines, "UNITS") or None
 
-    units = unless_given(given.units, state)
+    units, unread = unless_given(given.units, state)
     count = count_value(text, lines[_COUNT], _value(text, lines, _COUNT))
     at = lines[_INTERVAL]
-    interval = interval_value(text, at, _value(text, lines, _INTERVAL), "s", given.dt_s)
+    interval, doubts = interval_value(text, at, _value(text, lines, _INTERVAL), "s", given.dt_s)
     start = max(lines.values()) + 1
     values, end = samples(text.lines, start, at_most=max(count, 1))
     where = Lines(stated=lines[_COUNT], start=start, end=end)
@@ -68,8 +68,8 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         None if lasts is None else (lasts, 0.5 * last_place(_value(text, lines, "DURATION_S")))
     )
     peak_at = number(_value(text, lines, "TIME_PGA_S"))
-    if given.dt_s is None:
-        warnings += timing(kept, interval, duration=duration, peak_at=peak_at)
+    warnings += unread + doubts
+    warnings += timing(kept, given.dt_s or interval, duration=duration, peak_at=peak_at)
     channel = Channel(
         values=kept,
         units=units,

@@ -17,6 +17,7 @@ from rocksteady.records.core.consistency import Lines, agreed
 from rocksteady.records.core.header_statements import time_value
 from rocksteady.records.core.moments import moment
 from rocksteady.records.core.numbers import NUMBER, number, samples
+from rocksteady.records.core.positions import position_of
 from rocksteady.records.core.recording import Position, Recording
 from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import COUNTS
@@ -89,7 +90,8 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     offset = float(kept.mean())
     peak = _value(text, lines, "Max. Acc. (gal)")
     written = _value(text, lines, "Dir.")
-    network, component, station, place = _named(written, _value(text, lines, "Station Code"))
+    code, memo = _value(text, lines, "Station Code"), _value(text, lines, "Memo.")
+    network, component, station, place = _named(written, code, memo)
     channel = Channel(
         values=(kept - offset) * gal,
         units="gal",
@@ -150,13 +152,14 @@ def _time(text: RecordText, lines: dict[str, int], key: str, unit: str) -> float
     return time_value(text, at, stated, unit, "correct the line")
 
 
-def _named(written: str, station: str) -> tuple[str, str | None, str | None, Position]:
+def _named(written: str, station: str, memo: str) -> tuple[str, str | None, str | None, Position]:
     """Return network, component, station and position."""
     if written in {"1", "2", "3", "4", "5", "6"}:
         place: Position = "borehole" if int(written) <= 3 else "surface"
         component = _DIRECTIONS[(int(written) - 1) % 3]
         return KIKNET, component, f"{station} {place}".strip(), place
-    return KNET, written or None, station or None, "surface"
+    place = position_of(memo)
+    return KNET, written or None, station or None, "surface" if place == "unknown" else place
 
 
 def _event(text: RecordText, lines: dict[str, int]) -> str | None:

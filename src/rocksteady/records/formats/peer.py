@@ -83,7 +83,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     hint = "write the line as NPTS= 5372, DT= .0100 SEC"
     if at is None:
         raise text.error("no line of its header states NPTS and DT", hint)
-    count, dt_s, last = _counts(text, at, given)
+    count, dt_s, last, doubts = _counts(text, at, given)
     if count is None or (dt_s is None and given.dt_s is None):
         raise text.error("it must state the number of samples and their interval", hint, at=at)
     last = _last_words(text, last)
@@ -97,15 +97,16 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     word = _UPRIGHT.search(" ".join(head[1:2]))
     if word is not None and pointing(component) == Pointing() and " / " not in (component or ""):
         component = word[0]
+    units, unread = _units(text, last, given)
     channel = Channel(
         values=kept,
-        units=_units(text, last, given),
+        units=units,
         dt_s=dt_s,
         component=component,
         station=station,
         place=station or "",
         event=event,
-        warnings=warnings,
+        warnings=warnings + doubts + unread,
     )
     return (built(text, FORMAT, channel, given),)
 
@@ -124,8 +125,10 @@ def _line_of_counts(text: RecordText) -> int | None:
     return None
 
 
-def _counts(text: RecordText, at: int, given: Given) -> tuple[int | None, float | None, int]:
-    """Return number of samples and interval, and the index of the last line that states them."""
+def _counts(
+    text: RecordText, at: int, given: Given
+) -> tuple[int | None, float | None, int, tuple[str, ...]]:
+    """Return number of samples, interval, the index of the last line that states them; warnings."""
     near = [place for place in (at, at + 1, at - 1) if 0 <= place < len(text.heads)]
     for pattern in (_COUNT, _INTERVAL):
         stated = (
@@ -141,20 +144,21 @@ def _counts(text: RecordText, at: int, given: Given) -> tuple[int | None, float 
     numbers_first = _NUMBERS_FIRST.match(line)
     if numbers_first is not None:
         written = f"{numbers_first['dt']} {numbers_first['after']}"
-        dt_s = interval_value(text, at, written, numbers_first["unit"], given.dt_s)
-        return count_value(text, at, numbers_first["count"]), dt_s, at
+        dt_s, doubts = interval_value(text, at, written, numbers_first["unit"], given.dt_s)
+        return count_value(text, at, numbers_first["count"]), dt_s, at, doubts
     alone = _COUNT.search(line)
     count = None if alone is None else count_value(text, at, alone["value"])
     # The interval may stand before the count, or on a line of its own beside it.
     for place in near:
         if (statement := _INTERVAL.search(text.heads[place])) is not None:
-            dt_s = interval_value(text, place, statement["value"], statement["unit"], given.dt_s)
-            return count, dt_s, max(at, place)
-    return count, None, at
+            written, unit = statement["value"], statement["unit"]
+            dt_s, doubts = interval_value(text, place, written, unit, given.dt_s)
+            return count, dt_s, max(at, place), doubts
+    return count, None, at, ()
 
 
-def _units(text: RecordText, last: int, given: Given) -> str | None:
-    """Return the units that the header states.
+def _units(text: RecordText, last: int, given: Given) -> tuple[str | None, tuple[str, ...]]:
+    """Return the units that the header states, and warnings.
 
     Raises
     ------

@@ -82,8 +82,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         interval = 1.0 / rate
         sizes = [(abs(stated[place + 1] or 0.0), stated[place]) for place in (28, 30)]
         peak_at = max(sizes, key=lambda pair: pair[0])[1]
-        if given.dt_s is None:
-            warnings += timing(kept, interval, peak_at=peak_at)
+        warnings += timing(kept, interval, peak_at=peak_at)
     elif _in_turn(kept):
         kept = kept[: len(kept) // 2 * 2]
         rounding = places([f"{time:.4E}" for time in kept[0::2]])
