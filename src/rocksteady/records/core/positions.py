@@ -30,7 +30,7 @@ _PLACES: Final[dict[Position, re.Pattern[str]]] = {
         r"|\bpile\s?cap\b|\b(?:top of|bridge|dam) (?:the )?(?:building|bldg|tower|top|pier)\b"
         r"|\bpier top\b|\btunnel\b|\b(?:planta|piano|piso|level|nivel|plancher|entrepiso|kat):? \d"
         r"|\b(?:bent cap|tank top|top of pile|machine room|gallery|obergeschoss|untergeschoss)\b"
-        r"|\b(?:copertura|terrazza|toiture|livello|[ée]tage|\u00e7at\u0131)\b"
+        r"|\b(?:copertura|terrazza|toiture|livello|\u00e9tage|etage|\u00e7at\u0131)\b"
         r"|\b(?:primo|secondo|terzo) piano\b|\b\d\. ?(?:og|ug|kat)\b"
         r"|\b\d/F\b|\bdam,? (?:\w+ )?abutment\b|\u5c4b\u4e0a"
         r"|\b(?:azoteas?|s[oó]tano|techo|tetto|toit|dach|keller)\b",
