@@ -97,6 +97,7 @@ def read_records(
     pattern: str = "*",
     units: str | None = None,
     dt_s: float | None = None,
+    ignore_header: bool = False,
     include: Sequence[str] = (),
 ) -> RecordSuite:
     r"""Read all horizontal records of a folder, a suite, in the order of the file names.
@@ -112,7 +113,7 @@ def read_records(
         The folder; hidden files and folders in it are left out.
     pattern
         Names of the files, as ``*.AT2``; by default all.
-    units, dt_s
+    units, dt_s, ignore_header
         As for `read_recordings`, for all files.
     include
         Kinds of channels that are taken all the same: ``unknown``, ``borehole``, ``structure``,
@@ -153,7 +154,7 @@ def read_records(
     files = [file for file in files_of(place) if file.match(pattern)]
     for file in files:
         try:
-            recordings = read_recordings(file, units=units, dt_s=dt_s)
+            recordings = read_recordings(file, units=units, dt_s=dt_s, ignore_header=ignore_header)
         except RecordFileError as error:
             if error.kind in FAULTS:
                 raise

@@ -114,7 +114,7 @@ def read_samples(text: RecordText, given: Given) -> tuple[Recording, ...]:
         if of_numbers
     ]
     longest = max(runs, key=len, default=[])
-    if len(longest) < 2:
+    if not longest:
         raise text.error(_NO_ROWS, "give a record as text", kind=NO_RECORD)
     if sum(2 * len(lines) > len(longest) for lines in runs) > 1:
         valid = "it holds several blocks of numbers, of which its header alone tells which is which"
