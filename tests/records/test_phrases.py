@@ -86,7 +86,7 @@ UPRIGHT = [
     *("U-D", "UD", "UP", "Up", "UP       (STA CHN: 15)", "HNZ", "BHZ00", "BHZ.00", "IU.CCM.00.BHZ"),
     *("U", "U(+)", "V", "Z", "VER", "UPDO", "Vert", "Vertical", "verticale", "vertikal", "Düşey"),
     *("Κατακόρυφη", "Вертикальная компонента", "XX.HUT..HNZ", "HUT.HNZ.XX.00"),
-    *("HNZ--", "COMP V2", "上下", "竖向", "XX_HUT_00_H_N_Z"),
+    *("HNZ--", "COMP V2", "上下", "竖向", "竖向加速度", "上下方向", "XX_HUT_00_H_N_Z"),
 ]
 TURNED = ["FN", "FP", "SN", "SP", "Fault Normal", "Radial", "RADL", "Tang", "HNR", "HNT", "RotD50"]
 LINES = {

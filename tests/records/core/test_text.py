@@ -23,6 +23,24 @@ def test_encodings_and_line_ends(tmp_path: Path, encoding: str, ends: str) -> No
     assert found.station == "H\N{LATIN SMALL LETTER U WITH DIAERESIS}tte - Far, West"
 
 
+@every(
+    ("encoding", "names"),
+    [
+        ("cp932", "\u6642\u9593 (s),\u5357\u5317 (gal),\u4e0a\u4e0b (gal)"),
+        (
+            "gb18030",
+            "\u65f6\u95f4(s),\u5357\u5317\u5411\u52a0\u901f\u5ea6(gal),\u7ad6\u5411(gal)",
+        ),
+    ],
+)
+def test_encodings_of_the_far_east(tmp_path: Path, encoding: str, names: str) -> None:
+    path = tmp_path / "hut.csv"
+    path.write_bytes(f"{names}\n0,1,2\n.01,-3,1\n.02,2,-1\n".encode(encoding))
+    across, up = read_recordings(path)
+    assert (across.azimuth_deg, up.orientation) == (0.0, "vertical")
+    assert across.record.dt_s == 0.01
+
+
 @every("data", [b"", b"\n \n", b"\x00" * 5000, b"\x1a"])
 def test_an_empty_file(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "empty"

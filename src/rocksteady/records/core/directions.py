@@ -15,7 +15,7 @@ _SENSES: Final = {
         "negative": "negative neg minus",
         "neither": "v vert vertical vrt ver z ud updown vertikal verticale",
         "short": "up u u-d updo dwn down dn d v1 v2 v3 az accz agz dusey d\u00fc\u015fey"
-        " \u4e0a\u4e0b \u5782\u76f4 \u7ad6\u5411"
+        " \u4e0a\u4e0b \u5782\u76f4 \u7ad6"
         " \u03ba\u03b1\u03c4\u03b1\u03ba\u03cc\u03c1\u03c5\u03c6\u03b7"
         " \u0432\u0435\u0440\u0442\u0438\u043a\u0430\u043b\u044c\u043d\u0430\u044f",
         "level": "h h1 h2 l l1 t t1 long longitudinal tran trans transverse transversal lateral hor"
@@ -37,6 +37,9 @@ _FILLERS: Final = re.compile(
     r"|orient\w*|trace|code|id|cmpt?|eje|asse|axe|kanal|\u043a\u043e\u043c\u043f\u043e\u043d\u0435\u043d\u0442\u0430|richtung|bile\w+|componente"
 )
 """Words beside those of a direction that carry no direction."""
+
+_HAN: Final = re.compile(r"\u52a0\u901f\u5ea6|\u5206\u91cf|\u6210\u5206|\u65b9?\u5411")
+"""Acceleration, component and direction, which stand beside a direction without a blank."""
 
 _SIGNED: Final = re.compile(
     r"[-+]\s*(?:u-?d|up?|z|v(?:ert)?|d(?:ow)?n?|dwn)|(?:u-?d|z|v(?:ert)?|up?|d(?:ow)?n?|dwn)\s*[-+]"
@@ -147,6 +150,7 @@ def pointing(component: str | None) -> Pointing:
     if (of_seed := _SEED_ID.fullmatch(written)) is not None:
         written = of_seed[1].replace("_", "")
     text = written.lower().replace("\u0307", "").replace("\xb0", "")  # of a Turkish capital I
+    text = _HAN.sub("", text)
     text = text.replace("/", "-") if text in {"n/s", "e/w", "u/d", "e/o"} else text
     rotated = _ROTATED.fullmatch(text) is not None
     signed = _SIGNED.fullmatch(text) is not None

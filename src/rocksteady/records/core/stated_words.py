@@ -13,8 +13,8 @@ from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import acceleration_unit, in_m_s2
 
 _KEYS: Final = {
-    "direction": r"comp(?:onent\w*|\.)?|orient(?:a\w+(?:[ _]of[ _]\w+)?|\.)|dire(?:c|z)\w*|dir\.?"
-    r"|azimut\w*|chan(?:nel)?(?:[ _](?:code|name))?|canal\w*|komponente?"
+    "direction": r"comp(?:onent\w*|\.)?|orient(?:a\w+(?:[ _]of[ _]\w+)?|ierung|\.)"
+    r"|dire(?:c|z)\w*|dir\.?|azimut\w*|chan(?:nel)?(?:[ _](?:code|name))?|canal\w*|komponente?"
     r"|composante|bile[sş]en|stream|rumbo|sid|(?:seed[ _])?id|trace|code"
     r"|nslc|sncl|kcmpnm|cmpt?|eje|asse|axe|axis|kanal|richtung|\u6210\u5206",
     "station": r"(?:recording[ _])?station(?:[ _]?(?:code|name|id|no))?(?:[ _/]+name)?"

@@ -1,5 +1,6 @@
 """A ground-motion file as lines of text, with any line ending and encoding."""
 
+import contextlib
 import re
 from dataclasses import dataclass
 from functools import cached_property
@@ -37,6 +38,10 @@ _NO_TEXT: Final = {
 """What files that are no records begin with, and what to say of them."""
 
 _BEGINNING: Final = 4096
+_FAR_EAST: Final = re.compile(
+    r"[\u6642\u65f6][\u9593\u95f4]|\u52a0\u901f\u5ea6|\u5357\u5317|[\u6771\u4e1c]\u897f|\u4e0a\u4e0b"
+)
+"""Time, acceleration, NS, EW, UD: what a header in Japanese or Chinese has."""
 _LONGEST_HEAD: Final = 400
 # More than one \r is what a conversion to DOS makes of a file that was one already.
 _LINE_ENDS: Final = re.compile(r"\r+\n|\n|\r")
@@ -162,21 +167,27 @@ def _problem(path: Path) -> str:
     return "it is not a regular file" if path.exists() else "there is no such file"
 
 
+def _decoded(data: bytes) -> str:
+    """Return the characters of a file."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return data.decode("utf-16", errors="replace")
+    for encoding in ("utf-8-sig", "cp932", "gb18030"):
+        with contextlib.suppress(UnicodeDecodeError):
+            content = data.decode(encoding)
+            if encoding == "utf-8-sig" or _FAR_EAST.search(content[:_BEGINNING]):
+                return content
+    return data.decode("latin-1")
+
+
 def as_text(path: Path, data: bytes) -> RecordText:
-    """Return the lines of a file: UTF-8, UTF-16 with its mark, else Latin-1.
+    """Return the lines of a file: UTF-8, UTF-16 with its mark, Shift-JIS, GBK, else Latin-1.
 
     Raises
     ------
     RecordFileError
         If it is not text.
     """
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        content = data.decode("utf-16", errors="replace")
-    else:
-        try:
-            content = data.decode("utf-8-sig")
-        except UnicodeDecodeError:
-            content = data.decode("latin-1")
+    content = _decoded(data)
     filled = content.rstrip(_PADDING + " \t\r\n")
     ended = any(end in content[len(filled) :] for end in "\r\n")
     content = filled
