@@ -113,10 +113,10 @@ def test_a_folder_is_read_without_vertical_channels_and_hidden_files(tmp_path: P
     first = [record.acceleration_m_s2[0] / 9.80665 for record in records]
     assert first == pytest.approx([0.3, 0.1])
     assert [record.name for record in read_records(tmp_path, pattern="b.*")] == ["b"]
-    alone = {"units": "g", "dt_s": 0.01, "ignore_header": True}
-    suite = read_records(tmp_path, pattern="b.*", **alone)
+    suite = read_records(tmp_path, pattern="b.*", units="g", dt_s=0.01, ignore_header=True)
     assert suite.recordings[0].processing[0].startswith("header ignored")
-    assert list(suite) == [read_record(tmp_path / "b.AT2", **alone)]
+    path = tmp_path / "b.AT2"
+    assert list(suite) == [read_record(path, units="g", dt_s=0.01, ignore_header=True)]
     for folder, pattern, words in (
         (tmp_path / "none", "*", "there is no such folder"),
         (
