@@ -115,8 +115,8 @@ def test_a_folder_is_read_without_vertical_channels_and_hidden_files(tmp_path: P
     assert [record.name for record in read_records(tmp_path, pattern="b.*")] == ["b"]
     suite = read_records(tmp_path, pattern="b.*", units="g", dt_s=0.01, ignore_header=True)
     assert suite.recordings[0].processing[0].startswith("header ignored")
-    path = tmp_path / "b.AT2"
-    assert list(suite) == [read_record(path, units="g", dt_s=0.01, ignore_header=True)]
+    whole = read_recordings(tmp_path / "b.AT2", units="g", dt_s=0.01, ignore_header=True)
+    assert list(suite) == [whole[0].record]
     for folder, pattern, words in (
         (tmp_path / "none", "*", "there is no such folder"),
         (

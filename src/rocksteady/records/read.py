@@ -144,15 +144,14 @@ def read_record(
     dt_s: float | None = None,
     column: str | int | None = None,
     resample: bool = False,
-    ignore_header: bool = False,
     baseline: str = "none",
 ) -> Record:
     """Read one acceleration channel of a ground-motion file.
 
     Parameters
     ----------
-    path, format, units, dt_s, column, resample, ignore_header
-        As for `read_recordings`.
+    path, format, units, dt_s, column, resample
+        As for `read_recordings`, which can also ignore a header.
     channel
         Which one, where the file holds several: its number from 1, or its component.
     baseline
@@ -181,13 +180,7 @@ def read_record(
     Record(name='shock', samples=4, dt_s=0.01, peak_acceleration_m_s2=1.96133)
     """
     recordings = read_recordings(
-        path,
-        format=format,
-        units=units,
-        dt_s=dt_s,
-        column=column,
-        resample=resample,
-        ignore_header=ignore_header,
+        path, format=format, units=units, dt_s=dt_s, column=column, resample=resample
     )
     return correct_baseline(chosen(recordings, channel), baseline).record
 
