@@ -197,8 +197,8 @@ def test_json_has_its_keys_and_no_number_that_json_has_not() -> None:
         assert values[key] == getattr(found.mechanism, key)
     assert len(values["checks"]) == 5
     assert set(values["checks"][0]) == {
-        "limit_state", "method", "formula", "page", "quantity", "unit", "demand", "capacity",
-        "satisfied", "remark",
+        "limit_state", "method", "formula", "page", "demand_name", "capacity_name", "unit",
+        "demand", "capacity", "satisfied", "remark",
     }  # fmt: skip
     assert values["checks"][4]["demand"] is None
     assert values["checks"][4]["satisfied"] is False

@@ -1,14 +1,16 @@
 """Answers on a facade: what is not satisfied, in what order, and what is left open."""
 
 import math
+import re
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
+import pytest
 
 from rocksteady.model.equations import Nonlinear
 from rocksteady.outcomes import Status
-from rocksteady.risk.facades.actions import Tie
+from rocksteady.risk.facades.actions import Load, Tie
 from rocksteady.risk.facades.check_facade import check_facade
 from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
 from rocksteady.risk.facades.facade import Facade
@@ -58,11 +60,12 @@ def test_what_is_not_satisfied_comes_first_and_then_what_is_nearest_to_it() -> N
     answer = found.describe().answer
     assert answer is not None
     assert answer.sentence == "front does not satisfy SLD and SLV, by 2 of 5 checks."
-    by_name = {f"{each.limit_state}, {each.method}": each for each in found.checks}
+    by_name = {each.name: each for each in found.checks}
     order = [(by_name[name].satisfied, -(by_name[name].ratio or 0.0)) for name, _ in answer.rows]
     assert len(order) == 5
     assert order == sorted(order)
-    assert answer.rows[0] == ("SLD, linear", "0.15 g of 0.0741 g (2): not satisfied")
+    words = "S_e(0) 0.15 g of min a0 0.0741 g (2): not satisfied"
+    assert answer.rows[0] == ("SLD linear", words)
     assert answer.rows[2][1].endswith("(0.6)")
     weak = checked(0.01).describe().answer
     assert weak is not None
@@ -102,12 +105,120 @@ def test_runs_beyond_d0_are_counted_and_have_no_ratio() -> None:
     assert told(found)["beyond d0"] == "runs under 2 of 8 records"
     answer = found.describe().answer
     assert answer is not None
-    assert ("SLV, dynamic", "beyond d0 of 80 mm: not satisfied") in list(answer.rows)
-    assert answer.rows[0][0] == "SLV, dynamic"
+    assert answer.rows[0] == ("SLV dynamic", "beyond d0 = 200 mm: not satisfied")
     words = " ".join(runs([[0.0, math.inf]] * 7, status=np.full((7, 2), -1)).remarks)
     assert "The end of 14 runs could not be decided" in words
     fell = np.full((7, 2), int(Status.OVERTURNED))
     assert "could not be decided" not in " ".join(runs([[0.0, math.inf]] * 7, status=fell).remarks)
+
+
+ROOF = Load(name="roof", weight_kn=60.0, x_m=0.3, z_m=6.0)
+ROD = Tie(name="rod", force_kn=50.0, z_m=5.4)
+LOOSE = Facade(
+    name="loose", thickness_m=0.6, height_m=6.0, length_m=10.0, confidence_factor=1.2,
+    loads=(ROOF,), ties=(ROD,),
+)  # fmt: skip
+"""A wall whose tie is not verified: its numbers by hand stand in `BY_HAND`."""
+BY_HAND = {
+    "d0": 212.4 / 2304.0 * 9936.0 / 2304.0,
+    "d_SLV": 0.4 * 212.4 / 2304.0 * 9936.0 / 2304.0,
+    "d_SLC": 0.6 * 212.4 / 2304.0 * 9936.0 / 2304.0,
+    "alpha_0 g": 482.4 / 2304.0,
+    "alpha_0 g/FC": 482.4 / 2304.0 / 1.2,
+    "a0": 482.4 * 708.0 * 9936.0 / 2304.0**3 / 1.2,
+    "min a0": 482.4 * 708.0 * 7992.0 / 2304.0**3 / 1.2,
+    "The runs move from": 212.4 / 2304.0 / 1.2,
+}
+"""[m] and [g]: weights 648 + 60 = 708 kN, M = 648 x .3 + 60 x .3 = 212.4 kN m, with the tie 482.4.
+
+K = D = 648 x 3 + 60 x 6 = 2304 kN m; S = 648 x 12 + 60 x 36 = 9936, lumped 648 x 9 + 60 x 36 = 7992
+kN m^2; e* = D^2/(708 S), a0 = (482.4/D)/(e* FC).
+"""
+
+
+def numbers_named(text: str) -> dict[str, set[str]]:
+    """Return the numbers in g or mm that follow each name; columns of tables are apart."""
+    words = re.sub(r"\n *", " ", text)
+    return {
+        name: {
+            f"{number} {unit}"
+            for number, unit in re.findall(
+                rf"(?<!\w)(?<!<= )(?<!min ){re.escape(name)}(?: of| =)? ([\d.]+) (mm|g)\b", words
+            )
+        }
+        for name in BY_HAND
+    }
+
+
+def test_a_number_behind_a_name_is_the_one_that_the_name_defines() -> None:
+    """In the text with all its tables, under runs beyond d0 and under runs that stand."""
+    demand = FacadeDemand(sld=rock(0.1), slv=rock(0.15), slc=rock(0.2))
+    seen = set()
+    for share in (0.1, 0.3, math.inf):
+        found = check_facade(LOOSE, demand, runs=runs([[share, 0.0]] * 7, facade=LOOSE))
+        for name, texts in numbers_named(found.summary(more=True)).items():
+            unit = "mm" if name.startswith("d") else "g"
+            value = BY_HAND[name] * (1e3 if unit == "mm" else 1.0)
+            assert texts <= {f"{value:.3g} {unit}"}, name
+            seen |= {name} if texts else set()
+    assert seen == set(BY_HAND) - {"alpha_0 g/FC"}  # that of elements free to vibrate
+    facts = {fact.label: fact.words for fact in LOOSE.mechanism.describe().facts}
+    for label, name in (
+        ("uplift acceleration alpha_0 g", "alpha_0 g"),
+        ("activation a0 (3), mass spread", "a0"),
+        ("a0, mass at the centres", "min a0"),
+        ("capacity of the linear checks", "min a0"),
+        ("activation acceleration of the runs, with FC", "The runs move from"),
+    ):
+        assert facts[label] == f"{BY_HAND[name]:.3g} g"
+    assert facts["displacement of zero capacity d0"] == "398 mm"
+
+
+def test_json_has_each_number_under_the_name_that_defines_it() -> None:
+    """T_SLV = 1.68 pi sqrt(.4 d0/(.6 a)), a = a0 without the tie: beyond TD = 2.2 s.
+
+    There S_D = .15 eta 2.5 TC TD g/(4 pi^2), with TC = .3 s and eta = sqrt(10/13).
+    """
+    ground = FacadeDemand(sld=rock(0.1), slv=rock(0.15))
+    values = check_facade(LOOSE, ground, runs=runs([[0.1, 0.3]] * 7, facade=LOOSE)).to_dict()
+    for key, name in (
+        ("d0_m", "d0"), ("d_slv_m", "d_SLV"), ("d_slc_m", "d_SLC"), ("uplift_g", "alpha_0 g"),
+        ("a0_g", "a0"), ("a0_lumped_g", "min a0"), ("run_activation_g", "The runs move from"),
+    ):  # fmt: skip
+        assert values[key] == pytest.approx(BY_HAND[name], rel=1e-12), key
+    bare = BY_HAND["a0"] * 212.4 / 482.4
+    slow = 1.68 * math.pi * math.sqrt(BY_HAND["d_SLV"] / (0.6 * bare * 9.80665))
+    assert values["t_slv_s"] == pytest.approx(slow, rel=1e-12)
+    assert slow > 2.2
+    static = 0.15 * math.sqrt(10.0 / 13.0) * 2.5 * 0.3 * 2.2 * 9.80665 / (4.0 * math.pi**2)
+    by_hand = {**BY_HAND, "S_e(0)": 0.1, "S_e(0)/q": 0.075, "S_D(T_SLV)": static}
+    by_hand["mean d"] = 0.3 * BY_HAND["d0"]
+    named = [(row["demand_name"], row["capacity_name"]) for row in values["checks"]]
+    assert named == [
+        ("S_e(0)", "min a0"), ("S_e(0)/q", "min a0"), ("S_D(T_SLV)", "d_SLV"),
+        ("S_D(T_SLC)", "d_SLC"), ("mean d", "d_SLV"),
+    ]  # fmt: skip
+    for row in values["checks"]:
+        assert row["capacity"] == pytest.approx(by_hand[row["capacity_name"]], rel=1e-12)
+        if row["demand"] is not None:
+            assert row["demand"] == pytest.approx(by_hand[row["demand_name"]], rel=1e-12)
+
+
+def test_an_element_free_to_vibrate_is_compared_with_what_acts_at_rest() -> None:
+    """.3 x 2 m against a wall, FC 1.35: alpha_0 = .15 + 2 kN/10.8 kN of the tie that may end."""
+    tie = Tie(name="rod", force_kn=1.0, z_m=2.0)
+    top = Facade(
+        name="top", kind="parapet", thickness_m=0.3, height_m=2.0, one_sided=True, ties=(tie,),
+        base_height_m=0.0, elastic_period_s=0.1,
+    )  # fmt: skip
+    found = check_facade(top, FacadeDemand(slv=rock(0.05)))
+    alpha = (10.8 * 0.15 + 2.0) / 10.8
+    (check,) = found.decided("SLV", True)[:1]
+    assert (check.demand_name, check.capacity_name) == ("S_e(T0, z)", "alpha_0 g/FC")
+    assert check.capacity == found.mechanism.linear_g == pytest.approx(alpha / 1.35)
+    assert found.mechanism.uplift_g == pytest.approx(alpha)
+    assert found.mechanism.run_activation_g == pytest.approx(0.15 / 1.35)
+    assert f"alpha_0 g/FC {alpha / 1.35:.3g} g" in found.summary()
 
 
 def test_what_is_open_is_named() -> None:

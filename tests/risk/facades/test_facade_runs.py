@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rocksteady import BaseMotion, Execution, Linear, Nonlinear, Record, Status, simulate
-from rocksteady.codes import Facade, FacadeRuns, RecordDemand, run_facade
+from rocksteady.codes import Facade, FacadeRuns, RecordDemand, Tie, run_facade
 from rocksteady.errors import InputError, ModelError
 from rocksteady.motions import make_synthetic_suite
 from tests.every import every
@@ -17,6 +17,7 @@ from tests.risk.facades.suites import BARE, LOADED, motion, motions
 
 G = 9.80665
 MODELS = (Nonlinear(), Linear())
+LOOSE = replace(LOADED, ties=(Tie(name="rod", force_kn=2.0, z_m=2.8),))
 PARAPET = Facade(name="parapet", kind="parapet", thickness_m=0.4, height_m=2.0, restitution=0.9)
 
 
@@ -30,7 +31,7 @@ def simulated(facade: Facade, record: Record, model: Nonlinear | Linear) -> tupl
 @every("model", MODELS)
 @every("facade", [BARE, LOADED, PARAPET])
 def test_cells_are_what_simulate_finds(facade: Facade, model: Nonlinear | Linear) -> None:
-    records = [motion(seed, 5.0 * G * facade.mechanism.uplift_g) for seed in range(8)]
+    records = [motion(seed, 5.0 * G * facade.mechanism.run_activation_g) for seed in range(8)]
     found = run_facade(facade, records, model=model)
     fell = 0
     for place, record in enumerate(records):
@@ -51,7 +52,7 @@ def test_cells_are_what_simulate_finds(facade: Facade, model: Nonlinear | Linear
 @every("factor", [1.0, 1.35])
 def test_a_bare_wall_follows_its_equation_of_motion(seed: int, times: float, factor: float) -> None:
     wall = replace(BARE, confidence_factor=factor)
-    record = motion(seed, times * G * wall.mechanism.uplift_g)
+    record = motion(seed, times * G * wall.mechanism.run_activation_g)
     ratio = wall.mechanism.block().restitution
     tilt = run_facade(wall, record).share[0] * wall.mechanism.theta0_rad
     expected = [largest_tilt(wall, each, ratio) for each in (record, record.reversed())]
@@ -62,7 +63,7 @@ def test_a_bare_wall_follows_its_equation_of_motion(seed: int, times: float, fac
 @every(("seed", "times", "near"), [(0, 1.2, 1e-3), (1, 2.4, 2e-3), (2, 3.6, 0.03)])
 def test_a_loaded_wall_is_near_its_equation_of_motion(seed: int, times: float, near: float) -> None:
     """Loads, ties and pushing masses are kept to the order of theta^2."""
-    record = motion(seed, times * G * LOADED.mechanism.uplift_g)
+    record = motion(seed, times * G * LOADED.mechanism.run_activation_g)
     ratio = LOADED.mechanism.block().restitution
     tilt = run_facade(LOADED, record).share[0] * LOADED.mechanism.theta0_rad
     expected = [largest_tilt(LOADED, each, ratio) for each in (record, record.reversed())]
@@ -76,7 +77,7 @@ def test_a_confidence_factor_is_another_clock_and_another_level(
     """theta'' = (1/FC) ... in time t is FC = 1 in t/sqrt(FC), under FC times the acceleration."""
     factor = 1.44
     wall, plain = replace(LOADED, confidence_factor=factor), replace(LOADED, confidence_factor=1.0)
-    suite = motions(8, 2.0 * G * wall.mechanism.uplift_g)
+    suite = motions(8, 2.0 * G * wall.mechanism.run_activation_g)
     faster = [
         Record(acceleration_m_s2=factor * each.acceleration_m_s2, dt_s=each.dt_s / 1.2)
         for each in suite
@@ -110,7 +111,7 @@ def test_one_direction_is_a_column_of_both() -> None:
 
 
 def test_a_mirrored_parapet_has_mirrored_runs() -> None:
-    found = run_facade(PARAPET, motions(7, 1.5 * G * PARAPET.mechanism.uplift_g))
+    found = run_facade(PARAPET, motions(7, 1.5 * G * PARAPET.mechanism.run_activation_g))
     assert (found.share[:, 0] == found.share[:, 1]).all()
     assert found.share.max() > 0.0
 
@@ -212,12 +213,24 @@ def test_records_of_one_name_are_told_apart() -> None:
     assert found.records == ("motion 0", "motion 0 (2)")
 
 
-def test_a_wall_that_does_not_lift_stands() -> None:
-    found: FacadeRuns = run_facade(BARE, motions(7, 0.99 * G * BARE.mechanism.uplift_g))
+@every("facade", [BARE, LOADED, LOOSE])
+def test_a_wall_that_does_not_lift_stands(facade: Facade) -> None:
+    start = G * facade.mechanism.run_activation_g
+    found: FacadeRuns = run_facade(facade, motions(7, 0.99 * start))
     assert (found.share == 0.0).all()
     assert found.satisfied
     assert not any(row["uplift"] for row in found.to_dict()["runs"])
-    assert run_facade(BARE, motion(0, 1.01 * G * BARE.mechanism.uplift_g)).share.max() > 0.0
+    assert run_facade(facade, motion(0, 1.01 * start)).share.max() > 0.0
+
+
+@every("facade", [BARE, LOADED])
+def test_the_uplift_acceleration_lifts_where_strength_and_actions_are_certain(
+    facade: Facade,
+) -> None:
+    certain = replace(facade, confidence_factor=1.0)
+    for part, lifts in ((0.999, False), (1.001, True)):
+        record = motion(0, part * G * facade.mechanism.uplift_g)
+        assert bool(run_facade(certain, record).share.any()) is lifts
 
 
 def test_a_motion_counts_once_whatever_its_name_and_with_a_vertical_one() -> None:

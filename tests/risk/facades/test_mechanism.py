@@ -39,7 +39,8 @@ def test_the_worked_walls_to_six_digits(factor: float, a0: float, slv: float, sl
     assert found.e_star == pytest.approx(0.75, rel=1e-14)
     assert found.d0_m == pytest.approx(2.0 * 0.3 / 3.0, rel=1e-14)
     assert found.a0_g * factor == pytest.approx(4.0 / 3.0 * 0.1, rel=1e-14)
-    assert found.uplift_g == pytest.approx(0.1 / factor, rel=1e-14)
+    assert found.uplift_g == pytest.approx(0.1, rel=1e-14)
+    assert found.run_activation_g == pytest.approx(0.1 / factor, rel=1e-14)
 
 
 def test_a_gable_takes_two_thirds_of_its_mass_and_has_d0_of_half_its_thickness() -> None:
@@ -163,11 +164,13 @@ def test_a_parapet_rocks_to_both_sides_with_the_restitution_of_its_base() -> Non
 
 
 def test_confidence_divides_the_strength_and_leaves_the_inertia() -> None:
-    """The block of FC has p^2/FC and a base FC times as strong: its uplift is at 1/FC."""
+    """The block of FC has p^2/FC and a base FC times as strong: it moves from 1/FC on."""
     one, other = wall(factor=1.0), wall(factor=1.35)
     assert other.p_rad_s**2 * 1.35 == pytest.approx(one.p_rad_s**2, rel=1e-14)
     assert other.p_rad_s**2 * other.base_factor == pytest.approx(one.p_rad_s**2, rel=1e-14)
-    assert math.tan(other.theta0_rad) / other.base_factor == pytest.approx(other.uplift_g)
+    start = math.tan(other.theta0_rad) / other.base_factor
+    assert start == pytest.approx(other.run_activation_g)
+    assert other.uplift_g == one.uplift_g == pytest.approx(1.35 * start)
 
 
 def test_a_restitution_is_that_of_the_wall_and_a_stocky_facade_names_itself() -> None:
@@ -296,8 +299,12 @@ def test_a_tie_that_is_not_verified_leaves_the_displacements_of_the_wall_without
     assert loose.d0_m == pytest.approx(0.397559, abs=5e-7)
     assert loose.d_slv_m == pytest.approx(0.159023, abs=1e-6)
     assert firm.d0_m == pytest.approx(0.902930, abs=5e-7)
-    for key in ("d0_m", "t_slv_s", "t_slc_s", "p_rad_s", "theta0_rad", "uplift_g", "base_factor"):
+    for key in (
+        "d0_m", "t_slv_s", "t_slc_s", "p_rad_s", "theta0_rad", "run_activation_g", "base_factor",
+    ):  # fmt: skip
         assert getattr(loose, key) == pytest.approx(getattr(bare, key), rel=1e-14), key
+    assert loose.uplift_g == pytest.approx(0.209375, rel=1e-12)
+    assert loose.run_activation_g == pytest.approx(212.4 / 2304.0, rel=1e-12)
     for part in (0.01, 0.4, 0.99, 1.5):
         distance = part * bare.d0_m
         assert loose.capacity_g(distance) == pytest.approx(bare.capacity_g(distance), rel=1e-13)
@@ -338,7 +345,7 @@ def test_what_weakens_counts_by_default_and_what_strengthens_does_not() -> None:
     assert pushed.alpha0 == relieved.alpha0 < bare.alpha0
     assert relieved.d0_m == pytest.approx(bare.d0_m)
     assert relieved.theta0_rad == pushed.theta0_rad  # runs never gain from what ends
-    assert relieved.uplift_g == pushed.uplift_g
+    assert relieved.run_activation_g == pushed.run_activation_g
     # A thrust that ends later than the wall has fallen under it does not help.
     late = held(Thrust(**arch, lost_at_m=0.39)).mechanism
     assert late.d0_m == pytest.approx(pushed.stabilising_kn_m / 2304.0 * 9936.0 / 2304.0)
@@ -383,7 +390,7 @@ def test_the_mass_at_the_centres_lowers_a0_and_leaves_the_periods() -> None:
     bare = wall()
     assert bare.e_star_lumped == pytest.approx(1.0, rel=1e-14)
     assert bare.a0_g / bare.a0_lumped_g == pytest.approx(4.0 / 3.0, rel=1e-14)
-    assert bare.a0_lumped_g == pytest.approx(bare.uplift_g, rel=1e-14)
+    assert bare.a0_lumped_g == pytest.approx(bare.uplift_g, rel=1e-14)  # of FC 1
 
 
 def test_the_curve_of_an_element_free_to_vibrate_begins_elastic() -> None:

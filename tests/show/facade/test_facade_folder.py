@@ -52,7 +52,7 @@ def test_every_file_is_there_and_reads_back(tmp_path: Path) -> None:
     assert len(rows_of(out / "runs.csv")) == found.runs.share.size == 14
 
     values = json.loads((out / "facade.json").read_text(encoding="utf-8"))
-    assert values["schema"] == "rocksteady/facade/1"
+    assert values["schema"] == "rocksteady/facade/2"
     assert values["a0_g"] == pytest.approx(0.098765, abs=5e-7)
     assert values["t_slv_s"] == pytest.approx(1.958239, abs=5e-7)
     assert values["t_slc_s"] == pytest.approx(2.727547, abs=5e-7)

@@ -6,10 +6,13 @@ from dataclasses import replace
 
 import pytest
 
+from rocksteady.risk.facades.actions import Tie
+from rocksteady.risk.facades.check_facade import check_facade
+from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.show.export.manifest import make_manifest
 from rocksteady.show.facade._facade_page import facade_html
-from rocksteady.show.facade._facade_tables import _restitution
+from rocksteady.show.facade._facade_tables import _restitution, mechanism_rows
 from rocksteady.show.plots.facades.languages import TABLES, language_of
 from tests.every import every
 from tests.outputs import unrendered
@@ -106,6 +109,30 @@ def test_every_check_stands_on_it_with_formula_page_and_mark(language: str) -> N
     assert f"1{mark}96 s" in page.text
     assert f"2{mark}73 s" in page.text
     assert page.text.count("†") > 12
+
+
+@pytest.mark.parametrize("language", ["en", "it"])
+def test_each_symbol_of_the_mechanism_has_the_value_that_defines_it(language: str) -> None:
+    """A wall of .3 x 3 m, FC 1.35, W = 16.2 kN; a tie of 2 kN at 3 m that is not verified.
+
+    By hand: M = 16.2 x .15 = 2.43, at rest 8.43, and D = K = 24.3 kN m.
+    """
+    words = language_of(language)
+    rod = Tie(name="rod", force_kn=2.0, z_m=3.0)
+    facade = Facade(name="tied", thickness_m=0.3, height_m=3.0, ties=(rod,))
+    keys = [words[f"col_{key}"] for key in ("symbol", "value")]
+    rows = [
+        [re.sub(r"<[^>]+>", "", str(getattr(row[key], "content", row[key]))) for key in keys]
+        for row in mechanism_rows(check_facade(facade), words)
+    ]
+    for symbol, value in (
+        ("α0 g", 8.43 / 24.3),
+        ("min a0", 8.43 / 24.3 / 1.35),
+        ("tan θ0/λ", 0.1 / 1.35),
+    ):
+        assert [row[1] for row in rows if row[0] == symbol] == [words.quantity(value, "g")]
+    for symbol, value in (("d0", 200.0), ("dSLV", 80.0), ("dSLC", 120.0)):
+        assert [row[1] for row in rows if row[0] == symbol] == [words.quantity(value, "mm")]
 
 
 def test_disagreement_shows_at_the_top_with_its_reason() -> None:

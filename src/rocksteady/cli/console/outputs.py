@@ -9,7 +9,7 @@ from rocksteady.cli.console import terminal
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.shell import command_of, quoted
 from rocksteady.results.rendering import printable
-from rocksteady.show.export.files import json_text, save_whole
+from rocksteady.show.export.files import json_text, save_whole, schema_of
 
 if TYPE_CHECKING:
     import typer
@@ -94,4 +94,4 @@ def announce_file(file: Path) -> None:
 
 def print_json(command: str, values: dict[str, Any]) -> None:
     """Print one object with its schema; NaN and infinity become null."""
-    print(json_text(f"rocksteady/{command}/1", values))
+    print(json_text(schema_of(command), values))

@@ -36,16 +36,18 @@ def check_facade(
     """Check a facade by the linear, nonlinear static and dynamic methods of C8.7.1.
 
     =====  ================  ==========  ==================================================
-    SLD    linear            C8.7.1.8    S_e(0) <= a0
-    SLV    linear            q = 2       S_e(0)/q <= a0
-    SLV    nonlinear static  C8.7.1.12   S_e(T_SLV) T_SLV^2/(4 pi^2) <= d_SLV, 8 % damping
-    SLC    nonlinear static  C8.7.1.12   S_e(T_SLC) T_SLC^2/(4 pi^2) <= d_SLC, 10 % damping
+    SLD    linear            C8.7.1.8    S_e(0) <= min a0
+    SLV    linear            q = 2       S_e(0)/q <= min a0
+    SLV    nonlinear static  C8.7.1.12   S_D(T_SLV) <= d_SLV, 8 % damping
+    SLC    nonlinear static  C8.7.1.12   S_D(T_SLC) <= d_SLC, 10 % damping
     SLV    dynamic           2.1.9       no run beyond d0, mean largest d <= d_SLV (d_SLC)
     =====  ================  ==========  ==================================================
 
+    S_D(T) is S_e(T) T^2/(4 pi^2), and min a0 the smaller a0 of the two of `Mechanism`.
+
     An element free to vibrate (`Facade.free`) has C8.7.1.9 in place of the linear checks:
-    S_e(T0, 5 %, z) <= alpha_0 g/FC, for SLD and SLV.  The smaller a0 of the two of `Mechanism`
-    decides.  Its spectra are those at its height.
+    S_e(T0, z) <= alpha_0 g/FC with 5 % damping, for SLD and SLV.  Its spectra are those at its
+    height z.
 
     Parameters
     ----------
@@ -157,18 +159,20 @@ def _peak(
         records = not isinstance(spectrum, ElasticSpectrum | SpectrumTable)
         remarks = [Remark("peak_of_records")] if records else []
         remarks += [Remark("q", (f"{factor:g}",))] if factor != 1.0 else []
-    return _check(state, "linear", formula, value, mechanism.linear_g, remarks)
+    names = ("S_e(0)" if factor == 1.0 else "S_e(0)/q", mechanism.linear_name)
+    return _check(state, "linear", formula, value, mechanism.linear_g, remarks, names=names)
 
 
 def _free(facade: Facade, state: LimitState, spectrum: DemandSpectrum | None) -> LimitStateCheck:
     """Return the check of an element free to vibrate: S_e(T0, 5 %) against alpha_0 g/FC."""
     value, remark = None, Remark("no_demand", (state,))
-    period = facade.t0_s
+    period, mechanism = facade.t0_s, facade.mechanism
     if spectrum is not None and period is not None:
         with _named(f"demand of {state} at T0"):
             value = spectrum.sa_g(period, ELASTIC_DAMPING)
         remark = Remark("free", (number(period), number(facade.base_height_m or 0.0)))
-    return _check(state, "linear", "C8.7.1.9", value, facade.mechanism.linear_g, [remark])
+    names = ("S_e(T0, z)", mechanism.linear_name)
+    return _check(state, "linear", "C8.7.1.9", value, mechanism.linear_g, [remark], names=names)
 
 
 def _secant(
@@ -185,7 +189,8 @@ def _secant(
         with _named(f"demand of {state} at T_{state}"):
             value = spectrum.displacement_m(period, damping)
         remarks = list(_how(spectrum, period, damping))
-    return _check(state, "nonlinear static", formula, value, capacity, remarks)
+    names = (f"S_D(T_{state})", f"d_{state}")
+    return _check(state, "nonlinear static", formula, value, capacity, remarks, names=names)
 
 
 @contextmanager
@@ -225,7 +230,8 @@ def _dynamic(
             value, remark = math.inf, Remark("beyond_d0", (", ".join(runs.beyond),))
         elif (weak := _weaker(runs, demand.of(state), state)) is not None:
             value, remark = None, weak
-    return _check(state, "dynamic", "C8.7.1.2.1.9", value, capacity, [remark])
+    names = ("mean d", f"d_{state}")
+    return _check(state, "dynamic", "C8.7.1.2.1.9", value, capacity, [remark], names=names)
 
 
 def _weaker(runs: FacadeRuns, spectrum: DemandSpectrum | None, state: LimitState) -> Remark | None:
@@ -247,15 +253,17 @@ def _check(
     demand: float | None,
     capacity: float,
     remarks: list[Remark],
+    *,
+    names: tuple[str, str],
 ) -> LimitStateCheck:
     """Return a check: displacements in m, of the linear method accelerations in g."""
-    linear = method == "linear"
     return LimitStateCheck(
         limit_state=state,
         method=method,
         formula=formula,
-        quantity="acceleration" if linear else "displacement",
-        unit="g" if linear else "m",
+        demand_name=names[0],
+        capacity_name=names[1],
+        unit="g" if method == "linear" else "m",
         demand=demand,
         capacity=capacity,
         satisfied=None if demand is None else demand <= capacity,

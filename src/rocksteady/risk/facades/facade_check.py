@@ -27,8 +27,8 @@ MECHANISM: Final = (Column("name", "quantity", left=True), Column("value", "valu
 
 
 KEYS = (
-    "limit_state", "method", "formula", "page", "quantity", "unit", "demand", "capacity",
-    "satisfied", "remark",
+    "limit_state", "method", "formula", "page", "demand_name", "capacity_name", "unit", "demand",
+    "capacity", "satisfied", "remark",
 )  # fmt: skip
 """Columns of a row of JSON and CSV."""
 
@@ -48,8 +48,10 @@ class LimitStateCheck:
         Number of the formula or of the paragraph of the circular.
     page
         Its pages.
-    quantity, unit
-        Quantity that is compared: "acceleration" in g, or "displacement" in m.
+    demand_name, capacity_name
+        Symbols of what is compared, as "S_D(T_SLV)" and "d_SLV".
+    unit
+        Unit of both: "g" of an acceleration, "m" of a displacement.
     demand
         Demand of the earthquake; None without a demand, infinite with a run beyond d0.
     capacity
@@ -64,12 +66,18 @@ class LimitStateCheck:
     method: Method
     formula: str
     page: str = PAGES
-    quantity: Literal["acceleration", "displacement"]
+    demand_name: str
+    capacity_name: str
     unit: Literal["g", "m"]
     demand: float | None
     capacity: float
     satisfied: bool | None
     remarks: tuple[Remark, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """Limit state and method, as "SLV dynamic"."""
+        return f"{self.limit_state} {self.method}"
 
     @property
     def remark(self) -> str:
@@ -188,7 +196,8 @@ class FacadeCheck(Result):
             remarks.append(Remark("gable_top"))
         remarks += [Remark("standard"), Remark("second_conditions")]
         if self.runs is not None:
-            remarks.append(Remark("uplift", _texts(mechanism.uplift_g, mechanism.a0_g)))
+            starts = (mechanism.uplift_g, mechanism.run_activation_g, mechanism.a0_g)
+            remarks.append(Remark("uplift", _texts(*starts)))
             if facade.free:
                 remarks.append(Remark("rigid_runs"))
             if facade.loads or facade.masses or facade.ties or facade.thrusts:
@@ -202,15 +211,16 @@ class FacadeCheck(Result):
         shown = [
             {
                 **row,
+                "check": check.name,
+                "compared": f"{check.demand_name} <= {check.capacity_name}",
                 "demand": _words(check, check.demand),
                 "capacity": _words(check, check.capacity),
             }
             for check, row in zip(self.checks, rows, strict=True)
         ]
         columns = [
-            Column("limit_state", "limit state", left=True),
-            Column("method", "method", left=True),
-            Column("formula", "formula", left=True),
+            Column("check", "check", left=True),
+            Column("compared", "compared", left=True),
             Column("demand", "demand"),
             Column("capacity", "capacity"),
             Column("satisfied", "satisfied"),
@@ -269,8 +279,17 @@ class FacadeCheck(Result):
         missing = _joined([each for each in open_states if each not in self.states])
         facts.append(("no demand", f"for {missing}" if missing else ""))
         facts.append(("not counted", ", ".join(each.name for each in self.facade.ending)))
-        rows = [(f"{each.limit_state}, {each.method}", _ratio_words(each)) for each in decided]
+        rows = [(each.name, self._compared(each)) for each in decided]
         return Answer(f"{sentence}.", facts, rows)
+
+    def _compared(self, check: LimitStateCheck) -> str:
+        """Return demand and capacity of a check with their names and their ratio."""
+        if check.demand == math.inf:
+            return f"beyond d0 = {length(self.mechanism.d0_m)}: not satisfied"
+        demand = f"{check.demand_name} {_words(check, check.demand)}"
+        capacity = f"{check.capacity_name} {_words(check, check.capacity)}"
+        ratio = number(_ratio(check), 2)
+        return f"{demand} of {capacity} ({ratio}){'' if check.satisfied else ': not satisfied'}"
 
     def _of_checks(self) -> Iterator[str]:
         """Yield how demands were made, as far as the table does not show it."""
@@ -284,7 +303,7 @@ class FacadeCheck(Result):
         for check in self.checks:
             words = "; ".join(str(each) for each in check.remarks if each.key not in IN_TABLE)
             if words:
-                yield f"{check.limit_state} {check.method}: {words}."
+                yield f"{check.name}: {words}."
 
 
 def _row(check: LimitStateCheck) -> dict[str, object]:
@@ -297,14 +316,6 @@ def _ratio(check: LimitStateCheck) -> float:
     """Return demand over capacity of a check with a demand."""
     assert check.ratio is not None
     return check.ratio
-
-
-def _ratio_words(check: LimitStateCheck) -> str:
-    """Return demand and capacity of a check with their ratio."""
-    demand, capacity = _words(check, check.demand), _words(check, check.capacity)
-    ratio = _ratio(check)
-    ratios = "" if math.isinf(ratio) else f" ({number(ratio, 2)})"
-    return f"{demand} of {capacity}{ratios}" + ("" if check.satisfied else ": not satisfied")
 
 
 def _texts(*values: float) -> tuple[str, ...]:

@@ -115,8 +115,13 @@ class Mechanism(Result):
 
     @property
     def alpha0(self) -> Annotated[float, Label("activation multiplier alpha_0 (1)", number)]:
-        """Collapse multiplier alpha_0 = M/D (C8.7.1.1)."""
+        """Activation multiplier alpha_0 = M/D (C8.7.1.1)."""
         return self.stabilising_kn_m / self.push_moment_kn_m
+
+    @property
+    def uplift_g(self) -> Annotated[float, Label("uplift acceleration alpha_0 g", unit="g")]:
+        """Base acceleration that lifts the facade with all that acts at rest, alpha_0 g [g]."""
+        return self.alpha0
 
     @property
     def theta0_rad(self) -> Annotated[float, Label("slenderness of the block theta0", angle)]:
@@ -142,13 +147,13 @@ class Mechanism(Result):
         return 1e3 * push * push / (STANDARD_GRAVITY * self.second_moment_kn_m2)
 
     @property
-    def a0_g(self) -> Annotated[float, Label("a0 (3), mass spread", unit="g")]:
-        """Acceleration that activates the mechanism, alpha_0/(e* FC) [g] (C8.7.1.3)."""
+    def a0_g(self) -> Annotated[float, Label("activation a0 (3), mass spread", unit="g")]:
+        """Activation acceleration a0 = alpha_0 g/(e* FC) [g] (C8.7.1.3)."""
         return self.alpha0 / (self.e_star * self.confidence_factor)
 
     @property
     def a0_lumped_g(self) -> Annotated[float, Label("a0, mass at the centres", unit="g")]:
-        """Acceleration a0 with the mass of each body at its centre, never above `a0_g` [g]."""
+        """Activation acceleration with the mass of each body at its centre, up to `a0_g` [g]."""
         return self.alpha0 / (self.e_star_lumped * self.confidence_factor)
 
     @property
@@ -159,9 +164,9 @@ class Mechanism(Result):
         return min(self.a0_g, self.a0_lumped_g)
 
     @property
-    def uplift_g(self) -> Annotated[float, Label("uplift acceleration alpha_0 g/FC", unit="g")]:
-        """Base acceleration that lifts the equivalent block of the runs, alpha_0/FC [g]."""
-        return self.rocking.alpha0 / self.confidence_factor
+    def linear_name(self) -> str:
+        """Symbol of the capacity of the linear checks: "alpha_0 g/FC" or "min a0"."""
+        return "alpha_0 g/FC" if self.free else "min a0"
 
     @property
     def arm_m(self) -> Annotated[float, Label("height of the displacement d", length)]:
@@ -175,7 +180,7 @@ class Mechanism(Result):
 
     @property
     def d0_m(self) -> Annotated[float, Label("displacement of zero capacity d0", length)]:
-        """Displacement without restoring moment up to collapse [m]: 2 t/3 of a rectangle."""
+        """Displacement of zero capacity up to collapse [m]: 2 t/3 of a rectangle."""
         arm, stages = self.arm_m, ((0.0, self), *self.after)
         zeros = [self.lasting._zero_m(arm)]
         for (start, stage), (end, _) in itertools.pairwise(stages):
@@ -221,6 +226,13 @@ class Mechanism(Result):
         """Factor of the base acceleration of the equivalent block, (D/K) FC."""
         block = self.rocking
         return block.push_moment_kn_m / block.weight_moment_kn_m * self.confidence_factor
+
+    @property
+    def run_activation_g(
+        self,
+    ) -> Annotated[float, Label("activation acceleration of the runs, with FC", unit="g")]:
+        """Base acceleration from which the block of the runs moves, tan(theta0)/lambda [g]."""
+        return self.rocking.alpha0 / self.confidence_factor
 
     def capacity_g(self, displacement_m: float) -> float:
         """Return the capacity a(d) = a0 (1 - d/d0) of what acts at d [g], below 0 beyond d0.
@@ -316,9 +328,9 @@ class Mechanism(Result):
         """Return what the formulas of the circular give, and the equivalent block."""
         facts = facts_of(
             self,
-            "name alpha0 e_star e_star_lumped mass_kg confidence_factor a0_g a0_lumped_g linear_g "
-            "elastic_period_s arm_m d0_m d_slv_m d_slc_m t_slv_s t_slc_s theta0_rad p_rad_s "
-            "base_factor uplift_g",
+            "name alpha0 uplift_g e_star e_star_lumped mass_kg confidence_factor a0_g a0_lumped_g "
+            "linear_g elastic_period_s arm_m d0_m d_slv_m d_slc_m t_slv_s t_slc_s theta0_rad "
+            "p_rad_s base_factor run_activation_g",
         )
         return Description(
             headline=f"{self.name}: a0 {quantity(self.a0_g, 'g')}, d0 {length(self.d0_m)}, "

@@ -22,6 +22,8 @@ FORMATS = ("png", "svg", "pdf")
 """Formats of pictures."""
 STRAY = "backslashreplace"
 """Writes a byte of a file's name that is no UTF-8 as \\udcff; JSON reads the same name back."""
+NUMBERS = {"facade": 2}
+"""Number of each command's schema that is not its first."""
 
 
 def check_writable(name: str, file: Path, *, force: bool) -> None:
@@ -222,6 +224,11 @@ def write_rows(stream: TextIO, header: Sequence[str], rows: Iterable[Sequence[ob
 def save_text(name: str, file: Path, text: str) -> None:
     """Save a text as UTF-8."""
     save_whole(name, file, lambda target: target.write_text(text, encoding="utf-8", errors=STRAY))
+
+
+def schema_of(command: str) -> str:
+    """Return the schema of a command's object, with its number."""
+    return f"rocksteady/{command}/{NUMBERS.get(command, 1)}"
 
 
 def json_text(schema: str, values: dict[str, Any], *, indent: int | None = None) -> str:

@@ -9,7 +9,7 @@ from rocksteady.show.export.provenance import provenance
 from rocksteady.show.facade._facade_pictures import pictures_of
 from rocksteady.show.facade._facade_tables import (
     acting_rows,
-    check_rows,
+    check_row,
     demand_rows,
     facade_rows,
     in_words,
@@ -56,7 +56,7 @@ def facade_html(check: FacadeCheck, manifest: Mapping[str, Any], words: Language
     values: dict[str, Any] = {
         "acting": acting_rows(check, words),
         "assumed": [words(f"assumed_{each}", **named) for each in ASSUMED],
-        "checks": check_rows(check, words),
+        "checks": [check_row(each, words) for each in check.checks],
         "check_remarks": remarks_of_checks(check, words),
         "demand": demand_rows(check, words),
         "facts": facade_rows(check, words),

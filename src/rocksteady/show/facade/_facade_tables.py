@@ -77,8 +77,8 @@ def sentences_of(check: FacadeCheck, words: Language) -> list[str]:
     """Return a sentence for each limit state with a verdict, or the one of none."""
     mechanism = check.mechanism
     if not check.states:
-        values = {"a0": words.quantity(mechanism.a0_g, "g"), "d0": length(mechanism.d0_m, words)}
-        return [words("sentence_none", **places(check.facade, words), **values)]
+        linear, d0 = words.quantity(mechanism.linear_g, "g"), length(mechanism.d0_m, words)
+        return [words("sentence_none", linear=linear, d0=d0)]
     sentences = []
     for state in check.states:
         passed, failed = (
@@ -96,17 +96,10 @@ def sentences_of(check: FacadeCheck, words: Language) -> list[str]:
     return sentences
 
 
-def check_rows(check: FacadeCheck, words: Language) -> list[Row]:
-    """Return a row for each check."""
-    return [_check_row(each, words, free=check.facade.free) for each in check.checks]
-
-
-def _check_row(each: LimitStateCheck, words: Language, *, free: bool) -> Row:
+def check_row(each: LimitStateCheck, words: Language) -> Row:
     """Return a check in words."""
     word, look = LOOKS[each.satisfied]
-    key = f"quantity_{each.method}"
-    if each.method == "linear":
-        key = f"{key}_free" if free else f"{key}_{each.limit_state}"
+    names = {"demand": typeset(each.demand_name), "capacity": typeset(each.capacity_name)}
     ratio = each.ratio
     page = words("pages", page=each.page.replace("-", "–"))
     return {
@@ -114,7 +107,7 @@ def _check_row(each: LimitStateCheck, words: Language, *, free: bool) -> Row:
             each.limit_state + under(words[f"method_{each.method}"]), "quarter name"
         ),
         words["col_formula"]: Cell(prose(f"{each.formula} †") + under(page), "formula"),
-        words["col_quantity"]: indexed(prose(words(key, state=each.limit_state))),
+        words["col_quantity"]: indexed(prose(words(f"quantity_{each.method}", **names))),
         words["col_demand"]: figure(indexed(_amount(each.demand, each.unit, words))),
         words["col_capacity"]: figure(_amount(each.capacity, each.unit, words)),
         words["col_ratio"]: figure(
@@ -227,20 +220,17 @@ def mechanism_rows(check: FacadeCheck, words: Language) -> list[Row]:
     mechanism = check.mechanism
     angle = words.marked(number(math.degrees(mechanism.theta0_rad)))
     block = words["equivalent"]
+    name, linear = typeset(mechanism.linear_name), words.quantity(mechanism.linear_g, "g")
     rows = [
         ("α₀", "m_alpha0", words.number(mechanism.alpha0), "C8.7.1.1 †"),
+        ("α₀ g", "m_uplift", words.quantity(mechanism.uplift_g, "g"), "C8.7.1.1 †"),
         ("e*", "m_e_star", words.number(mechanism.e_star), "C8.7.1.5 †"),
         ("e*", "m_e_lumped", words.number(mechanism.e_star_lumped), "C8.7.1.5 †"),
         ("M*", "m_mass", words.quantity(mechanism.mass_kg, "kg", 4), "e* †"),
         ("FC", "m_fc", words.number(mechanism.confidence_factor), "C8.5.IV †"),
         ("a₀", "m_a0", words.quantity(mechanism.a0_g, "g"), "C8.7.1.3 †"),
         ("a₀", "m_a0_lumped", words.quantity(mechanism.a0_lumped_g, "g"), "C8.7.1.3 †"),
-        (
-            "α₀ g/FC" if mechanism.free else "min a₀",
-            "m_linear",
-            words.quantity(mechanism.linear_g, "g"),
-            f"C8.7.1.{9 if mechanism.free else 8} †",
-        ),
+        (name, "m_linear", linear, f"C8.7.1.{9 if mechanism.free else 8} †"),
         ("z_d", "m_arm", length(mechanism.arm_m, words), "C8.7.1.2.1 †"),
         ("d₀", "m_d0", length(mechanism.d0_m, words), "C8.7.1.2.1 †"),
         ("d_SLV", "m_dslv", length(mechanism.d_slv_m, words), "C8.7.1.2.1 †"),
@@ -250,7 +240,7 @@ def mechanism_rows(check: FacadeCheck, words: Language) -> list[Row]:
         ("θ₀", "m_theta0", f"{angle}°", block),
         ("p", "m_p", words.quantity(mechanism.p_rad_s, "rad/s"), block),
         ("λ", "m_lambda", words.number(mechanism.base_factor), block),
-        ("α₀ g/FC", "m_uplift", words.quantity(mechanism.uplift_g, "g"), block),
+        ("tan θ₀/λ", "m_run", words.quantity(mechanism.run_activation_g, "g"), block),
     ]
     if mechanism.elastic_period_s is not None:
         rows.append(("T₀", "m_t0", words.quantity(mechanism.elastic_period_s, "s"), "C8.7.1.9 †"))

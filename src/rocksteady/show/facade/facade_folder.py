@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.facades.facade_runs import FacadeRuns
-from rocksteady.show.export.files import json_text, save_csv, save_text
+from rocksteady.show.export.files import json_text, save_csv, save_text, schema_of
 from rocksteady.show.export.folders import FACADE
 from rocksteady.show.export.manifest import make_manifest, write_manifest
 from rocksteady.show.facade._facade_page import facade_html
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
     from rocksteady.results.description import Table
     from rocksteady.risk.facades.facade_check import FacadeCheck
-
-SCHEMA = "rocksteady/facade/1"
 
 
 @checked
@@ -96,7 +94,8 @@ def _fill(check: "FacadeCheck", stage: Path, manifest: dict[str, object], words:
     _save_rows(stage / "checks.csv", check.describe().tables[0])
     if isinstance(check.runs, FacadeRuns):
         _save_rows(stage / "runs.csv", check.runs.describe().tables[0])
-    save_text("out", stage / "facade.json", json_text(SCHEMA, check.to_dict(), indent=2) + "\n")
+    text = json_text(schema_of("facade"), check.to_dict(), indent=2)
+    save_text("out", stage / "facade.json", f"{text}\n")
     write_manifest(stage / "run.json", manifest)
     save_text("out", stage / "report.html", facade_html(check, manifest, words))
 

@@ -100,7 +100,7 @@ def worked_values(wall: WorkedWall) -> dict[str, Any]:
         "d0_m": mechanism.d0_m,
         "a0_g": mechanism.a0_g,
         "linear_g": mechanism.linear_g,
-        "uplift_g": mechanism.uplift_g,
+        "run_activation_g": mechanism.run_activation_g,
         "governing": runs.records[wall.governing],
         "direction": wall.direction,
         "spectral_m": float(wall.spectra_m[wall.governing]),
@@ -172,9 +172,9 @@ def reasons(wall: WorkedWall) -> list[str]:
         )
         still = int((runs.share == 0.0).sum())
         texts.append(
-            f"The wall lifts at {mechanism.uplift_g:.3f} g and strikes what stands behind it "
-            f"{impacts} times in this run, losing velocity each time. It has no period of its own, "
-            "so that cycles of the shaking do not add up as they do in an oscillator at resonance."
+            f"The wall moves from {mechanism.run_activation_g:.3f} g on and strikes what is behind "
+            f"it {impacts} times in this run, losing velocity each time. It has no period of its "
+            "own: cycles of the shaking do not add up as they do in an oscillator at resonance."
             + (f" In {still} of {runs.share.size} runs it does not lift." if still else "")
         )
     else:

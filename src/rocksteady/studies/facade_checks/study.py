@@ -40,7 +40,7 @@ from rocksteady.studies.saving import Saved
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SCHEMA = "rocksteady/facade-checks/1"
+SCHEMA = "rocksteady/facade-checks/2"
 TABLES = ("walls", "variants")
 OURS = (
     rf"(verdicts|ratios|wall-[12])\.({'|'.join(FORMATS)})"

@@ -45,7 +45,7 @@ def test_the_worked_wall_has_the_keys_of_the_contract(folder: Path) -> None:
     ran = rocksteady("facade --json", folder / "wall.toml")
     assert (ran.code, ran.err) == (0, "")
     values = ran.json
-    assert values["schema"] == "rocksteady/facade/1"
+    assert values["schema"] == "rocksteady/facade/2"
     # The worked wall of FC 1.35.
     assert values["a0_g"] == pytest.approx(0.098765, abs=5e-7)
     assert values["d0_m"] == pytest.approx(0.2)

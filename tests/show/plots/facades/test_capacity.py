@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.text import Annotation
 
 from rocksteady.errors import InputError
 from rocksteady.risk.facades.actions import Tie
 from rocksteady.risk.facades.check_facade import check_facade
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.show.export.files import figure_bytes
+from rocksteady.show.plots.facades._lettering import symbol
 from rocksteady.show.plots.facades.capacity import plot_facade_capacity
 from rocksteady.show.style.tokens import DARK
 from tests.show.facade.checked_facades import alone, site, thin, tied
@@ -52,13 +54,17 @@ def test_it_drops_where_a_tie_that_is_not_verified_ends() -> None:
         assert (x[-1], y[-1]) == pytest.approx((200.0, 0.0))
 
 
-def test_limits_stand_at_their_parts_of_d0() -> None:
+def test_limits_and_d0_stand_at_their_places_under_their_names() -> None:
+    """Of .3 x 3 m: d0 = 2 t/3, and .4 and .6 of it."""
+    limits = (("SLV", 80.0), ("SLC", 120.0), ("0", 200.0))
     uprights = {
         round(float(np.asarray(line.get_xdata())[0]), 9)
         for line in drawn().lines
         if np.ptp(np.asarray(line.get_xdata())) == 0.0 and len(np.asarray(line.get_xdata())) == 2
     }
-    assert uprights == {80.0, 120.0}
+    assert uprights == {80.0, 120.0, 200.0}
+    names = {text.get_text(): text.xy[0] for text in drawn().texts if isinstance(text, Annotation)}
+    assert names == pytest.approx({symbol(f"d_{name}"): d for name, d in limits})
 
 
 def test_the_static_demand_is_that_of_the_spectrum_at_the_secant_period() -> None:

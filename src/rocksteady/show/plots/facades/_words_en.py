@@ -60,8 +60,8 @@ ENGLISH: Final[dict[str, str]] = {
     "sentence_fails": "{state}: not satisfied with the {methods}.",
     "sentence_differs": "{state}: satisfied with the {passed}, not with the {failed}.",
     "sentence_none": (
-        "No check: neither a demand nor records are given. The mechanism is activated at a "
-        "spectral acceleration of {a0} and its capacity vanishes at a displacement of {d0}."
+        "No check: neither a demand nor records are given. The capacity of the linear checks is "
+        "{linear}, and the displacement of zero capacity d₀ = {d0}."
     ),
     "why_agree": "All methods agree.",
     "why_nothing": "Give a demand, or 7 records or more, for a verdict.",
@@ -76,11 +76,9 @@ ENGLISH: Final[dict[str, str]] = {
     "col_ratio": "ratio",
     "col_verdict": "check",
     "pages": "pp. {page}",
-    "quantity_linear_SLD": "peak acceleration S_e(0) ≤ a₀",
-    "quantity_linear_SLV": "peak acceleration S_e(0)/q ≤ a₀, q = 2",
-    "quantity_linear_free": "spectral acceleration S_e(T₀, z) ≤ α₀ g/FC",
-    "quantity_nonlinear static": "spectral displacement S_D(T_{state}) ≤ d_{state}",
-    "quantity_dynamic": "no run beyond d₀, mean of largest d ≤ d_{state}",
+    "quantity_linear": "spectral acceleration {demand} ≤ {capacity}",
+    "quantity_nonlinear static": "spectral displacement {demand} ≤ {capacity}",
+    "quantity_dynamic": "no run beyond d₀, mean of largest d ≤ {capacity}",
     "beyond_all": "beyond d₀",
     # Pictures
     "alt_section": (
@@ -171,9 +169,9 @@ ENGLISH: Final[dict[str, str]] = {
     "m_t0": "period of elastic vibration",
     "m_arm": "height of the displacement d",
     "m_mass": "participating mass",
-    "m_a0": "spectral acceleration at activation, mass spread",
+    "m_a0": "activation acceleration, mass spread",
     "m_a0_lumped": "the same, mass at the centres",
-    "m_d0": "displacement at which the capacity vanishes",
+    "m_d0": "displacement of zero capacity",
     "m_dslv": "displacement capacity of SLV, 0.4 d₀",
     "m_dslc": "displacement capacity of SLC, 0.6 d₀",
     "m_tslv": "secant period of SLV",
@@ -181,7 +179,8 @@ ENGLISH: Final[dict[str, str]] = {
     "m_theta0": "rotation of zero restoring moment, slenderness of the block",
     "m_p": "frequency parameter, with FC",
     "m_lambda": "factor of the ground acceleration, with FC",
-    "m_uplift": "ground acceleration at uplift",
+    "m_uplift": "uplift acceleration, with all that acts at rest",
+    "m_run": "activation acceleration of the runs, with FC",
     "m_fc": "confidence factor",
     "equivalent": "equivalent block",
     # Demand
@@ -225,28 +224,29 @@ ENGLISH: Final[dict[str, str]] = {
         "push it, ties T and thrusts H, the stabilising moment is M = ΣP(x − x_h) + ΣTz − ΣHz and "
         "the overturning moment at α = 1 is D = Σ(P + Q)z: α₀ = M/D (1)†. With "
         "e* = D²/(Σ(P + Q) Σ(P + Q)z²) (5)†, a₀ = α₀ g/(e* FC) (3)†, and the capacity falls "
-        "linearly to zero at d₀ = tan θ₀ Σ(P + Q)z²/D, θ₀ = atan(M/ΣPz). α₀ counts all that acts "
-        "at rest; d₀ counts what is verified to act up to collapse (C8.7.1.2.1.6)†."
+        "linearly to zero at d₀ = z_d M/ΣPz, z_d = Σ(P + Q)z²/D. α₀ counts all that acts at rest; "
+        "d₀ counts what is verified to act up to collapse (C8.7.1.2.1.6)†."
     ),
     "method_2_name": "Linear check.",
     "method_2": (
-        "SLD: the peak acceleration at the base is at most a₀ (8)†. SLV: the peak acceleration "
-        "divided by the behaviour factor q = 2 is at most a₀†. a₀ is the smaller of two: with the "
+        "SLD: the peak acceleration at the base S_e(0) is at most min a₀ (8)†. SLV: S_e(0) divided "
+        "by the behaviour factor q = 2 is at most min a₀†. min a₀ is the smaller of two: with the "
         "mass spread over each body, and with the mass at its centre. An element free to vibrate: "
-        "S_e(T₀, 5 %, z) is at most α₀ g/FC for both, T₀ = 6.2 (L/t) L √(W/(g E)) (9)†."
+        "S_e(T₀, z) with 5 % damping is at most α₀ g/FC for both, T₀ = 6.2 (L/t) L √(W/(g E)) (9)†."
     ),
     "method_3_name": "Nonlinear static check.",
     "method_3": (
         "T_SLV = 1.68 π √(d_SLV/a(d_SLV)) (10)†, T_SLC = 1.56 π √(d_SLC/a(d_SLC)) (11)†. The "
-        "demand is S_e(T) T²/(4π²) (12)†, with a damping of 8 % for SLV and 10 % for SLC."
+        "demand is S_D(T) = S_e(T) T²/(4π²) (12)†, with a damping of 8 % for SLV and 10 % for SLC."
     ),
     "method_4_name": "Dynamic check.",
     "method_4": (
         "No run goes beyond d₀, and the mean over 7 records or more of the largest displacements "
         "is at most d_SLV or d_SLC (C8.7.1.2.1.9)†. Between impacts a run solves "
         "θ″ = −p² [sin(θ₀ − θ) − λ (a/g) cos(θ₀ − θ)] with p² = g √(M² + K²)/(I FC), λ = FC D/K, "
-        "K = ΣPz, and d = d₀ θ/θ₀: a rigid block, not an oscillator. What ends and holds is left "
-        "out from the beginning; what ends and does not hold acts throughout."
+        "K = ΣPz, θ₀ = atan(M/K), and d = z_d (M/K) θ/θ₀: a rigid block, not an "
+        "oscillator. What ends and holds is left out from the beginning; what ends and does not "
+        "hold acts throughout."
     ),
     # Assumptions
     "assumed": "Assumed",
@@ -263,8 +263,8 @@ ENGLISH: Final[dict[str, str]] = {
         "needs 7 of them. One run beyond d₀ fails the check, whatever the mean."
     ),
     "assumed_fc": (
-        "FC divides the stabilising moment in the runs too: {the} lifts at α₀ g/FC and returns "
-        "more slowly."
+        "FC divides the stabilising moment in the runs too: {the} lifts at 1/FC of the "
+        "acceleration and returns more slowly."
     ),
     "assumed_block": (
         "The equivalent block is exact where all masses lie in line with the hinge and nothing "

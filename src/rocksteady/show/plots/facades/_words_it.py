@@ -58,9 +58,8 @@ ITALIAN: Final[dict[str, str]] = {
     "sentence_fails": "{state}: verifica non soddisfatta con {methods}.",
     "sentence_differs": "{state}: verifica soddisfatta con {passed}, non soddisfatta con {failed}.",
     "sentence_none": (
-        "Nessuna verifica: mancano sia la domanda sia gli accelerogrammi. Il meccanismo si "
-        "attiva a un'accelerazione spettrale di {a0} e la sua capacità si annulla a uno "
-        "spostamento di {d0}."
+        "Nessuna verifica: mancano sia la domanda sia gli accelerogrammi. La capacità delle "
+        "verifiche lineari è {linear}, lo spostamento a capacità nulla d₀ = {d0}."
     ),
     "why_agree": "Tutti i metodi concordano.",
     "why_nothing": "Per un esito servono una domanda oppure almeno 7 accelerogrammi.",
@@ -77,11 +76,9 @@ ITALIAN: Final[dict[str, str]] = {
     "col_ratio": "rapporto",
     "col_verdict": "verifica",
     "pages": "pp. {page}",
-    "quantity_linear_SLD": "accelerazione di picco S_e(0) ≤ a₀",
-    "quantity_linear_SLV": "accelerazione di picco S_e(0)/q ≤ a₀, q = 2",
-    "quantity_linear_free": "accelerazione spettrale S_e(T₀, z) ≤ α₀ g/FC",
-    "quantity_nonlinear static": "spostamento spettrale S_D(T_{state}) ≤ d_{state}",
-    "quantity_dynamic": "nessuna analisi oltre d₀, media dei d massimi ≤ d_{state}",
+    "quantity_linear": "accelerazione spettrale {demand} ≤ {capacity}",
+    "quantity_nonlinear static": "spostamento spettrale {demand} ≤ {capacity}",
+    "quantity_dynamic": "nessuna analisi oltre d₀, media dei d massimi ≤ {capacity}",
     "beyond_all": "oltre d₀",
     # Pictures
     "alt_section": (
@@ -173,7 +170,7 @@ ITALIAN: Final[dict[str, str]] = {
     "m_t0": "periodo di vibrazione elastica",
     "m_arm": "quota dello spostamento d",
     "m_mass": "massa partecipante",
-    "m_a0": "accelerazione spettrale di attivazione, massa distribuita",
+    "m_a0": "accelerazione di attivazione, massa distribuita",
     "m_a0_lumped": "la stessa, massa nei baricentri",
     "m_d0": "spostamento a capacità nulla",
     "m_dslv": "capacità di spostamento SLV, 0,4 d₀",
@@ -183,7 +180,8 @@ ITALIAN: Final[dict[str, str]] = {
     "m_theta0": "rotazione a momento stabilizzante nullo, snellezza del blocco",
     "m_p": "parametro di frequenza, con FC",
     "m_lambda": "fattore dell'accelerazione al suolo, con FC",
-    "m_uplift": "accelerazione al suolo al sollevamento",
+    "m_uplift": "accelerazione di sollevamento, con tutte le azioni presenti in quiete",
+    "m_run": "accelerazione di attivazione delle analisi dinamiche, con FC",
     "m_fc": "fattore di confidenza",
     "equivalent": "blocco equivalente",
     # Demand
@@ -227,31 +225,31 @@ ITALIAN: Final[dict[str, str]] = {
         "rotazione, le masse Q che spingono, le catene T e le spinte H, M = ΣP(x − x_h) + ΣTz − "
         "ΣHz è il momento stabilizzante e D = Σ(P + Q)z quello ribaltante per α = 1: α₀ = M/D "
         "(1)†. Con e* = D²/(Σ(P + Q) Σ(P + Q)z²) (5)† si ha a₀ = α₀ g/(e* FC) (3)†, e la "
-        "capacità decresce linearmente fino ad annullarsi a d₀ = tan θ₀ Σ(P + Q)z²/D, θ₀ = "
-        "atan(M/ΣPz). α₀ considera tutte le azioni presenti in quiete, d₀ soltanto quelle di cui "
+        "capacità decresce linearmente fino ad annullarsi a d₀ = z_d M/ΣPz, z_d = Σ(P + Q)z²/D. "
+        "α₀ considera tutte le azioni presenti in quiete, d₀ soltanto quelle di cui "
         "è verificata la presenza fino al collasso (C8.7.1.2.1.6)†."
     ),
     "method_2_name": "Verifica lineare.",
     "method_2": (
-        "SLD: l'accelerazione di picco alla base non supera a₀ (8)†. SLV: l'accelerazione di picco "
-        "divisa per il fattore di comportamento q = 2 non supera a₀†. a₀ è il minore di due "
+        "SLD: l'accelerazione di picco alla base S_e(0) non supera min a₀ (8)†. SLV: S_e(0) divisa "
+        "per il fattore di comportamento q = 2 non supera min a₀†. min a₀ è il minore di due "
         "valori: con la massa distribuita nei corpi e con la massa nei loro baricentri. Elemento "
-        "libero di vibrare: S_e(T₀, 5 %, z) non supera α₀ g/FC per entrambi, con T₀ = 6,2 (L/t) L "
-        "√(W/(g E)) (9)†."
+        "libero di vibrare: S_e(T₀, z) con smorzamento 5 % non supera α₀ g/FC per "
+        "entrambi, con T₀ = 6,2 (L/t) L √(W/(g E)) (9)†."
     ),
     "method_3_name": "Verifica statica non lineare.",
     "method_3": (
         "T_SLV = 1,68 π √(d_SLV/a(d_SLV)) (10)†, T_SLC = 1,56 π √(d_SLC/a(d_SLC)) (11)†. La "
-        "domanda è S_e(T) T²/(4π²) (12)†, con smorzamento 8 % per SLV e 10 % per SLC."
+        "domanda è S_D(T) = S_e(T) T²/(4π²) (12)†, con smorzamento 8 % per SLV e 10 % per SLC."
     ),
     "method_4_name": "Verifica dinamica non lineare.",
     "method_4": (
         "Nessuna analisi supera d₀, e la media su almeno 7 accelerogrammi degli spostamenti "
         "massimi non supera d_SLV o d_SLC (C8.7.1.2.1.9)†. Tra un urto e l'altro si risolve "
         "θ″ = −p² [sin(θ₀ − θ) − λ (a/g) cos(θ₀ − θ)] con p² = g √(M² + K²)/(I FC), λ = FC D/K, "
-        "K = ΣPz, e d = d₀ θ/θ₀: un blocco rigido, non un oscillatore. Le azioni che cessano e "
-        "trattengono sono escluse dall'inizio; quelle che cessano e non trattengono agiscono "
-        "sempre."
+        "K = ΣPz, θ₀ = atan(M/K), e d = z_d (M/K) θ/θ₀: un blocco rigido, non un "
+        "oscillatore. Le azioni che cessano e trattengono sono escluse dall'inizio; quelle che "
+        "cessano e non trattengono agiscono sempre."
     ),
     # Assumptions
     "assumed": "Si assume",
@@ -271,7 +269,7 @@ ITALIAN: Final[dict[str, str]] = {
     ),
     "assumed_fc": (
         "Il fattore di confidenza FC divide il momento stabilizzante anche nelle analisi "
-        "dinamiche: {the} si solleva ad α₀ g/FC e ritorna più lentamente."
+        "dinamiche: {the} si solleva a 1/FC dell'accelerazione e ritorna più lentamente."
     ),
     "assumed_block": (
         "Il blocco equivalente è esatto quando tutte le masse sono allineate con la cerniera e non "
@@ -378,8 +376,9 @@ ITALIAN: Final[dict[str, str]] = {
         "0,6 d₀."
     ),
     "remark_uplift": (
-        "Il moto inizia ad α₀ g/FC = {0} g nelle analisi dinamiche, dove si solleva un blocco "
-        "rigido senza le azioni non considerate in d₀; la curva di capacità inizia ad a₀ = {1} g."
+        "Il sollevamento avviene ad α₀ g = {0} g. Nelle analisi dinamiche il moto inizia a {1} g: "
+        "FC divide la resistenza, e le azioni che trattengono e non sono verificate fino al "
+        "collasso sono escluse. La curva di capacità dell'elemento rigido inizia ad a₀ = {2} g."
     ),
     "remark_in_line": (
         "Con carichi, catene, spinte o masse che spingono il blocco equivalente è approssimato "

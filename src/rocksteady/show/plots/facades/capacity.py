@@ -16,8 +16,8 @@ from rocksteady.show.plots.facades._lettering import decimal_marks, symbol
 from rocksteady.show.plots.facades.languages import Language, language_of
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of, text_size
-from rocksteady.show.style.limits import name_above
-from rocksteady.show.style.tokens import DASHED, DOTTED, Inks, inks_of
+from rocksteady.show.style.limits import draw_limit
+from rocksteady.show.style.tokens import DOTTED, Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -95,12 +95,12 @@ def plot_facade_capacity(
     limits = {"SLV": MM * mechanism.d_slv_m, "SLC": MM * mechanism.d_slc_m}
     periods = {"SLV": mechanism.t_slv_s, "SLC": mechanism.t_slc_s}
     for k, (state, limit) in enumerate(limits.items()):
-        axes.axvline(limit, color=inks.limit, lw=1.0 * scale, ls=DASHED, zorder=2.0)
+        draw_limit(axes, limit, symbol(f"d_{state}"), zorder=2.0)
         crossed = [*limits.values(), *(demand for *_, demand in demands)]
         _draw_period(axes, words, (state, periods[state]), crossed, inks)
         colour = inks.series("base", len(STATES))[k]
         handles += _draw_spectrum(axes, demand, words, (state, DAMPINGS[state], colour), scale)
-        name_above(axes, limit, symbol(f"d_{state}"))
+    draw_limit(axes, d0, symbol("d_0"), zorder=2.0)
     handles += _draw_demands(axes, demands, words, inks, periods)
     handles += _draw_accelerations(axes, at_zero, words, inks)
     if at_zero:
