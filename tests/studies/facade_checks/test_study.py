@@ -18,7 +18,7 @@ from rocksteady.show.export.files import figure_bytes
 from rocksteady.studies.facade_checks import study as module
 from rocksteady.studies.facade_checks._checked_walls import METHODS, SHARE
 from rocksteady.studies.facade_checks._pictures import worked_figure
-from rocksteady.studies.facade_checks.study import SCHEMA, facade_checks, parts_of, plane_of
+from rocksteady.studies.facade_checks.study import facade_checks, parts_of, plane_of
 from tests.every import every
 from tests.outputs import unrendered
 from tests.studies.facade_checks.smallest import HEIGHTS_M, PGA_G, SLENDERNESS, plane, study
@@ -151,7 +151,7 @@ def test_the_folder_has_the_files_that_the_json_names(saved: Path) -> None:
     assert "NaN" not in text
     assert "Infinity" not in text
     values = json.loads(text)
-    assert values["schema"] == SCHEMA == "rocksteady/facade-checks/1"
+    assert values["schema"] == "rocksteady/facade-checks/2"
     own = {"facade-checks.json", "facade-checks.html"}
     assert {*values["figures"], *values["tables"]} == names - own
     assert all(re.fullmatch(module.OURS, name) for name in names)

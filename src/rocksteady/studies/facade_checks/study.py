@@ -14,7 +14,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady import Execution, Record, __version__
 from rocksteady.results.answer import Answer
-from rocksteady.show.export.files import FORMATS, json_text, picture_files, save_csv, save_text
+from rocksteady.show.export.files import (
+    FORMATS,
+    json_text,
+    picture_files,
+    save_csv,
+    save_text,
+    schema_of,
+)
 from rocksteady.show.report import render, twins
 from rocksteady.show.style.page import SCREEN, Page
 from rocksteady.studies.facade_checks import _tables
@@ -40,7 +47,6 @@ from rocksteady.studies.saving import Saved
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SCHEMA = "rocksteady/facade-checks/2"
 TABLES = ("walls", "variants")
 OURS = (
     rf"(verdicts|ratios|wall-[12])\.({'|'.join(FORMATS)})"
@@ -140,7 +146,7 @@ class FacadeChecks(Saved):
                 (stage / f"{name}.{kind}").write_bytes(data)
             pictures[name] = twins(partial(self.figure, name), "")
             done(name)
-        text = json_text(SCHEMA, self.values(), indent=1) + "\n"
+        text = json_text(schema_of("facade-checks"), self.values(), indent=1) + "\n"
         save_text("out", stage / "facade-checks.json", text)
         seconds = self.seconds + time.perf_counter() - began
         save_text("out", stage / "facade-checks.html", self._page(pictures, seconds))

@@ -274,7 +274,7 @@ def test_checks_of_facades_keep_the_contract(
     ran = rocksteady(f"{WALLS} --workers 1 --json --out", folder)
     assert ran.code == 0, ran.err
     values = ran.json
-    assert values["schema"] == "rocksteady/facade-checks/1"
+    assert values["schema"] == "rocksteady/facade-checks/2"
     assert (values["synthetic"], len(values["records"])) == (True, 10)
     assert values["height_m"] == [3.0, 6.0]
     assert values["files"] == sorted(file.name for file in folder.iterdir())
