@@ -9,6 +9,7 @@ import pytest
 
 from rocksteady import Block, Linear, fit_restitution
 from rocksteady.formulas import free_rocking_peaks, housner_restitution
+from rocksteady.risk import RestitutionBand
 
 PAGE = (Path(__file__).parents[3] / "docs" / "guides" / "restitution.md").read_text(
     encoding="utf-8"
@@ -54,4 +55,21 @@ def test_the_impacts_to_five_percent_are_those_of_the_closed_form() -> None:
         (15, "housner"): 205,
     }
     words = " ".join(PAGE.split())
-    assert "takes 25 and 47 impacts by the means of H/B 14 and 15, and 178 and 205 by" in words
+    assert "would take 25 and 47 impacts, and by Housner's values 178 and 205." in words
+
+
+def test_the_bands_hold_the_means_that_the_page_names() -> None:
+    lower = RestitutionBand(low=("housner", 0.95), high="housner")
+
+    def ends(band: RestitutionBand, ratio: int) -> tuple[float, float]:
+        values = band.ratios(Block.rectangle(width=1.0, height=float(ratio)))
+        return float(values.min()), float(values.max())
+
+    for band, held in ((RestitutionBand(), [4, 10]), (lower, [*range(5, 12), 14, 15])):
+        within = {ratio: ends(band, ratio) for ratio in MEASURED}
+        assert [n for n, (low, high) in within.items() if low <= MEASURED[n] <= high] == held
+    least, most = (np.argmax(free_rocking_peaks(0.5, e, 1000) <= 0.025) for e in ends(lower, 15))
+    assert 14 < least < most < 570  # of the two decays
+    words = " ".join(PAGE.split())
+    assert "hold the means of first impacts at H/B 4 and 10 alone" in words
+    assert "holds all but those at H/B 4, 12 and 13" in words

@@ -27,8 +27,8 @@ MOST_DRAWS: Final = 1000
 class RestitutionBand:
     """Band of restitutions that an ensemble covers.
 
-    Blocks in tests lose less at impacts than Housner's value, as a rule, or a little more: so no
-    single value is the answer.  For a block against a wall the band is that of the wall.
+    Restitutions in tests lie on both sides of Housner's value and scatter: so no single value is
+    the answer.  For a block against a wall the band is that of the wall.
 
     Parameters
     ----------
