@@ -8,7 +8,7 @@ import pytest
 from rocksteady import Block, Demand, screen_block
 from rocksteady.risk.screens._cabinets import CABINETS, INCH_M
 from rocksteady.risk.screens.friction import uplift_acceleration_g
-from rocksteady.risk.screens.screen import Screen
+from rocksteady.risk.screens.screen import Kind, Screen
 from rocksteady.risk.screens.thresholds import (
     circolare_rectangle,
     ishiyama_bounds,
@@ -19,11 +19,14 @@ from tests.every import every
 
 BLOCK = Block.rectangle(width=0.32, height=1.8)
 G = 9.80665
+ASCE = "ASCE 43-05 rocking"
 NUMBER, CABINET = "p PGV/(g tan alpha)", "FEMA P-58 cabinets"
+KINDS: dict[str, Kind] = {"Circolare rectangle": "wall", CABINET: "cabinet", ASCE: "cask"}
 
 
 def row(name: str, block: Block = BLOCK, friction: float | None = None, **demand: Any) -> Screen:
-    return screen_block(block, Demand(**demand), friction=friction).row(name)
+    found = screen_block(block, Demand(**demand), friction=friction, object_kind=KINDS.get(name))
+    return found.row(name)
 
 
 MORE = 1e-8
@@ -158,7 +161,7 @@ def test_the_circolares_details_are_those_of_both_confidence_factors() -> None:
 
 
 def test_friction_that_governs_leaves_a_row_without_input_as_it_is() -> None:
-    found = screen_block(BLOCK, Demand(pga_g=0.35), friction=0.05)
+    found = screen_block(BLOCK, Demand(pga_g=0.35), friction=0.05, object_kind="wall")
     assert found.motion == "slides"
     assert found.row("Circolare rectangle").status == "refused"
     assert found.row(NUMBER).status == "needs input"
@@ -176,3 +179,24 @@ def test_a_rectangle_is_known_by_its_inertia_and_its_equal_sides() -> None:
         remark = row("Ishiyama bound", block).remark
         assert ("homogeneous rectangles" in remark) is (gyration == 1.001)
         assert "side that lifts first" not in remark
+
+
+def test_the_value_shown_is_that_which_decides() -> None:
+    """By hand: 0.32/1.8 g; 0.4 V_i, V_i^2 = 8 g R/3 (1 - cos alpha)/cos^2 alpha; A50 and V50."""
+    radius, slope = 0.5 * math.hypot(0.32, 1.8), 0.32 / 1.8
+    cosine = 0.9 / radius
+    speed = 0.4 * math.sqrt(8.0 * G * radius / 3.0 * (1.0 - cosine)) / cosine
+    v50 = 0.1 * 32.0 / math.sqrt(180.0) * (1.0 + slope) ** 2.5
+    cases: tuple[tuple[str, dict[str, Any], float, str], ...] = (
+        ("Ishiyama bound", {"pga_g": 0.1}, slope, "g"),
+        ("Ishiyama bound", {"pga_g": 0.1, "pgv_m_s": 0.1}, slope, "g"),
+        ("Ishiyama bound", {"pga_g": 0.1, "vertical_g": 0.2}, 0.8 * slope, "g"),
+        ("Ishiyama bound", {"pgv_m_s": 0.1}, speed, "m/s"),
+        ("Ishiyama bound", {"pga_g": 0.5, "pgv_m_s": 0.1}, speed, "m/s"),
+        ("Kaneko-Hayashi 50 %", {"pga_g": 0.1}, slope * (1.0 + slope), "g"),
+        ("Kaneko-Hayashi 50 %", {"pgv_m_s": 0.1}, v50, "m/s"),
+    )
+    for name, demand, value, unit in cases:
+        found = row(name, **demand)
+        assert found.value == pytest.approx(value, rel=1e-6), (name, demand)
+        assert found.unit == unit, (name, demand)

@@ -10,6 +10,7 @@ import pytest
 from rocksteady import Block, Demand, Record, screen_block
 from rocksteady.codes import Screens
 from rocksteady.errors import InputError
+from rocksteady.risk.screens.screen import Kind
 from tests.descriptions import as_json, fits
 from tests.every import every
 
@@ -20,19 +21,21 @@ NAMES = (
     "uplift",
     "friction to rock",
     "restitution",
-    "ASCE 43-05 rocking",
     "Ishiyama bound",
     "Kaneko-Hayashi 50 %",
-    "Circolare rectangle",
     "p PGV/(g tan alpha)",
+    "ASCE 43-05 rocking",
+    "Circolare rectangle",
     "FEMA P-58 cabinets",
 )
 ROCKING = NAMES[3:]
+NUMBER = "p PGV/(g tan alpha)"
+ASCE = "ASCE 43-05 rocking"
 
 
-def full(friction: float | None = 0.4, block: Block = BLOCK) -> Screens:
+def full(friction: float | None = 0.4, block: Block = BLOCK, kind: Kind | None = None) -> Screens:
     demand = Demand(pga_g=0.35, pgv_m_s=0.4, spectrum=SPECTRUM, spectrum_damping=0.05)
-    return screen_block(block, demand, friction=friction)
+    return screen_block(block, demand, friction=friction, object_kind=kind)
 
 
 def test_every_row_names_its_equation_edition_and_source() -> None:
@@ -123,13 +126,17 @@ def test_the_asce_row_solves_its_equation() -> None:
 
 @every(
     ("level", "verdict", "passes"),
-    [(0.001, "no rotation", True), (1.0, "rocks up to", True), (9.0, "overturns", False)],
+    [
+        (0.001, "does not overturn: no root", True),
+        (1.0, "rocks up to", True),
+        (9.0, "overturns", False),
+    ],
 )
 def test_no_root_means_overturning_only_where_the_demand_is_above(
     level: float, verdict: str, passes: bool
 ) -> None:
     table = [[period, level * value] for period, value in SPECTRUM]
-    found = screen_block(BLOCK, Demand(spectrum=table, spectrum_damping=0.05))
+    found = screen_block(BLOCK, Demand(spectrum=table, spectrum_damping=0.05), object_kind="cask")
     row = found.row("ASCE 43-05 rocking")
     assert row.verdict.startswith(verdict)
     assert row.passes is passes
@@ -160,7 +167,8 @@ def test_rows_without_their_input_say_what_they_need() -> None:
     assert not found.negative
     assert screen_block(BLOCK, PEAKS).row("friction to rock").needs == "friction"
     undamped = screen_block(BLOCK, Demand(spectrum=SPECTRUM)).row("ASCE 43-05 rocking")
-    assert (undamped.verdict, undamped.needs) == ("needs its damping", "spectrum_damping")
+    assert undamped.verdict == "needs its damping; made for nuclear facilities"
+    assert undamped.needs == "spectrum_damping"
 
 
 @pytest.mark.parametrize(("friction", "motion"), [(0.1, "slides"), (0.2, "slides and rocks")])
@@ -182,14 +190,12 @@ def test_rocking_is_refused_as_an_answer_where_friction_governs(
 def test_only_rows_that_bound_falling_are_counted() -> None:
     """Rocking is no pass, nor is a median that is not reached: up to half still fall."""
     shaken = screen_block(BLOCK, PEAKS, friction=0.4)
-    assert shaken.summary().startswith("It passes none of 5 published screens at 0.35 g and 0.4")
-    shown = [row.name for row in shaken.rows if row.passes is False]
-    assert all(any(name in line for line in shaken.summary().splitlines()) for name in shown)
-    assert len(shaken.summary().splitlines()) <= 8
+    said = "It passes none of 3 published screens for any block at 0.35 g and 0.4"
+    assert shaken.summary().startswith(said)
     calm = screen_block(BLOCK, Demand(pga_g=0.17, pgv_m_s=0.2), friction=0.4)
     assert calm.motion == "rest"
     passes = {row.name: row.passes for row in calm.rows if row.passes is not None}
-    assert passes == {"Ishiyama bound": True, "Circolare rectangle": False, NAMES[7]: True}
+    assert passes == {"Ishiyama bound": True, NUMBER: True}
     for name in ("Kaneko-Hayashi 50 %", "FEMA P-58 cabinets"):
         row = calm.row(name)
         assert row.passes is None
@@ -221,7 +227,7 @@ def test_formulas_with_fixed_units_have_no_answer_in_another_gravity() -> None:
     for name in ("Kaneko-Hayashi 50 %", "FEMA P-58 cabinets"):
         row = found.row(name)
         assert (row.status, row.value, row.passes, row.details) == ("refused", None, None, ())
-        assert row.verdict == "no answer: made for 9.81 m/s^2"
+        assert row.verdict.startswith("no answer: made for 9.81 m/s^2")
     ishiyama = found.row("Ishiyama bound")
     assert ishiyama.status == "computed"
     assert "10 B/sqrt(H)" not in [name for name, _, _ in ishiyama.details]
@@ -232,9 +238,9 @@ def test_formulas_with_fixed_units_have_no_answer_in_another_gravity() -> None:
 
 def test_shares_of_runs_say_where_a_block_lies_outside_them() -> None:
     stocky = screen_block(Block.rectangle(width=0.6, height=1.0), PEAKS)
-    assert stocky.row(NAMES[7]).status == "approximate"
-    assert "outside" in stocky.row(NAMES[7]).remark
-    assert screen_block(BLOCK, PEAKS).row(NAMES[7]).status == "computed"
+    assert stocky.row(NUMBER).status == "approximate"
+    assert "outside" in stocky.row(NUMBER).remark
+    assert screen_block(BLOCK, PEAKS).row(NUMBER).status == "computed"
 
 
 def test_one_peak_decides_where_it_is_below_its_bound() -> None:
@@ -292,21 +298,27 @@ def test_rows_for_rectangles_say_so_of_other_blocks() -> None:
 def test_a_spectrum_that_ends_below_the_capacity_answers_up_to_there() -> None:
     """Its last root is passed: what follows of a falling spectrum can be left out."""
     table = [[0.1, 0.4], [0.4, 0.4], [0.8, 0.01], [1.0, 0.005]]
-    row = screen_block(BLOCK, Demand(spectrum=table, spectrum_damping=0.05)).row(NAMES[3])
+    row = screen_block(
+        BLOCK, Demand(spectrum=table, spectrum_damping=0.05), object_kind="cask"
+    ).row(ASCE)
     assert row.verdict.startswith("rocks up to ")
     assert (row.passes, row.needs, row.status) == (True, "", "computed")
     assert "It ends at 1 s: up to" in row.remark
     # It is asked to go on where it ends above the capacity, or has met it nowhere.
     for values in ([0.4, 0.4, 0.01, 0.4], [0.01, 0.01, 0.01, 0.005]):
         other = [[period, value] for (period, _), value in zip(table, values, strict=True)]
-        row = screen_block(BLOCK, Demand(spectrum=other, spectrum_damping=0.05)).row(NAMES[3])
+        row = screen_block(
+            BLOCK, Demand(spectrum=other, spectrum_damping=0.05), object_kind="cask"
+        ).row(ASCE)
         assert row.verdict.startswith("needs a spectrum up to 2.22 s"), values
         assert (row.passes, row.status) == (None, "needs input")
 
 
 def test_beyond_its_last_root_a_demand_above_the_capacity_may_overturn() -> None:
     table = [[0.1, 0.4], [0.4, 0.4], [0.8, 0.01], [4.0, 4.0]]
-    row = screen_block(BLOCK, Demand(spectrum=table, spectrum_damping=0.05)).row(NAMES[3])
+    row = screen_block(
+        BLOCK, Demand(spectrum=table, spectrum_damping=0.05), object_kind="cask"
+    ).row(ASCE)
     assert row.verdict.startswith("may overturn beyond ")
     assert (row.passes, row.needs, row.status) == (False, "", "computed")
     assert "It ends at" not in row.remark
@@ -328,22 +340,22 @@ def test_the_ratio_of_a_row_is_the_demand_over_its_threshold() -> None:
     ]
 
 
-def test_the_answer_shows_what_is_not_passed_first_and_five_rows_at_least() -> None:
-    calm = screen_block(BLOCK, Demand(pga_g=0.17, pgv_m_s=0.2), friction=0.4)
+def test_the_answer_shows_the_governing_row_then_what_is_not_passed() -> None:
+    calm = screen_block(BLOCK, Demand(pga_g=0.17, pgv_m_s=0.2), friction=0.4, object_kind="wall")
     answer = calm.describe().answer
     assert answer is not None
     passes = [calm.row(name).passes for name, _ in answer.rows]
-    assert passes == [False, None, None, None, None]
+    assert passes == [False, None, None, None, True, True]
     assert "restitution" not in [name for name, _ in answer.rows]
-    (words,) = [text for name, text in answer.facts if name == "not listed"]
-    assert words == f"2 more with --more: Ishiyama bound, {NAMES[7]}"
-    worst = full().describe().answer
-    assert worst is not None
-    failed = [row.name for row in full().rows if row.passes is False]
-    assert [name for name, _ in worst.rows][: len(failed)] == failed
+    for kind in (None, "statue"):
+        worst = full(kind=kind).describe().answer
+        assert worst is not None
+        failed = [row.name for row in full(kind=kind).rows if row.passes is False]
+        assert [name for name, _ in worst.rows][: len(failed)] == failed
     bare = screen_block(BLOCK, Demand()).describe().answer
     assert bare is not None
-    assert bare.sentence == "No answer yet: none of the published screens has a verdict."
+    none = "No answer yet: none of the published screens for any block has a verdict."
+    assert bare.sentence == none
     (words,) = [text for name, text in bare.facts if name == "no verdict"]
     assert words == "uplift needs a PGA; friction to rock needs a PGA"
     assert not dict(bare.facts)["give next"]
@@ -355,45 +367,32 @@ def test_what_a_spectrum_alone_decides_and_what_to_give_next() -> None:
     for damping, sentence, words in (
         (
             None,
-            "No answer yet: a spectrum alone decides ASCE 43-05 rocking, which needs its damping.",
+            (
+                f"{ASCE} governs a cask: needs its damping. No answer yet: none of the other "
+                "published screens has a verdict."
+            ),
             f"its damping, as 0.05; {rest}",
         ),
-        (0.05, "It passes 1 of 1 published screens.", rest),
+        (0.05, "It passes 1 of 1 published screens for a cask.", rest),
     ):
         demand = Demand(spectrum=table, spectrum_damping=damping)
-        answer = screen_block(BLOCK, demand).describe().answer
+        answer = screen_block(BLOCK, demand, object_kind="cask").describe().answer
         assert answer is not None
         assert (answer.sentence, dict(answer.facts)["give next"]) == (sentence, words)
 
 
 def test_far_from_every_cabinet_there_is_no_verdict() -> None:
-    row = screen_block(Block.rectangle(width=1.0, height=5.0), PEAKS).row("FEMA P-58 cabinets")
+    tower = Block.rectangle(width=1.0, height=5.0)
+    row = screen_block(tower, PEAKS, object_kind="cabinet").row("FEMA P-58 cabinets")
     assert row.passes is None
     assert row.verdict == "no cabinet is near to this size"
-
-
-def test_vertical_motion_changes_uplift_and_asce_alone() -> None:
-    plain = full()
-    demand = Demand(
-        pga_g=0.35, pgv_m_s=0.4, spectrum=SPECTRUM, spectrum_damping=0.05, sa_v_per_sa_h=0.67,
-        vertical_g=0.5, vertical_share=0.4,
-    )  # fmt: skip
-    shaken = screen_block(BLOCK, demand, friction=0.4)
-    assert shaken.row("uplift").value == pytest.approx(0.8 * 0.32 / 1.8)
-    factors = [
-        {name: value for name, value, _ in found.row("ASCE 43-05 rocking").details}["F_v"]
-        for found in (plain, shaken)
-    ]
-    assert factors == [1.0, pytest.approx(math.hypot(1.0, 0.67 * 0.32 / 1.8))]
-    for name in ROCKING[1:]:
-        assert shaken.row(name).value == plain.row(name).value
 
 
 def test_a_record_is_screened_with_its_own_spectrum() -> None:
     t = 0.02 * np.arange(500)
     record = Record(acceleration_m_s2=4.0 * np.sin(6.0 * t) * np.exp(-0.2 * t), dt_s=0.02)
     row = screen_block(BLOCK, Demand.from_record(record)).row("ASCE 43-05 rocking")
-    assert "spectrum of the record" in row.remark.lower()
+    assert "spectrum of the record at 1.5 % damping" in row.verdict
     assert row.status == "computed"
 
 
@@ -403,7 +402,6 @@ def test_the_description_fits_a_page_and_holds_every_row() -> None:
         assert fits(text)
         assert all(text.count(name) >= 2 for name in NAMES)
         assert "the engineer verifies" in text
-        assert "28.50" in text
         for row in found.rows:
             assert fits(row.summary(more=True))
     values = as_json(full().to_dict())
@@ -458,14 +456,9 @@ def test_tables_have_words_on_the_left_and_numbers_on_the_right() -> None:
     tables = result.describe().tables
     left = {column.heading: column.left for table in tables for column in table.columns}
     assert left == {
-        **dict.fromkeys(("screen", "verdict", "equation", "edition", "P-58 row"), True),
-        **dict.fromkeys(("depth x height",), True),
-        **dict.fromkeys(("value", "m/s", "cm/s", "in/s", "p v/(g tan alpha)"), False),
+        **dict.fromkeys(("screen", "verdict", "equation", "edition", "made for"), True),
+        "value": False,
     }
-    lines = result.summary(more=True).splitlines()
-    first = next(line for line in lines if "E.20.22.102a" in line)
-    assert first.split()[-4:] == ["0.7240", "72.40", "28.50", "0.7257"]
-    assert "12.625 x 29.0 in" in first
     values = result.to_dict()
     assert {row["screen"] for row in values["details"]} <= {row.name for row in result.rows}
     assert len(values["cabinets"]) == 9
@@ -492,17 +485,17 @@ def test_what_screens_say_at_once() -> None:
     block = Block.rectangle(width=0.32, height=1.8)
     table = [[0.0, 0.3], [0.5, 0.8], [9.0, 0.1]]
     for demand, friction, words in (
-        (Demand(), None, "No answer yet: none of the published screens has a verdict."),
-        (Demand(pga_g=0.05, pgv_m_s=0.02), None, "published screens at 0.05 g and 0.02 m/s."),
+        (Demand(), None, "none of the other published screens has a verdict."),
+        (Demand(pga_g=0.05, pgv_m_s=0.02), None, "other published screens at 0.05 g and 0.02 m/s."),
         (Demand(pga_g=0.35), 0.05, "It slides at 0.35 g: no screen of rocking is an answer."),
         (Demand(pgv_m_s=9.0), None, "It passes none of "),
         (
             Demand(spectrum=table[1:]),
             None,
-            "No answer yet: a spectrum alone decides ASCE 43-05 rocking, which needs its damping.",
+            "ASCE 43-05 rocking governs a cask: needs its damping. No answer yet: none of",
         ),
     ):
-        result = screen_block(block, demand, friction=friction)
+        result = screen_block(block, demand, friction=friction, object_kind="cask")
         text = " ".join(result.summary().split())
         assert words in text, text
         following = "its damping, as 0.05; for the rest a PGA (or its row at period 0) and a PGV, o"
@@ -510,7 +503,9 @@ def test_what_screens_say_at_once() -> None:
         assert result.negative == (
             friction == 0.05 or any(row.passes is False for row in result.rows)
         )
-    damped = screen_block(block, Demand(spectrum=table[1:], spectrum_damping=0.05))
+    damped = screen_block(
+        block, Demand(spectrum=table[1:], spectrum_damping=0.05), object_kind="cask"
+    )
     text = " ".join(damped.summary().split())
     assert "for the rest a PGA (or its row at period 0) and a PGV, or a record" in text
     assert "its damping, as 0.05;" not in text

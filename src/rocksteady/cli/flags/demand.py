@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console.refusals import both, missing, needs
 from rocksteady.cli.flags import options
@@ -99,10 +99,10 @@ class SpectrumFlags:
     record: Path | None = demand_flag(
         "--record FILE", "Measure PGA, PGV and spectrum of a ground-motion file."
     )
-    vertical_per_horizontal: float = demand_flag(
+    vertical_per_horizontal: float | None = demand_flag(
         "--vertical-per-horizontal X",
-        "Set the ratio of vertical to horizontal spectral acceleration.",
-        default=0.0,
+        "Set the ratio of vertical to horizontal spectral acceleration; default: --vertical-g over "
+        "the PGA.",
     )
 
     @property
@@ -120,10 +120,7 @@ class SpectrumFlags:
         """
         from rocksteady.risk.screens.demand import Demand
 
-        vertical = {
-            "sa_v_per_sa_h": self.vertical_per_horizontal,
-            **peaks.vertical,
-        }
+        vertical: dict[str, Any] = {"sa_v_per_sa_h": self.vertical_per_horizontal, **peaks.vertical}
         needs("--damping", self.damping, "--spectrum", "FILE", beside=self.spectrum)
         if self.record is None:
             RecordFlags().given(reading)  # how no record is read

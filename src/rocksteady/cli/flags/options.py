@@ -96,6 +96,7 @@ FLAG_OF_ARGUMENT = {name: "--" + name.replace("_", "-") for name in NAMESAKES.sp
     "frequency_ratio": "--frequency-ratio/-W",
     "restitution": "--restitution/-r",
     "order": "--order/-n",
+    "object_kind": "--kind",
     "width": "--width-m",
     "height": "--height-m",
     "alpha": "--alpha-rad",

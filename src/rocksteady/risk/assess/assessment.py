@@ -70,6 +70,7 @@ from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard.failure_risk import Risk, compute_risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.risk.screens.screen import KINDS
 from rocksteady.risk.screens.screens import Screens, screen_block
 from rocksteady.seismic.measures.scalar import Measure
 from rocksteady.sweep.run import Execution
@@ -294,7 +295,7 @@ class Assessment(Result):
             tables=tables_of(
                 self.screens, self.cases, self.basis, self.remedies, self.risks, self.motions
             ),
-            notes=[*self.facts.warnings, *self._warnings(), *CAVEATS],
+            notes=[*self.facts.warnings, *self._warnings(), *CAVEATS, self.screens.scope_words],
             answer=answer_of_object(self),
         )
 
@@ -466,7 +467,8 @@ def assess_object(
     intensity = Measure(given.assessment.intensity_measure, given.assessment.period_s)
     level = demand_level(intensity, given.demand, suite, block, described.source)
     friction = None if given.friction is None else bounds_of(given.friction)[0]
-    screens = screen_block(block, described.demand, friction=friction)
+    kind = KINDS.get(given.kind.lower())
+    screens = screen_block(block, described.demand, friction=friction, object_kind=kind)
     onset = onset_of(described)
     findings = Findings(
         facts=facts,

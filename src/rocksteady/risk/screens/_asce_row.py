@@ -9,15 +9,14 @@ from rocksteady.risk.screens._rows import Case
 from rocksteady.risk.screens.screen import Screen
 from rocksteady.risk.screens.spectra import spectrum_of
 
-OF_SPECTRUM = "ASCE 43-05 rocking"
-"""Name of the row, which alone is decided by a spectrum."""
 SOURCE = "ASCE/SEI 43-05, Appendix A.2, approximate method for rocking of an unanchored rigid body"
 
 
 def asce_row(case: Case) -> Screen:
     """Return the row of ASCE 43-05, Appendix A.2, with all roots."""
     demand = case.demand
-    body = RockingBody.of_side(case.side, case.block.gravity, demand.sa_v_per_sa_h)
+    ratio = demand.spectral_ratio
+    body = RockingBody.of_side(case.side, case.block.gravity, ratio or 0.0)
     if body.restitution <= 0.0:
         return _row(case, None, verdict="no answer: restitution below 0", answered=True)
     longest = 1.0 / body.frequency_hz(body.alpha)
@@ -25,7 +24,6 @@ def asce_row(case: Case) -> Screen:
         ("C_I", body.inertia, ""),
         ("C_R", body.restitution, ""),
         ("beta_e", body.damping, ""),
-        ("F_v", body.vertical_factor, ""),
         ("period at alpha", longest, "s"),
     ]
     spectrum = spectrum_of(demand.spectrum, demand.spectrum_damping)
@@ -33,6 +31,10 @@ def asce_row(case: Case) -> Screen:
         what = "its damping" if demand.spectrum is not None else "a spectrum with its damping"
         key = "spectrum_damping" if demand.spectrum is not None else "spectrum, spectrum_damping"
         return _row(case, None, verdict=f"needs {what}", needs=key, details=constants)
+    if ratio is None:
+        what, key = "a PGA or SA_V/SA_H", "pga_g or sa_v_per_sa_h"
+        return _row(case, None, verdict=f"needs {what}", needs=key, details=constants)
+    constants += [("SA_V/SA_H", ratio, ""), ("F_v", body.vertical_factor, "")]
     chain, how = spectrum.at_damping(body.damping, longest)
     rotations = find_rotations(body, chain)
     for root in rotations.roots_rad:
@@ -43,17 +45,20 @@ def asce_row(case: Case) -> Screen:
         ]
     verdict, passes, needs = _verdict(body, rotations, longest)
     value = rotations.roots_rad[-1] if rotations.roots_rad else None
-    remark = f"{how[0].upper()}{how[1:]}; power laws between its points."
+    remark = "The spectrum is a power law between its points."
     if value is not None:
         remark += f" Roots at {rotations_text(rotations.roots_rad)}; the largest is shown."
     if rotations.examined_rad < body.alpha:
         remark += (
             f" It ends at {number(chain.last_s)} s: up to {number(rotations.examined_rad)} rad."
         )
+    if ratio or demand.vertical_g:
+        how_much = "that of the peaks" if demand.sa_v_per_sa_h is None else "as stated"
+        remark += f" Vertical motion: F_v with SA_V/SA_H {number(ratio)}, {how_much}."
     return _row(
         case,
         value,
-        verdict=verdict,
+        verdict=verdict if needs else f"{verdict}; {how}",
         passes=passes,
         needs=needs,
         details=constants,
@@ -72,7 +77,7 @@ def _verdict(
     if not rotations.roots_rad:
         if rotations.above_at_end:
             return "overturns: no root, demand above capacity", False, ""
-        return "no rotation: capacity above demand", True, ""
+        return "does not overturn: no root, capacity above demand", True, ""
     largest = quantity(rotations.roots_rad[-1] / body.alpha, "alpha")
     if rotations.above_at_end:
         return f"may overturn beyond {largest}", False, ""
@@ -82,7 +87,8 @@ def _verdict(
 def _row(case: Case, value: float | None, *, details: Any = (), **fields: Any) -> Screen:
     """Return the row with its source."""
     return case.rocking(
-        name=OF_SPECTRUM,
+        name="ASCE 43-05 rocking",
+        made_for="nuclear facilities",
         equation="A.2, A-5 on",
         edition="ASCE/SEI 43-05",
         source=SOURCE,

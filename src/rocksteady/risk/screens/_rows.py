@@ -48,6 +48,8 @@ RUNS = ((0.1, 0.3), (1.0, 3.0))
 LIKE_EARTH = 0.01
 """Relative difference of a gravity from 9.80665 m/s^2 that formulas with fixed units bear."""
 BOTH_WAYS = "Made for blocks that rock to both sides: the wall is left out."
+WALLS = "masonry walls"
+IMPACTS = "left out, as an impact has no duration"
 
 
 @dataclass(frozen=True)
@@ -75,6 +77,18 @@ class Case:
         return first_motion(self.block, self.demand.pga_g, self.friction, vertical)
 
     @cached_property
+    def gravity_share(self) -> float:
+        """Gravity less the vertical acceleration at the horizontal peak, over gravity."""
+        return 1.0 - self.demand.vertical_at_peak_g * STANDARD_GRAVITY / self.block.gravity
+
+    def vertical(self, words: str) -> str:
+        """Return a remark on a row's use of vertical motion; empty where none is stated."""
+        demand = self.demand
+        if not demand.vertical_g and not words.startswith("left out"):
+            words = "left out, as SA_V/SA_H is stated alone; give vertical_g too"
+        return f" Vertical motion: {words}." if demand.vertical_g or demand.sa_v_per_sa_h else ""
+
+    @cached_property
     def on_earth(self) -> bool:
         """Whether its gravity is that of formulas with fixed units."""
         return abs(self.block.gravity / STANDARD_GRAVITY - 1.0) <= LIKE_EARTH
@@ -98,13 +112,12 @@ class Case:
         remark: str = "",
         answered: bool | None = None,
         approximate: bool = False,
-        of_walls: bool = False,
         of_earth: bool = False,
         **fields: Any,
     ) -> Screen:
         """Return a row that takes rocking for granted: refused where the block slides.
 
-        Its formula was made for rectangles, and, unless it is one `of_walls`, for rocking to both
+        Its formula was made for rectangles, and, unless it is one of walls, for rocking to both
         sides.  It is answered where it has a value, or as given, and `approximate` where stated;
         one `of_earth` is refused without a value in another gravity.
         """
@@ -121,7 +134,7 @@ class Case:
                 what += "; the side that lifts first is taken, as if both were like it"
             remark = f"{remark} {what[0].upper()}{what[1:]}.".strip()
             status = "approximate" if status == "computed" else status
-        if self.block.one_sided and not of_walls:
+        if self.block.one_sided and fields.get("made_for") != WALLS:
             remark = f"{remark} {BOTH_WAYS}".strip()
             status = "approximate" if status == "computed" else status
         if self.mode in SLIDES and status != "needs input":
@@ -147,6 +160,7 @@ def uplift_row(case: Case) -> Screen:
     if case.other is not None:
         details = (("other side", scale * tan(case.other.alpha), "g"),)
         remark = "Of the side that lifts first."
+    remark = (remark + case.vertical("downwards, a_v of (g - a_v) tan(α)")).strip()
     return Screen(
         name="uplift",
         equation="(g - a_v) tan(α)",
@@ -194,7 +208,8 @@ def friction_row(case: Case) -> Screen:
         details=details,
         remark="A friction above width/height alone does not ensure pure rocking: the need grows "
         "with the PGA."
-        + ("" if case.other is None else " The greater of both sides: shaking reverses."),
+        + ("" if case.other is None else " The greater of both sides: shaking reverses.")
+        + case.vertical("downwards, taken from g"),
     )
 
 
@@ -231,7 +246,7 @@ def restitution_row(case: Case) -> Screen:
         value=value,
         unit="",
         verdict=f"this block has {number(first.restitution)}",
-        remark="Tests often exceed it, up to its square root.",
+        remark="Tests often exceed it, up to its square root." + case.vertical(IMPACTS),
     )
 
 
@@ -254,47 +269,52 @@ def _wall_row(case: Case) -> Screen:
         value=value,
         unit="",
         verdict=unknown if value is None else f"this block has {restitution}",
-        remark="Of the wall; the free block's own is not used.",
+        remark="Of the wall; the free block's own is not used." + case.vertical(IMPACTS),
     )
+
+
+def _missing_peaks(demand: Demand) -> tuple[str, str]:
+    """Return the verdict of a row that lacks peaks, and their keys."""
+    keys = [key for key in ("pga_g", "pgv_m_s") if getattr(demand, key) is None]
+    verdict = "needs " + " and ".join(f"a {key[:3].upper()}" for key in keys)
+    return verdict, " and ".join(keys)
 
 
 def ishiyama_row(case: Case) -> Screen:
     """Return the row of Ishiyama's lower bounds."""
     bounds = ishiyama_bounds(case.side, case.block.gravity)
+    least = case.gravity_share * bounds.pga_g
     pga, pgv = case.demand.pga_g, case.demand.pgv_m_s
-    needs, passes = "", None
-    if pga is not None and exceeds(bounds.pga_g, pga):
-        verdict, passes = "does not overturn: PGA below its bound", True
+    needs, passes, value, unit = "", None, bounds.pgv_m_s, "m/s"
+    if pga is not None and exceeds(least, pga):
+        verdict, passes, value, unit = "does not overturn: PGA below its bound", True, least, "g"
     elif pgv is not None and exceeds(bounds.pgv_m_s, pgv):
         verdict, passes = "does not overturn: PGV below its bound", True
     elif pga is not None and pgv is not None:
         verdict, passes = "may overturn: both bounds are reached", False
     else:
-        needs = " and ".join(
-            name for name, value in (("pga_g", pga), ("pgv_m_s", pgv)) if value is None
-        )
-        verdict = {"pga_g": "needs a PGA", "pgv_m_s": "needs a PGV"}.get(
-            needs, "needs a PGA and a PGV"
-        )
+        verdict, needs = _missing_peaks(case.demand)
     return case.rocking(
         name="Ishiyama bound",
         equation="(B/H) g, .4 V_i",
         edition="Ishiyama 1982",
         source="Y. Ishiyama, Earthq. Eng. Struct. Dyn. 10, 635-650 (1982)",
-        value=bounds.pgv_m_s,
-        unit="m/s",
+        value=value,
+        unit=unit,
         verdict=verdict,
         passes=passes,
         needs=needs,
         details=(
-            ("PGA bound", bounds.pga_g, "g"),
+            ("PGA bound", least, "g"),
             ("PGV bound", bounds.pgv_m_s, "m/s"),
             ("V_i", impulse_velocity_m_s(case.side, case.block.gravity), "m/s"),
             *((("10 B/sqrt(H)", bounds.simple_m_s, "m/s"),) if case.on_earth else ()),
         ),
-        remark=f"Both must be reached, PGA {quantity(bounds.pga_g, 'g')} too."
+        remark=f"Both must be reached, PGA {quantity(least, 'g')} and PGV "
+        f"{quantity(bounds.pgv_m_s, 'm/s')}."
         + f" His simple rule 10 B/sqrt(H) [cm, s] gives {quantity(bounds.simple_m_s, 'm/s')}."
-        * case.on_earth,
+        * case.on_earth
+        + case.vertical("downwards in the PGA bound; left out of PGV's, as it reverses in a swing"),
     )
 
 
@@ -307,7 +327,7 @@ def kaneko_hayashi_row(case: Case) -> Screen:
         ("V50", bounds.velocity_m_s, "m/s"),
         ("Fe", bounds.limit_hz, "Hz"),
     ]
-    value, needs, passes = bounds.acceleration_g, "", None
+    value, unit, needs, passes = bounds.acceleration_g, "g", "", None
     if pga is not None and pgv is not None:
         hertz = pga * STANDARD_GRAVITY / (2.0 * math.pi * pgv)
         value = bounds.threshold_g(hertz)
@@ -319,10 +339,9 @@ def kaneko_hayashi_row(case: Case) -> Screen:
         verdict = f"fewer than half overturn at {number(pga)} g"
     elif pgv is not None and pgv < bounds.velocity_m_s:
         verdict = f"fewer than half overturn at {number(pgv)} m/s"
+        value, unit = bounds.velocity_m_s, "m/s"
     else:
-        needs = "pgv_m_s" if pga is not None else "pga_g and pgv_m_s"
-        verdict = "needs a PGV" if pga is not None else "needs a PGA and a PGV"
-        verdict, needs = ("needs a PGA", "pga_g") if pgv is not None else (verdict, needs)
+        verdict, needs = _missing_peaks(case.demand)
     return case.rocking(
         of_earth=True,
         name="Kaneko-Hayashi 50 %",
@@ -330,14 +349,15 @@ def kaneko_hayashi_row(case: Case) -> Screen:
         edition="13WCEE 2004",
         source="M. Kaneko and Y. Hayashi, 13th World Conf. Earthq. Eng., Vancouver (2004)",
         value=value,
-        unit="g",
+        unit=unit,
         verdict=verdict,
         passes=passes,
         needs=needs,
         details=tuple(details),
         remark=f"A50 {quantity(bounds.acceleration_g, 'g')} up to Fe "
         f"{quantity(bounds.limit_hz, 'Hz')}, V50 {quantity(bounds.velocity_m_s, 'm/s')} above it; "
-        "the frequency of the floor is taken as PGA/(2 pi PGV).",
+        "the frequency of the floor is taken as PGA/(2 pi PGV)."
+        + case.vertical("left out, as the medians are of horizontal motion alone"),
     )
 
 
@@ -345,12 +365,13 @@ def circolare_row(case: Case) -> Screen:
     """Return the row of the Circolare's rectangle, with FC 1 and with FC 1.35."""
     gravity = case.block.gravity
     full, poor = (circolare_rectangle(case.side, gravity, factor) for factor in (1.0, 1.35))
-    pga = case.demand.pga_g
+    pga, share = case.demand.pga_g, case.gravity_share
+    value = share * poor.a0_lumped_g
     details = [
-        ("a0, e* 1, FC 1", full.a0_lumped_g, "g"),
-        ("a0, e* 1, FC 1.35", poor.a0_lumped_g, "g"),
-        ("a0, e* 0.75, FC 1", full.a0_g, "g"),
-        ("a0, e* 0.75, FC 1.35", poor.a0_g, "g"),
+        ("a0, e* 1, FC 1", share * full.a0_lumped_g, "g"),
+        ("a0, e* 1, FC 1.35", value, "g"),
+        ("a0, e* 0.75, FC 1", share * full.a0_g, "g"),
+        ("a0, e* 0.75, FC 1.35", share * poor.a0_g, "g"),
         ("d0", full.d0_m, "m"),
         ("0.4 d0 (SLV)", full.d_slv_m, "m"),
         ("0.6 d0 (SLC)", full.d_slc_m, "m"),
@@ -363,26 +384,27 @@ def circolare_row(case: Case) -> Screen:
     if pga is None:
         verdict, needs = "needs a PGA", "pga_g"
     else:
-        passes = pga <= poor.a0_lumped_g
+        passes = pga <= value
         verdict = f"{number(pga)} g is {'below' if passes else 'above'} a0 with FC 1.35"
-        if not passes and pga <= full.a0_lumped_g:
+        if not passes and pga <= share * full.a0_lumped_g:
             verdict = f"{number(pga)} g passes with FC 1, not with FC 1.35"
     return case.rocking(
-        of_walls=True,
+        made_for=WALLS,
         name="Circolare rectangle",
         equation="C8.7.1 (3,10,11)",
         edition="Circ. 2019 n. 7",
         source="Circolare 21 January 2019 n. 7, C8.7.1, pages 272-277; the second bullets of both "
         "displacement limits could not be read",
-        value=poor.a0_lumped_g,
+        value=value,
         unit="g",
         verdict=verdict,
         passes=passes,
         needs=needs,
         details=tuple(details),
-        remark="Made for masonry walls. With the mass at its centre, e* = 1, which decides; with "
-        f"the mass spread, e* = 0.75, a0 is {quantity(poor.a0_g, 'g')}. d0 "
-        f"{quantity(full.d0_m, 'm')}, T_SLV {quantity(full.t_slv_s, 's')} with FC 1.",
+        remark="With the mass at its centre, e* = 1, which decides; with the mass spread, e* = "
+        f"0.75, a0 is {quantity(share * poor.a0_g, 'g')}. d0 {quantity(full.d0_m, 'm')}, T_SLV "
+        f"{quantity(full.t_slv_s, 's')} with FC 1."
+        + case.vertical("downwards in a0; left out of d0 and periods, as it reverses in a swing"),
     )
 
 
@@ -424,7 +446,8 @@ def velocity_row(case: Case) -> Screen:
         approximate=outside,
         remark="Of blocks that lift, the same as of rocksteady assess: theirs, and that "
         f"of this package. Passed below {LEAST_NUMBER:g} only."
-        + (" The block lies outside the latter: alpha 0.1 to 0.3 rad, p 1 to 3 rad/s." * outside),
+        + (" The block lies outside the latter: alpha 0.1 to 0.3 rad, p 1 to 3 rad/s." * outside)
+        + case.vertical("downwards in uplift; left out of the shares, as it has little effect"),
     )
 
 
@@ -451,6 +474,7 @@ def cabinets_row(case: Case) -> Screen:
     size = f"{cabinet.depth_in:g} x {cabinet.height_in:g} in"
     return case.rocking(
         of_earth=True,
+        made_for="cabinets",
         name="FEMA P-58 cabinets",
         equation=cabinet.row,
         edition="FEMA P-58",
@@ -463,5 +487,10 @@ def cabinets_row(case: Case) -> Screen:
         needs=needs,
         details=tuple(details),
         remark=f"Nearest is {cabinet.row}, {size}, at a distance of {number(distance)} in the "
-        f"logarithms of depth and height; a verdict up to {NEAR:g}.",
+        f"logarithms of depth and height; a verdict up to {NEAR:g}."
+        + case.vertical("left out, as the medians are of peak floor velocity alone"),
     )
+
+
+ROWS = (uplift_row, friction_row, restitution_row, ishiyama_row, kaneko_hayashi_row, velocity_row)
+"""Rows for any block, the most general first."""

@@ -52,7 +52,8 @@ class Demand:
         Damping of the table, 1 being critical, or one for each of its columns.  Without, what a
         file states in a comment ``# damping 0.05``.
     sa_v_per_sa_h
-        Ratio of vertical to horizontal spectral acceleration, default 0.
+        Ratio of vertical to horizontal spectral acceleration; None (default) for the ratio of the
+        peaks, `vertical_g` over `pga_g`.
     vertical_g
         Peak vertical acceleration of the base [g], default 0.  A magnitude: its direction at the
         horizontal peak is not known, and the worse one, downwards, counts.
@@ -75,7 +76,7 @@ class Demand:
     pgv_m_s: Annotated[float | None, PGV] = None
     spectrum: Any = None
     spectrum_damping: Any = None
-    sa_v_per_sa_h: Annotated[float, SPECTRAL_RATIO] = 0.0
+    sa_v_per_sa_h: Annotated[float | None, SPECTRAL_RATIO] = None
     vertical_g: Annotated[float, VERTICAL["vertical_g"]] = 0.0
     vertical_share: Annotated[float, VERTICAL["vertical_share"]] = 1.0
 
@@ -105,7 +106,7 @@ class Demand:
         cls,
         record: Record,
         *,
-        sa_v_per_sa_h: float = 0.0,
+        sa_v_per_sa_h: float | None = None,
         vertical_g: float = 0.0,
         vertical_share: float = 1.0,
     ) -> "Demand":
@@ -137,6 +138,13 @@ class Demand:
     def vertical_at_peak_g(self) -> float:
         """Vertical acceleration that acts at the horizontal peak [g], without a sign."""
         return self.vertical_share * self.vertical_g
+
+    @property
+    def spectral_ratio(self) -> float | None:
+        """SA_V/SA_H, stated or of the peaks; None for a vertical peak without a horizontal one."""
+        if self.sa_v_per_sa_h is not None or not self.vertical_g:
+            return self.sa_v_per_sa_h or 0.0
+        return None if self.pga_g is None else self.vertical_g / self.pga_g
 
     @property
     def vertical_words(self) -> str:

@@ -1,7 +1,7 @@
 """One published formula applied to one block: its source, its value and its verdict."""
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Final, Literal, get_args
 
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -11,11 +11,16 @@ from rocksteady.results.result import Result
 Standing = Literal["computed", "approximate", "needs input", "refused"]
 """Whether a row has an answer; "approximate" where the block is outside its formula."""
 
+Kind = Literal["cask", "cabinet", "wall", "statue"]
+"""Kinds of objects; a cask stands for any component of a nuclear facility."""
+KINDS: Final[dict[str, Kind]] = {kind: kind for kind in get_args(Kind)}
+ANY_BLOCK: Final = "any block"
+
 Detail = tuple[str, float, str]
 """Name, value and unit of an intermediate quantity."""
 KEYS = (
     "name", "equation", "edition", "status", "value", "unit", "verdict", "passes", "needs",
-    "source", "remark",
+    "made_for", "source", "remark",
 )  # fmt: skip
 """Columns of a row of JSON and CSV."""
 
@@ -41,9 +46,12 @@ class Screen(Result):
         In a few words.
     passes
         Whether the demand is below a value that bounds falling; None where there is no verdict, as
-        of uplift and friction, and below a median.
+        of uplift and friction, below a median, and where a row is made for one kind of object and
+        that of the block is not stated.
     needs
         What is missing; empty where nothing is.
+    made_for
+        Objects that the formula is made for, as "masonry walls"; "any block" by default.
     details
         Name, value and unit of each intermediate quantity.
     remark
@@ -60,6 +68,7 @@ class Screen(Result):
     verdict: str
     passes: bool | None = None
     needs: str = ""
+    made_for: str = ANY_BLOCK
     details: tuple[Detail, ...] = ()
     remark: str = ""
 
@@ -82,11 +91,11 @@ class Screen(Result):
             Column("value", "value", number),
             Column("unit", "unit", left=True),
         )
-        shown = ("verdict", "equation", "edition", "status", "source")
+        shown = ("verdict", "equation", "edition", "status", "made_for", "source")
         return Description(
             headline=f"{self.name}: {self.words}; {self.verdict}",
             facts=[
-                Fact(key, value, key if key in shown and value else "")
+                Fact(key, value, key.replace("_", " ") if key in shown and value else "")
                 for key, value in self.values().items()
             ],
             tables=[Table("details", rows, columns)] if rows else [],

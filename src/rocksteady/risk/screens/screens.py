@@ -1,23 +1,22 @@
 """All published formulas for one block and one demand, side by side, never averaged."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.facts import block_text, block_values
-from rocksteady.results.answer import Answer, left_out
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.screens import _rows
-from rocksteady.risk.screens._asce_row import OF_SPECTRUM, asce_row
+from rocksteady.risk.screens._asce_row import asce_row
 from rocksteady.risk.screens._cabinets import CABINETS
 from rocksteady.risk.screens._rows import SLIDES
 from rocksteady.risk.screens.demand import FRICTION, Demand
-from rocksteady.risk.screens.friction import Mode
-from rocksteady.risk.screens.screen import Screen
+from rocksteady.risk.screens.screen import ANY_BLOCK, KINDS, Kind, Screen
 
 DISCLAIMER = (
     "Each row implements the equation that it names, not checked against the printed standard; the "
@@ -32,21 +31,7 @@ SOURCES = (
     Column("name", "screen", left=True),
     Column("equation", "equation", left=True),
     Column("edition", "edition", left=True),
-)
-
-
-def four_digits(value: float) -> str:
-    """Return a number with four significant digits, zeros included."""
-    return f"{value:#.4g}"
-
-
-CABINET_COLUMNS = (
-    Column("row", "P-58 row", left=True),
-    Column("size", "depth x height", left=True),
-    Column("median_m_s", "m/s", four_digits),
-    Column("median_cm_s", "cm/s", four_digits),
-    Column("median_in_s", "in/s", four_digits),
-    Column("p_pfv_per_uplift", "p v/(g tan alpha)", four_digits),
+    Column("made_for", "made for", left=True),
 )
 
 
@@ -57,10 +42,13 @@ class Screens(Result):
 
     Attributes
     ----------
-    block, demand, friction
-        Inputs of the screens; no friction where it is not known.
+    block, demand, friction, kind
+        Inputs of the screens; no friction and no kind of object where they are not known.
     rows
-        One `Screen` for each formula.
+        One `Screen` for each formula that applies: the governing one of a kind first.  Without a
+        kind those for any block, then those made for one kind, which have no `passes`.
+    left_out
+        Rows made for other kinds of object.
     motion
         What the peak acceleration begins: "rest", "rocks", "slides" or "slides and rocks"; None
         without PGA or friction.  Where it slides, rows on rocking are refused.
@@ -69,13 +57,40 @@ class Screens(Result):
     block: Block
     demand: Demand
     friction: float | None
+    kind: Kind | None
     rows: tuple[Screen, ...]
+    left_out: tuple[Screen, ...]
     motion: str | None
 
     @property
     def negative(self) -> bool:
         """Whether any row does not pass, or the block slides and rows on rocking are refused."""
         return self.motion in SLIDES or any(row.passes is False for row in self.rows)
+
+    @property
+    def governing(self) -> Screen | None:
+        """The row made for the kind of object; None where there is none."""
+        first = self.rows[0]
+        return None if self.kind is None or first.made_for == ANY_BLOCK else first
+
+    @property
+    def undecided(self) -> bool:
+        """Whether the row that governs lacks an input, or no row has a verdict."""
+        lacks = self.governing is not None and bool(self.governing.needs)
+        return lacks or all(row.passes is None for row in self.rows)
+
+    @property
+    def scope(self) -> tuple[str, str]:
+        """Label and words of the rows left out, or of a kind that is not stated."""
+        if self.kind is None:
+            words = "rows of all kinds are shown, and those for any block counted"
+            return "kind", f"none of {', '.join(KINDS)} is stated: {words}"
+        return f"not for a {self.kind}", ", ".join(row.name for row in self.left_out)
+
+    @property
+    def scope_words(self) -> str:
+        """The scope in a sentence."""
+        return f"Published formulas, {': '.join(self.scope)}."
 
     def row(self, name: str) -> Screen:
         """Return the row of a name.
@@ -100,14 +115,14 @@ class Screens(Result):
         """Return the rows with their sources, intermediate quantities and remarks."""
         demand = self.demand
         judged = [row for row in self.rows if row.passes is not None]
-        passed = sum(bool(row.passes) for row in judged)
+        passed = sum(row.passes is True for row in judged)
         peaks = [
             quantity(value, unit)
             for value, unit in ((demand.pga_g, "g"), (demand.pgv_m_s, "m/s"))
             if value is not None
         ]
         shaking = f" at {' and '.join(peaks)}" if peaks else ""
-        vertical = ("vertical", demand.vertical_words) if demand.vertical_words else ()
+        shaking += f" with {demand.vertical_words}" if demand.vertical_words else ""
         friction = "not known" if self.friction is None else number(self.friction)
         shown = [row.values() for row in self.rows]
         words = [{**row.values(), "value": row.words} for row in self.rows]
@@ -116,18 +131,19 @@ class Screens(Result):
             for row in self.rows
             for name, value, unit in row.details
         ]
-        cabinets = [cabinet.values() for cabinet in CABINETS]
-        sized = [{**row, "size": f"{row['depth_in']} x {row['height_in']} in"} for row in cabinets]
+        left_out = [{"name": row.name, "made_for": row.made_for} for row in self.left_out]
         remarks = [f"{row.name}: {row.remark}" for row in self.rows if row.remark]
         return Description(
-            headline=f"Screens of a block{shaking}: it passes {passed} of {len(judged)}",
+            headline=f"Screens of a {self.kind or 'block'}{shaking}: it passes {passed} of "
+            f"{len(judged)}",
             facts=[
                 Fact("block", block_values(self.block), "block", block_text(self.block)),
+                Fact("kind", self.kind, *self.scope),
                 Fact("pga_g", demand.pga_g),
                 Fact("pgv_m_s", demand.pgv_m_s),
-                Fact("vertical_g", demand.vertical_g, *vertical),
+                Fact("vertical_g", demand.vertical_g),
                 Fact("vertical_share", demand.vertical_share),
-                Fact("sa_v_per_sa_h", demand.sa_v_per_sa_h),
+                Fact("sa_v_per_sa_h", demand.spectral_ratio),
                 Fact("friction", self.friction, "friction", friction),
                 Fact("motion", self.motion, "motion", self.motion or "needs PGA and friction"),
             ],
@@ -135,41 +151,40 @@ class Screens(Result):
                 Table("screens", shown),
                 Table("", words, RESULTS),
                 Table("", words, SOURCES, title="Sources"),
+                Table("left_out", left_out),
                 Table("details", details),
-                Table("cabinets", cabinets),
-                Table("", sized, CABINET_COLUMNS, title="FEMA P-58 cabinets, median velocities"),
+                Table("cabinets", [cabinet.values() for cabinet in CABINETS]),
             ],
             notes=[DISCLAIMER, *remarks],
-            answer=self._answer(shaking, passed, len(judged)),
+            answer=self._answer(shaking, passed, judged),
         )
 
-    def _answer(self, at: str, passed: int, judged: int) -> Answer:
+    def _answer(self, at: str, passed: int, judged: list[Screen]) -> Answer:
         """Return how many formulas it passes, and the formulas, those not passed first."""
-        sentence = f"No answer yet: none of the published screens has a verdict{at}."
-        row = self.row(OF_SPECTRUM)
-        if self.demand.spectrum is not None and row.needs:
-            sentence = f"No answer yet: a spectrum alone decides {row.name}, which {row.verdict}."
+        made_for = f"a {self.kind}" if self.kind else ANY_BLOCK
+        published, governs = f"published screens for {made_for}", ""
+        if (first := self.governing) and first.passes is None:
+            governs = f"{first.name} governs a {self.kind}: {first.verdict}. "
+            published = "other published screens"
+        sentence = f"{governs}No answer yet: none of the {published} has a verdict{at}."
         if judged:
-            sentence = f"It passes {passed or 'none'} of {judged} published screens{at}."
+            sentence = f"{governs}It passes {passed or 'none'} of {len(judged)} {published}{at}."
         if self.motion in SLIDES:
             sentence = f"It slides{at}: no screen of rocking is an answer."
-        shown = [row for row in self.rows if row.value is not None and not row.needs]
-        shown = [row for row in shown if row.name != "restitution"]
-        shown.sort(key=lambda row: (row.passes is True, row.passes is None))
-        most = max(5, sum(row.passes is False for row in shown))
+        shown = [row for row in self.rows if not row.needs and row.name != "restitution"]
+        order, last = {False: 0, None: 1, True: 2}, self.kind is not None
+        shown.sort(key=lambda row: ((row.made_for == ANY_BLOCK) == last, order[row.passes]))
         following = self._next()
-        needs = [] if following else [row for row in self.rows if row.needs]
-        left = [row.name for row in shown[most:]]
+        needs = [row for row in self.rows[bool(governs) :] if row.needs][: 0 if following else 2]
+        needed = [f"{row.name} {row.verdict.partition(';')[0]}" for row in needs]
+        outside = [row.name for row in judged if row.status == "approximate"]
         facts = [
-            left_out(len(left), ", ".join(left)),
-            (
-                "no verdict",
-                "; ".join(f"{row.name} {row.verdict.partition(';')[0]}" for row in needs[:2]),
-            ),
+            self.scope,
+            ("no verdict", "; ".join(needed)),
             ("give next", following),
-            ("vertical", self.demand.vertical_words),
+            ("approximate", ", ".join(outside) + ": made for other blocks" * bool(outside)),
         ]
-        rows = [(row.name, f"{row.verdict} ({row.words})") for row in shown[:most]]
+        rows = [(row.name, f"{row.verdict} ({row.words})".removesuffix(" (—)")) for row in shown]
         return Answer(sentence, facts, rows)
 
     def _next(self) -> str:
@@ -177,13 +192,18 @@ class Screens(Result):
         demand = self.demand
         if demand.spectrum is None or demand.pga_g is not None:
             return ""
-        damping = "its damping, as 0.05; " if demand.spectrum_damping is None else ""
-        return f"{damping}for the rest a PGA (or its row at period 0) and a PGV, or a record"
+        damping = any(row.needs == "spectrum_damping" for row in self.rows)
+        rest = "for the rest a PGA (or its row at period 0) and a PGV, or a record"
+        return "its damping, as 0.05; " * damping + rest
 
 
 @checked
 def screen_block(
-    block: Block, demand: Demand, *, friction: Annotated[float | None, FRICTION] = None
+    block: Block,
+    demand: Demand,
+    *,
+    friction: Annotated[float | None, FRICTION] = None,
+    object_kind: Kind | None = None,
 ) -> Screens:
     """Apply published formulas for rocking and overturning to a block, side by side.
 
@@ -199,16 +219,20 @@ def screen_block(
     friction
         Coefficient between block and base; None (default) where it is not known.  Where it is too
         small for rocking alone the rows on rocking are refused.
+    object_kind
+        Kind of object: "cask" (any component of a nuclear facility), "cabinet", "wall" or "statue".
+        The row made for it stands first, and rows made for other kinds are left out.  None
+        (default) where it is not known: rows of all kinds, of which those for any block count.
 
     Returns
     -------
     Screens
-        A row for each formula: equation, edition, value, unit, verdict.
+        A row for each formula that applies: equation, edition, value, unit, verdict.
 
     Raises
     ------
     InputError
-        If the friction is negative, or the base falls as fast as the block.
+        If the friction is negative, the kind is unknown, or the base falls as fast as the block.
 
     Examples
     --------
@@ -220,16 +244,24 @@ def screen_block(
     """
     demand = demand.with_peak()
     case = _rows.Case(block, demand, friction)
-    rows = (
-        _rows.uplift_row(case),
-        _rows.friction_row(case),
-        _rows.restitution_row(case),
-        asce_row(case),
-        _rows.ishiyama_row(case),
-        _rows.kaneko_hayashi_row(case),
-        _rows.circolare_row(case),
-        _rows.velocity_row(case),
-        _rows.cabinets_row(case),
+    rows = [make(case) for make in _rows.ROWS]
+    special = {
+        "cask": asce_row(case),
+        "wall": _rows.circolare_row(case),
+        "cabinet": _rows.cabinets_row(case),
+    }
+    others = [row for of, row in special.items() if of != object_kind]
+    if object_kind is None:
+        rows += [
+            replace(row, passes=None, verdict=f"{row.verdict}; made for {row.made_for}")
+            for row in others
+        ]
+    return Screens(
+        block=block,
+        demand=demand,
+        friction=friction,
+        kind=object_kind,
+        rows=(*([special[object_kind]] if object_kind in special else []), *rows),
+        left_out=tuple(others if object_kind else []),
+        motion=case.mode,
     )
-    mode: Mode | None = case.mode
-    return Screens(block=block, demand=demand, friction=friction, rows=rows, motion=mode)

@@ -91,10 +91,7 @@ class RecordSpectrum:
         periods = np.geomspace(shortest, longest, RECORD_PERIODS)
         spectrum = compute_response_spectrum(self.record, periods, damping=damping)
         values = spectrum.pseudo_acceleration_m_s2
-        how = (
-            f"spectrum of the record at {100.0 * damping:.3g} % damping, exact at "
-            f"{RECORD_PERIODS} periods"
-        )
+        how = f"spectrum of the record at {100.0 * damping:.3g} % damping"
         return Chain(tuple(periods.tolist()), tuple(values.tolist())), how
 
 

@@ -45,9 +45,9 @@ def test_the_text_fits_and_names_what_is_missing() -> None:
 
 
 def test_a_spectrum_brings_its_damping_and_a_flag_overrules_it(table: Path) -> None:
-    stated = rocksteady(f"{BLOCK} --json --spectrum", table).json["screens"][3]
-    given = rocksteady(f"{BLOCK} --damping 0.05 --json --spectrum", table).json["screens"][3]
-    other = rocksteady(f"{BLOCK} --damping 0.02 --json --spectrum", table).json["screens"][3]
+    stated = rocksteady(f"{BLOCK} --json --spectrum", table).json["screens"][6]
+    given = rocksteady(f"{BLOCK} --damping 0.05 --json --spectrum", table).json["screens"][6]
+    other = rocksteady(f"{BLOCK} --damping 0.02 --json --spectrum", table).json["screens"][6]
     assert stated == given
     assert stated["unit"] == "rad"
     assert 0.0 < other["value"] < stated["value"]  # the same table scaled by less

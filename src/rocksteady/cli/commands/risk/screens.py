@@ -2,7 +2,7 @@
 
 import typer
 
-from rocksteady.cli.console.outputs import NEGATIVE
+from rocksteady.cli.console.outputs import INCOMPLETE, NEGATIVE
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.demand import PeakFlags, RowFlags, SpectrumFlags, sized_block
@@ -17,12 +17,12 @@ HELP = (
     "Each row prints its equation and edition, and implements that equation alone: the engineer "
     "verifies. A row whose input is missing names it. Peaks and spectra may be those of a floor."
 )
-MAIN = "width_m height_m pga_g pgv_m_s friction vertical_g record spectrum check csv"
+MAIN = "width_m height_m kind pga_g pgv_m_s friction vertical_g record spectrum check csv"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady screens --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4 --friction 0.4\n\n"
-    "rocksteady screens --width-m 0.32 --height-m 1.8 --spectrum floor.txt --damping 0.05\n\n"
+    "rocksteady screens --width-m 2 --height-m 5 --kind cask --spectrum floor.txt --damping .05\n\n"
     "rocksteady screens --width-m 0.32 --height-m 1.8 --record example:near-fault --json\n\n"
     "Your file: floor.txt, a response spectrum."
 )
@@ -35,9 +35,13 @@ def screens(
     spectra: SpectrumFlags,
     reading: ReadingFlags,
     output: RowFlags,
+    kind: str | None = options.block_flag(
+        "--kind KIND",
+        "Set the kind of object: cask (or other nuclear part), cabinet, wall, statue.",
+    ),
     check: bool = options.output_flag(
         "--check",
-        "Leave with exit code 1 where a row does not pass or the block slides.",
+        "Leave with exit code 1 where a row does not pass or the block slides, 3 without verdicts.",
         default=False,
     ),
 ) -> None:
@@ -48,7 +52,7 @@ def screens(
     demand = spectra.demand(peaks, reading)
     from rocksteady.risk.screens.screens import screen_block
 
-    screens_found = screen_block(body, demand, friction=peaks.friction)
+    screens_found = screen_block(body, demand, friction=peaks.friction, object_kind=kind)  # type: ignore[arg-type]
     rows = [row.values() for row in screens_found.rows]
     files.write_csv(lambda: in_columns(list(rows[0]), rows))
     next_command = ""
@@ -58,5 +62,5 @@ def screens(
         recorded = RecordFlags(record=[spectra.record], pga_g=peaks.pga_g)
         next_command = options.follow_up("simulate", block, recorded, reading)
     files.leave("screens", screens_found.describe(), follow_up=next_command)
-    if check and screens_found.negative:
-        raise typer.Exit(NEGATIVE)
+    if check and (screens_found.negative or screens_found.undecided):
+        raise typer.Exit(NEGATIVE if screens_found.negative else INCOMPLETE)
