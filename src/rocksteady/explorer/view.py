@@ -1,6 +1,5 @@
 """First view of the explorer: a block, its shaking and the initial state."""
 
-import math
 from dataclasses import dataclass
 from typing import Final
 
@@ -11,7 +10,7 @@ from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
-from rocksteady.model.blocks.sides import housner_restitution
+from rocksteady.model.blocks.sides import housner_restitution, rectangle_p
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import (
@@ -243,7 +242,7 @@ def _check_block(block: Block | DimensionlessBlock) -> None:
         raise ModelError("gravity", block.gravity, valid, "leave it out")
     _within("width", block.width, "give the full width in metres")
     _within("height", block.height, "give the full height in metres")
-    rate = math.sqrt(0.75 * block.gravity / block.radius)
+    rate = rectangle_p(block.radius, block.gravity)
     if abs(block.p / rate - 1.0) > ROUNDED:
         raise ModelError(
             "block",

@@ -19,15 +19,8 @@ def block_values(block: Block) -> dict[str, Any]:
     For a block against a wall those of the side on which it rocks, with the restitution of the
     wall.
     """
-    positive, negative = (
-        {
-            "alpha_rad": side.alpha,
-            "radius_m": side.radius,
-            "p_rad_s": side.p,
-            "restitution": side.restitution,
-        }
-        for side in (block.positive, block.negative)
-    )
+    positive: dict[str, Any] = {**block.positive.to_dict()}
+    negative = block.negative.to_dict()
     positive |= {} if block.cap is None else block.cap.to_dict()
     if block.symmetric:
         return positive
@@ -86,7 +79,7 @@ def block_text(block: AnyBlock) -> str:
         return restitution_text(block)
     return (
         f"alpha {_alphas(block)}, R {length(block.radius)}, p {quantity(block.p, 'rad/s')}, "
-        f"{restitution_text(block)}"
+        f"{f'{block.parts} as one body, ' if block.parts else ''}{restitution_text(block)}"
     )
 
 
@@ -96,6 +89,7 @@ def case_text(block: AnyBlock) -> str:
         return restitution_text(block)
     alphas = _alphas(block)
     rate = "" if "/" in alphas else f", p {quantity(block.p, 'rad/s')}"
+    rate = ", as one body" if block.parts else rate
     return f"{restitution_text(block)}, alpha {alphas}{rate}"
 
 

@@ -108,6 +108,8 @@ def test_a_restitution_that_moves_is_none_of_a_block() -> None:
     assert (fixed.value["restitution"], fixed.value["negative"]["restitution"]) == (0.85, 0.8)
     assert free.value["restitution"] is free.value["negative"]["restitution"] is None
     assert fixed.text == free.text + ", restitution 0.85/0.8"
+    statue = branch_facts.block_fact(Block.named("statue-on-plinth"), ["restitution"])
+    assert statue.text.endswith(" rad/s, statue and plinth as one body")
     assert "negative" not in branch_facts.block_fact(SIZED, ["restitution"]).value
     assert [branch_facts.kept_text(block) for block in (SIDES, SIZED)] == ["0.85/0.8", "0.8"]
 

@@ -2,7 +2,9 @@
 
 import dataclasses
 import math
+import pickle
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import pytest
@@ -13,6 +15,7 @@ from rocksteady import Block, DimensionlessBlock
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import Side, housner_restitution
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
+from rocksteady.risk import DescribedObject
 from tests.every import every
 from tests.strategies import logarithmic
 
@@ -148,6 +151,92 @@ def test_no_body_has_less_inertia_than_a_point() -> None:
         Block.general(mass=2.0, inertia=1.9, radius=1.0, alpha=0.2)
     point = Block.general(mass=2.0, inertia=2.0, radius=1.0, alpha=0.2)
     assert point.p == pytest.approx(math.sqrt(STANDARD_GRAVITY))
+
+
+@given(sizes, slender, gravities, gravities, st.sampled_from([0.8, "housner"]))
+def test_a_rectangle_under_another_gravity_is_that_of_its_constructor_to_the_last_bit(
+    radius: float, alpha: float, here: float, there: float, how: Any
+) -> None:
+    make = partial(Block.from_radius, alpha=alpha, radius=radius, restitution=how)
+    moved = dataclasses.replace(make(gravity=here), gravity=there)
+    assert moved == make(gravity=there)
+    assert dataclasses.replace(moved, gravity=there) == moved
+
+
+BODIES: dict[str, Callable[..., Block]] = {
+    **{name: partial(make, **values) for name, (make, values) in CONSTRUCTORS.items()},
+    "asymmetric": partial(Block.asymmetric, left=0.1, right=0.3, height=1.2, gyration=0.5),
+    "from_alphas": partial(Block.from_alphas, positive=0.2, negative=0.3, radius=1.0),
+    "factor": partial(Block.rectangle, width=0.4, height=1.2, restitution=("housner", 0.9)),
+    "frame": partial(Block.frame, columns=3, cap_mass_ratio=2.0, width=0.4, height=2.0),
+    "pier": partial(Block.frame, columns=1, cap_mass_ratio=2.0, width=0.4, height=2.0),
+    "pair": partial(Block.asymmetric, left=0.2, right=0.2, height=1.2, restitution=(0.8, 0.9)),
+    "statue": partial(Block.named, "statue-on-plinth"),
+    "object": lambda gravity: (
+        DescribedObject(
+            values={
+                "name": "desk",
+                "geometry": {"left_m": 0.2, "right_m": 0.3, "mass_centre_height_m": 0.8},
+                "gravity_m_s2": gravity,
+            }
+        ).block
+    ),
+}
+
+
+@every("name", [name for name in BODIES if name != "from_p"])
+@every("gravity", [1.62, 24.8])
+def test_a_body_of_any_constructor_keeps_its_inertia_under_another_gravity(
+    name: str, gravity: float
+) -> None:
+    here, there = BODIES[name](gravity=STANDARD_GRAVITY), BODIES[name](gravity=gravity)
+    walls = here.against_wall(0.5), there.against_wall(0.5)
+    for old, new in ((here, there), walls):
+        moved = dataclasses.replace(old, gravity=gravity)
+        assert moved.housner_factor == new.housner_factor
+        for one, other in ((moved.positive, new.positive), (moved.negative, new.negative)):
+            assert (one.alpha, one.radius) == (other.alpha, other.radius)
+            assert one.p == pytest.approx(other.p, rel=4e-16)
+            assert one.restitution == pytest.approx(other.restitution, rel=1e-15)
+        back = dataclasses.replace(moved, gravity=STANDARD_GRAVITY)
+        assert back.p == pytest.approx(old.p, rel=1e-15)
+        assert pickle.loads(pickle.dumps(moved)) == moved
+
+
+def test_a_block_by_its_p_keeps_its_size_under_another_gravity() -> None:
+    """A quarter of the gravity halves p of the same half-diagonal."""
+    here = Block.from_p(alpha=0.3, p=3.0)
+    moved = dataclasses.replace(here, gravity=STANDARD_GRAVITY / 4.0)
+    assert (here.p, here.radius) == (3.0, moved.radius)
+    assert moved.p == pytest.approx(1.5, rel=1e-15)
+
+
+def test_sides_that_are_given_have_their_p_under_the_gravity_of_the_block() -> None:
+    """A number stays as it is; a side of another block is that body under this gravity."""
+    side = Side(**SIDE)
+    for gravity in (7.0, 9.80665, 24.8):
+        block = Block(positive=side, negative=side, gravity=gravity)
+        assert block.p == 3.0
+        taken = Block(positive=block.positive, negative=block.positive, gravity=4.0 * gravity)
+        assert taken.p == pytest.approx(6.0, rel=1e-15)
+        assert block.positive == side
+
+
+@every("alike", [True, False])
+def test_a_body_of_negative_inertia_is_refused_from_either_side(alike: bool) -> None:
+    """Above sqrt(g/R), of all mass in one point, a p is of no body; at it, it is of one."""
+    limit = math.sqrt(STANDARD_GRAVITY / 0.7)
+    point = Side(**{**SIDE, "p": limit})
+    assert Block(positive=point, negative=point).p == limit
+    fast = Side(**{**SIDE, "p": 1.001 * limit})
+    other = fast if alike else dataclasses.replace(fast, restitution=0.8)
+    for sides in ((fast, other), (other, fast), (Side(**SIDE), fast), (fast, Side(**SIDE))):
+        with pytest.raises(
+            ModelError, match=r"so 0 or more; give p up to sqrt\(g/radius\) = 3.742926662 rad/s$"
+        ):
+            Block(positive=sides[0], negative=sides[1])
+    with pytest.raises(ModelError, match="so 0 or more"):
+        dataclasses.replace(Block.rectangle(width=0.4, height=1.2), positive=fast, negative=fast)
 
 
 @every(("constructor", "argument"), arguments_of_constructors())

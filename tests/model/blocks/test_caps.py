@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from rocksteady import Block
 from rocksteady.errors import InputError, ModelError
+from rocksteady.model.blocks.caps import Cap
 from rocksteady.model.facts import block_values
 
 SIZES = {"width": 1.6, "height": 9.6}
@@ -86,6 +87,78 @@ def test_restitution_is_that_of_impulses_at_foot_and_head(
     assert frame.restitution == pytest.approx(rate, rel=1e-9)
 
 
+PIERS = [
+    (width, height, gamma)
+    for width, height in ((1.6, 9.6), (0.5, 2.0), (2.0, 7.0), (0.3, 3.0))
+    for gamma in (0.1, 0.5, 1.0, 2.0, 8.0)
+]
+
+
+def stacked(boxes: list[tuple[float, float, float, float]], base: float) -> Block:
+    """Return boxes of (mass, width, height, middle above the base) as one body, by Steiner."""
+    mass = sum(m for m, _, _, _ in boxes)
+    centre = sum(m * z for m, _, _, z in boxes) / mass
+    inertia = sum(m * ((b * b + h * h) / 12 + (0.5 * base) ** 2 + z * z) for m, b, h, z in boxes)
+    radius, alpha = math.hypot(0.5 * base, centre), math.atan2(0.5 * base, centre)
+    return Block.general(mass=mass, inertia=inertia, radius=radius, alpha=alpha)
+
+
+@pytest.mark.parametrize(("width", "height", "gamma"), PIERS)
+def test_one_pier_with_a_cap_is_a_body(width: float, height: float, gamma: float) -> None:
+    """A point on the top exactly; decks of two rectangles come to it as they become small."""
+    pier = Block.frame(columns=1, cap_mass_ratio=gamma, width=width, height=height)
+    column = (1.0, width, height, 0.5 * height)
+    point = stacked([column, (gamma, 0.0, 0.0, height)], width)
+    for name in ("alpha", "radius", "p", "restitution", "uplift_acceleration"):
+        assert getattr(pier, name) == pytest.approx(getattr(point, name), rel=1e-12)
+    assert pier.cap is None
+    assert pier.width == pytest.approx(width, rel=1e-14)
+    misfits = [
+        abs(stacked([column, (gamma, size, size, height + 0.5 * size)], width).p / pier.p - 1.0)
+        for size in (0.1 * height, 0.01 * height, 1e-6 * height)
+    ]
+    assert misfits[0] > misfits[1] > misfits[2]
+    assert misfits[2] < 1e-6
+    words = pier.describe().headline
+    assert f"pier with a point cap of {gamma:g} times its mass as one body" in words
+
+
+@pytest.mark.parametrize(("width", "height", "gamma"), PIERS)
+def test_one_pier_leaves_its_balance_as_an_integration_does(
+    width: float, height: float, gamma: float
+) -> None:
+    """At small tilts from the balance Newton's law of both masses grows with exp(p t)."""
+    pier = Block.frame(columns=1, cap_mass_ratio=gamma, width=width, height=height)
+    places = [(1.0, complex(-0.5 * width, 0.5 * height)), (gamma, complex(-0.5 * width, height))]
+    inertia = (width**2 + height**2) / 12 + sum(m * abs(z) ** 2 for m, z in places)
+
+    def torque(theta: float) -> float:
+        """Return the moment about the right edge, positive towards the fall (clockwise)."""
+        turned = [(m, z * complex(math.cos(theta), -math.sin(theta))) for m, z in places]
+        return 9.80665 * sum(m * z.real for m, z in turned)
+
+    assert torque(pier.alpha) == pytest.approx(0.0, abs=1e-9 * abs(torque(0.0)))
+    lean, rate, dt = pier.alpha + 1e-5, 0.0, 1e-4 / pier.p
+    for _ in range(10_000):  # leapfrog, up to p t = 1
+        rate += dt * torque(lean + 0.5 * dt * rate) / inertia
+        lean += dt * rate
+    assert lean - pier.alpha == pytest.approx(1e-5 * math.cosh(1.0), rel=3e-4)
+
+
+def test_a_cap_needs_two_columns_and_a_body_takes_all_forms_of_restitution() -> None:
+    with pytest.raises(InputError, match=r"columns = 1 .* whole number from 2 to 1000"):
+        Cap(columns=1, cap_mass_ratio=1.0)
+    how: Any = {"columns": 1, "cap_mass_ratio": 2.0, **SIZES}
+    own = Block.frame(**how)
+    assert Block.frame(**how, restitution=("housner", 0.9)).restitution == 0.9 * own.restitution
+    pair = Block.frame(**how, restitution=(0.8, 0.9))
+    assert (pair.positive.restitution, pair.negative.restitution) == (0.8, 0.9)
+    assert "as one body" in pair.against_wall(0.5).describe().headline
+    wide: Any = {"columns": 1, "cap_mass_ratio": 0.1, "width": 2.0, "height": 1.0}
+    with pytest.raises(InputError, match="Housner's restitution for it is -"):
+        Block.frame(**wide)
+
+
 def test_a_frame_is_a_block_for_all_that_takes_one() -> None:
     """It is copied, compared and described; a wall needs a number."""
     frame = Block.frame(columns=4, cap_mass_ratio=2.0, **SIZES)
@@ -134,6 +207,7 @@ def test_bad_input_is_one_line(wrong: dict[str, float], words: str) -> None:
     [
         Block.asymmetric(left=0.1, right=0.2, height=1.0),
         Block.rectangle(width=0.3, height=1.5).against_wall(),
+        Block.frame(columns=2, cap_mass_ratio=1.0, **SIZES),
         Block.frame(columns=1, cap_mass_ratio=1.0, **SIZES),
     ],
 )

@@ -2,6 +2,7 @@
 
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from rocksteady import Block
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.examples import SOURCES
+from rocksteady.model.facts import block_text
 from tests.every import every
 
 
@@ -72,6 +74,17 @@ def test_the_statue_has_the_mass_centre_and_the_inertia_of_a_fine_grid_of_points
     found = statue.gravity * side.radius / side.p**2 - side.radius**2
     assert found == pytest.approx(square, rel=1e-5)
     assert not statue.symmetric
+
+
+def test_the_statue_and_its_plinth_are_named_as_one_body() -> None:
+    """In the answer's line of the block, off a wall, with another restitution; of no other."""
+    statue = Block.named("statue-on-plinth")
+    words = "(statue and plinth as one body)"
+    for block in (statue, statue.with_restitution(0.9), statue.against_wall(), replace(statue)):
+        assert words in block.describe().headline
+    assert "statue and plinth as one body" in block_text(statue)
+    others = [Block.named(name) for name in SOURCES if name != "statue-on-plinth"]
+    assert not any("as one body" in block.describe().headline for block in others)
 
 
 def test_the_gas_cylinder_has_the_inertia_of_points_on_a_thin_tube() -> None:

@@ -269,7 +269,11 @@ def test_ranges_end_where_they_say_to_the_last_digit() -> None:
 
 
 COUNTS: list[tuple[Callable[[Any], object], str, int, int | None]] = [
-    (lambda n: Cap(columns=n, cap_mass_ratio=1.0), "columns", 1, 1000),
+    (lambda n: Cap(columns=n, cap_mass_ratio=1.0), "columns", 2, 1000),
+    (
+        lambda n: rs.Block.frame(columns=n, cap_mass_ratio=1.0, width=0.4, height=2.0),
+        "columns", 1, 1000,
+    ),
     (lambda n: BandNoise(**(NOISE | {"seed": n})), "seed", 0, 2**64 - 1),
     (lambda n: BandNoise(**NOISE, number=n), "number", 0, 2**32 - 1),
     (lambda n: SyntheticMotion(**(GROUND | {"seed": n})), "seed", 0, None),

@@ -257,7 +257,8 @@ class BlockFlags:
     columns: int | None = options.block_flag(
         "--columns N",
         "Set the number of equal columns of a rocking frame, each the block that is described, "
-        "with --cap-mass-ratio; --restitution is then that of the frame.",
+        "with --cap-mass-ratio; --restitution is then that of the frame. One column is a single "
+        "body with the cap as a point mass on the middle of its top.",
     )
     cap_mass_ratio: float | None = options.block_flag(
         "--cap-mass-ratio GAMMA",

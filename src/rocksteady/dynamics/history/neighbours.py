@@ -13,7 +13,7 @@ from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.elementary.arrays import cos
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.sides import Side
+from rocksteady.model.blocks.sides import Side, body_p
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Model, Nonlinear, needs_full_equations
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -332,7 +332,7 @@ def _tilted(side: Side, factor: float, gravity: float) -> Side:
     alpha = min(factor * side.alpha, 0.5 * (side.alpha + 0.5 * math.pi))
     gyration = max(gravity * side.radius / (side.p * side.p) - side.radius * side.radius, 0.0)
     radius = side.centre_height / float(cos(alpha))
-    p = math.sqrt(gravity * radius / (gyration + radius * radius))
+    p = body_p(gravity, radius, gyration + radius * radius)
     return replace(side, alpha=alpha, radius=radius, p=p)
 
 

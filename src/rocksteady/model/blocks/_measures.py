@@ -27,6 +27,7 @@ class Measured(Result):
         housner_factor: float | None
         wall_restitution: float | None
         cap: Cap | None
+        parts: str
 
     @property
     def alpha(self) -> float:
@@ -141,6 +142,7 @@ def description_of(block: Measured) -> Description:
         centre = 0.5 * height
         size = f"{number(width)} m wide {noun} with its mass centre at {number(centre)} m"
         lengths = Fact("", label="base", text=f"{length(width)}, mass centre {length(centre)} up")
+    size += f" ({block.parts} as one body)" if block.parts else ""
     uplifts = " and ".join(quantity(in_g(block.gravity * tan(side.alpha)), "g") for side in sides)
     facts = [
         lengths,

@@ -16,17 +16,20 @@ from typing import Annotated
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._measures import Measured
-from rocksteady.model.blocks.caps import Cap, conserving_pair, has_factor
-from rocksteady.model.blocks.examples import constructor_of
+from rocksteady.model.blocks.caps import CAP_MASS, COLUMNS, Cap, conserving_pair, has_factor
+from rocksteady.model.blocks.examples import PARTS, constructor_of
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, Restitutions
 from rocksteady.model.blocks.sides import (
     Side,
+    body_p,
     check_one_body,
     housner_restitution,
+    rectangle_p,
     refuse_no_rocking,
     sides_of_body,
     wall_ratio,
+    with_point_mass,
 )
 from rocksteady.model.blocks.sizes import (
     check_inertia,
@@ -88,6 +91,9 @@ class Block(Measured):
     cap
         Cap of a rocking frame (`capped`); None (default) of a single block.  Width, height, alpha
         and radius of a frame are those of one column.
+    parts
+        Parts that are fixed to each other and computed as one body, for descriptions, as "statue
+        and plinth"; empty (default) of a single part.
 
     Raises
     ------
@@ -95,7 +101,8 @@ class Block(Measured):
         If the gravity is not positive.
     ModelError
         If the sides are not those of one rigid body: ``R cos(alpha)``, the height of its mass
-        centre, or ``g R/p^2 - R^2``, its radius of gyration squared, differ.
+        centre, or ``g R/p^2 - R^2``, its radius of gyration squared, differ, or the latter is
+        negative.
 
     Examples
     --------
@@ -104,6 +111,12 @@ class Block(Measured):
     0.3218 rad, 0.6325 m, 3.4102 rad/s
     >>> print(f"{block.restitution:.4f}")
     0.8500
+
+    The same body on the Moon has another p:
+
+    >>> from dataclasses import replace
+    >>> print(f"{replace(block, gravity=1.62).p:.4f} rad/s")
+    1.3860 rad/s
     """
 
     positive: Side
@@ -112,9 +125,12 @@ class Block(Measured):
     housner_factor: float | None = field(default=None, compare=False)
     wall_restitution: Annotated[float | None, restitution_of_wall] = None
     cap: Cap | None = None
+    parts: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
         """Validate."""
+        for name in ("positive", "negative"):
+            object.__setattr__(self, name, getattr(self, name).under(self.gravity))
         check_one_body(self.positive, self.negative, self.gravity)
         factor, wall_side = self.housner_factor, self.wall_restitution
         if factor is not None:
@@ -174,7 +190,7 @@ class Block(Measured):
         constructor, sizes = constructor_of(name)
         given = {} if restitution is None else {"restitution": restitution}
         made: Block = getattr(cls, constructor)(**(sizes | given), gravity=gravity)
-        return made
+        return replace(made, parts=PARTS.get(name, ""))
 
     @classmethod
     def rectangle(
@@ -223,7 +239,8 @@ class Block(Measured):
         """Return a rocking frame: equal rectangular columns under one rigid cap.
 
         It rocks as one column does with ``p^2 = 3 g/(4 R) (1 + 2 gamma)/(1 + 3 gamma)``, gamma the
-        `cap_mass_ratio`; the same acceleration lifts it (Makris and Vassiliou 2013).
+        `cap_mass_ratio`; the same acceleration lifts it (Makris and Vassiliou 2013).  One column
+        with its cap is no frame but a body, as `capped` makes it.
 
         Parameters
         ----------
@@ -339,7 +356,7 @@ class Block(Measured):
         r = RADIUS("radius", radius)
         check_inertia(inertia, mass * r * r)
         g = GRAVITY("gravity", gravity)
-        made = cls._symmetric(alpha, r, restitution, g, math.sqrt(mass * g * r / i))
+        made = cls._symmetric(alpha, r, restitution, g, body_p(mass * g, r, i))
         question_millimetres({"radius": r}, height=made.height)
         return made
 
@@ -521,14 +538,14 @@ class Block(Measured):
         """Return the block whose sides are both made of these; without p a rectangle."""
         if p is None:
             radius, gravity = RADIUS("radius", radius), GRAVITY("gravity", gravity)
-            p = math.sqrt(0.75 * gravity / radius)
+            p = rectangle_p(radius, gravity)
         angle = ALPHA("alpha", alpha)
         impacts = Impacts.of(restitution)
         if impacts.factor is None:
             ratio = impacts.given  # which its side checks
         else:
             ratio = impacts.times(housner_restitution(angle, p=p, radius=radius, gravity=gravity))
-        side = Side(alpha=angle, radius=radius, p=p, restitution=ratio)
+        side = Side(alpha=angle, radius=radius, p=p, restitution=ratio, gravity=gravity)
         return cls(positive=side, negative=side, gravity=gravity, housner_factor=impacts.noted)
 
     def capped(
@@ -537,6 +554,8 @@ class Block(Measured):
         """Return the rocking frame of which each column is this block.
 
         The cap stands on the upper corners, at `height`: the column's mass centre is in mid-height.
+        With one column it is no frame but a body: this block with the cap as a point mass fixed on
+        the middle of its top, which raises the mass centre and adds to the moment of inertia.
 
         Parameters
         ----------
@@ -548,22 +567,31 @@ class Block(Measured):
         InputError
             If one is outside its range, or columns so stocky do not rock.
         ModelError
-            If the block is asymmetric, against a wall, or a frame already.
+            If the block is asymmetric, against a wall, of several parts, or a frame already.
 
         Examples
         --------
         >>> cylinder = Block.named("gas-cylinder")
         >>> print(f"{cylinder.p:.3f}, {cylinder.capped(columns=3, cap_mass_ratio=0.5).p:.3f}")
         2.977, 2.665
+        >>> pier = Block.rectangle(width=1.6, height=9.6).capped(columns=1, cap_mass_ratio=2.0)
+        >>> print(f"mass centre at {pier.positive.centre_height:.3f} m, p {pier.p:.4f} rad/s")
+        mass centre at 8.000 m, p 1.0436 rad/s
         """
-        cap = Cap(columns=columns, cap_mass_ratio=cap_mass_ratio)
-        if not self.symmetric or self.cap is not None:
+        if not self.symmetric or self.cap is not None or self.parts:
             raise ModelError(
                 "block",
                 self,
                 "the columns of a frame are single blocks whose sides are alike",
                 "give such a block, as Block.rectangle(width=..., height=...)",
             )
+        if COLUMNS("columns", columns) == 1:
+            share, side = CAP_MASS("cap_mass_ratio", cap_mass_ratio), self.positive
+            b, h, k = side.distance, side.centre_height, side.gyration(self.gravity)
+            h, k = with_point_mass(h, k, share=share, at_height=2.0 * h)
+            pier = self._asymmetric(b, b, 2.0 * h, k, restitution, self.gravity)
+            return replace(pier, parts=f"pier with a point cap of {share:.4g} times its mass")
+        cap = Cap(columns=columns, cap_mass_ratio=cap_mass_ratio)
         side = cap.of_column(self.positive, self.gravity)
         if Impacts.of(restitution).factor is not None:
             words = f"with columns of alpha {side.alpha:.4g} rad the frame's restitution is"

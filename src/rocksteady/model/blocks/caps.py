@@ -1,6 +1,7 @@
 """Rocking frames: equal free-standing columns under one rigid cap, as one equivalent block.
 
-The cap stands on the upper corners of the columns and only translates, twice as far as their mass
+A frame has two columns or more; one pier with its cap is a body (`rocksteady.Block.capped`).  The
+cap stands on the upper corners of the columns and only translates, twice as far as their mass
 centres.  With a cap of `cap_mass_ratio` = gamma times the mass of its columns the frame obeys the
 equation of one column with another p and another restitution::
 
@@ -22,6 +23,9 @@ from rocksteady.model.blocks.sides import SAME_BODY, Side, housner_pair, wall_ra
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
 
+CAP_MASS = Bounds(0.0, 1000.0, "[]", "give the mass of the cap over that of all columns, as 2")
+COLUMNS = Whole(1, 1000, "give the number of equal columns, as 4")
+
 
 @checked
 @dataclass(frozen=True, kw_only=True)
@@ -38,13 +42,11 @@ class Cap:
     Raises
     ------
     InputError
-        If there is no column, or the ratio is below 0 or above 1000.
+        If there are fewer than two columns, or the ratio is below 0 or above 1000.
     """
 
-    columns: Annotated[int, Whole(1, 1000, "give the number of equal columns, as 4")]
-    cap_mass_ratio: Annotated[
-        float, Bounds(0.0, 1000.0, "[]", "give the mass of the cap over that of all columns, as 2")
-    ]
+    columns: Annotated[int, COLUMNS._replace(low=2)]
+    cap_mass_ratio: Annotated[float, CAP_MASS]
 
     @property
     def lever(self) -> float:

@@ -5,7 +5,7 @@ to the right (positive) drives; the negative side is rotation about the right ed
 """
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Annotated
 
 from rocksteady.errors import InputError, ModelError
@@ -38,6 +38,8 @@ class Side:
     restitution
         Ratio of the angular velocities after and before the impact that ends rocking on this side
         (eq 9).
+    gravity
+        Acceleration of gravity [m/s^2] that `p` is for; None (default) for that of the block.
 
     Raises
     ------
@@ -50,6 +52,7 @@ class Side:
     radius: Annotated[float, RADIUS]
     p: Annotated[float, P]
     restitution: Annotated[float, RESTITUTION]
+    gravity: Annotated[float | None, GRAVITY] = field(default=None, compare=False, repr=False)
 
     @property
     def distance(self) -> float:
@@ -61,6 +64,29 @@ class Side:
         """Height of the mass centre [m]."""
         return self.radius * cos(self.alpha)
 
+    def gyration_squared(self, gravity: float) -> float:
+        """Return ``I_c/M`` about the mass centre [m^2], negative where no body has it."""
+        return self.radius * (gravity / (self.p * self.p) - self.radius)
+
+    def gyration(self, gravity: float) -> float:
+        """Return the radius of gyration about the mass centre [m]."""
+        return math.sqrt(max(self.gyration_squared(gravity), 0.0))
+
+    def under(self, gravity: float) -> "Side":
+        """Return the side of the same body under a gravity [m/s^2]: p^2 is proportional to it.
+
+        A rectangle, and Housner's restitution, are computed again, to the last bit.
+        """
+        before, p, ratio = self.gravity, self.p, self.restitution
+        if before == gravity:
+            return self
+        if before is not None:
+            rectangle = p == rectangle_p(self.radius, before)
+            p = rectangle_p(self.radius, gravity) if rectangle else p * math.sqrt(gravity / before)
+            if ratio == housner_ratio(self.alpha, p=self.p, radius=self.radius, gravity=before):
+                ratio = housner_ratio(self.alpha, p=p, radius=self.radius, gravity=gravity)
+        return replace(self, p=p, restitution=ratio, gravity=gravity)
+
     def to_dict(self) -> dict[str, float]:
         """Return its measures under the names of the commands' JSON."""
         return {
@@ -69,6 +95,24 @@ class Side:
             "p_rad_s": self.p,
             "restitution": self.restitution,
         }
+
+
+def rectangle_p(radius: float, gravity: float) -> float:
+    """Return p [rad/s] of a homogeneous rectangle of half-diagonal R [m] (eq 27)."""
+    return math.sqrt(0.75 * gravity / radius)
+
+
+def body_p(weight: float, radius: float, inertia: float) -> float:
+    """Return p [rad/s] of a body: ``sqrt(M g R / I_0)`` (eq 6).
+
+    Parameters
+    ----------
+    weight, inertia
+        M g and I_0 about the pivot, or both per unit of mass.
+    radius
+        R from the pivot to the mass centre [m].
+    """
+    return math.sqrt(weight * radius / inertia)
 
 
 def impact_friction(left: Side, struck: Side) -> float:
@@ -94,8 +138,19 @@ def check_one_body(one: Side, other: Side, gravity: float) -> None:
     Raises
     ------
     ModelError
-        If their mass centres have different heights, or their moments of inertia about it differ.
+        If the moment of inertia about the mass centre is negative, or differs between the sides, or
+        their mass centres have different heights.
     """
+    # I_c/M about the mass centre is that of one body seen from either pivot.
+    centre = one.gyration_squared(gravity), other.gyration_squared(gravity)
+    for side, square in zip((one, other), centre, strict=True):
+        if square < -SAME_BODY * side.radius * side.radius:
+            raise ModelError(
+                "g radius / p^2 - radius^2",
+                square,
+                "it is the squared radius of gyration about the mass centre, so 0 or more",
+                f"give p up to sqrt(g/radius) = {math.sqrt(gravity / side.radius):.10g} rad/s",
+            )
     if one == other:
         return
     here, other_height = one.centre_height, other.centre_height
@@ -106,18 +161,35 @@ def check_one_body(one: Side, other: Side, gravity: float) -> None:
             "it is the height of the one mass centre, so the same on both sides",
             "use Block.from_alphas with one radius, or Block.asymmetric",
         )
-    # I_c/M = g R/p^2 - R^2 about the mass centre is that of one body seen from either pivot.
     about = [gravity * side.radius / (side.p * side.p) for side in (one, other)]
-    centre = [
-        whole - side.radius * side.radius for whole, side in zip(about, (one, other), strict=True)
-    ]
     if abs(centre[0] - centre[1]) > SAME_BODY * max(about):
         raise ModelError(
             "g radius / p^2 - radius^2",
-            tuple(centre),
+            centre,
             "it is the squared radius of gyration about the mass centre, so the same on each side",
             "leave p to Block.asymmetric or Block.from_alphas",
         )
+
+
+def with_point_mass(
+    centre_height: float, gyration: float, *, share: float, at_height: float
+) -> tuple[float, float]:
+    """Return mass centre and gyration [m] of a body with a point mass fixed in line with its own.
+
+    Parallel axes: ``M k^2`` grows by the reduced mass times the squared distance of the two.
+
+    Parameters
+    ----------
+    centre_height, gyration
+        Height of the mass centre and radius of gyration about it, without the point mass [m].
+    share
+        The point mass over the mass of the body.
+    at_height
+        Height of the point mass, straight above or below the mass centre [m].
+    """
+    whole, apart = 1.0 + share, at_height - centre_height
+    square = (gyration * gyration + share * apart * apart / whole) / whole
+    return centre_height + apart * share / whole, math.sqrt(square)
 
 
 def sides_of_body(
@@ -144,7 +216,7 @@ def sides_of_body(
     """
     alphas = atan2(left, centre_height), atan2(right, centre_height)
     radii = hypot(left, centre_height), hypot(right, centre_height)
-    rates = [math.sqrt(gravity * r / (gyration * gyration + r * r)) for r in radii]
+    rates = [body_p(gravity, r, gyration * gyration + r * r) for r in radii]
 
     def housner() -> tuple[float, float]:
         ratios = (
@@ -159,7 +231,7 @@ def sides_of_body(
     impacts = Impacts.of(restitution)
     kept = impacts.numbers if impacts.factor is None else map(impacts.times, housner())
     first, second = (
-        Side(alpha=alpha, radius=radius, p=p, restitution=ratio)
+        Side(alpha=alpha, radius=radius, p=p, restitution=ratio, gravity=gravity)
         for alpha, radius, p, ratio in zip(alphas, radii, rates, kept, strict=True)
     )
     return first, second
@@ -317,9 +389,8 @@ def housner_pair(positive: Side, negative: Side, gravity: float) -> tuple[float,
             positive.alpha, p=positive.p, radius=positive.radius, gravity=gravity
         )
         return ratios, ratios
-    square = positive.radius * (gravity / (positive.p * positive.p) - positive.radius)
     alphas, radii = (positive.alpha, negative.alpha), (positive.radius, negative.radius)
-    gyration = math.sqrt(max(square, 0.0))
+    gyration = positive.gyration(gravity)
     return impact_ratio(alphas, radii, gyration), impact_ratio(alphas[::-1], radii[::-1], gyration)
 
 
