@@ -301,7 +301,12 @@ def test_a_file_without_a_mandatory_key_is_refused_and_without_another_read(
             del place(changed, table)[row["key"]]
             file.write_text(toml_of(changed), encoding="utf-8")
             needed = row["default"].startswith(("**mandatory**", "mandatory"))
-            way = page == "object" and row["key"] in {"width_m", "height_m", "mass_kg"}
+            way = page == "object" and row["key"] in {
+                "width_m",
+                "height_m",
+                "mass_kg",
+                "fixed_parts",
+            }
             if row["key"] == "damping" or needed or way:
                 with pytest.raises(RocksteadyError, match=row["key"]):
                     READ_TOML[page](file)

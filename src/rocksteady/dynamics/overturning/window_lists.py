@@ -15,7 +15,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Model
-from rocksteady.model.facts import block_text, block_values
+from rocksteady.model.facts import block_text, block_values, case_text
 from rocksteady.results.answer import left_out
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import number, plural
@@ -142,7 +142,9 @@ class WindowLists(Result):
     @property
     def _computed(self) -> tuple[str, str]:
         """Model and block, as a fact of an answer."""
-        return "computed", f"{self.model.name}, {self.block.describe().headline}"
+        parts = isinstance(self.block, Block) and self.block.parts  # whose headline is too long
+        words = case_text(self.block) if parts else self.block.describe().headline
+        return "computed", f"{self.model.name}, {words}"
 
     @property
     def _undecided(self) -> tuple[str, str]:

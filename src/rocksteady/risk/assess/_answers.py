@@ -47,6 +47,7 @@ def answer_of_object(result: Any) -> Answer:
     vertical = result.described.demand.vertical_words
     peaks = f"{at} with {vertical}" if vertical else at
     lifts, shaken = quantity(result.facts.uplift_pga_g, "g"), result.described.demand.pga_g
+    lifts += " as one body" * bool(result.facts.block.parts)
     if shaken is not None:
         lifts += f", {number(result.facts.uplift_pga_g / shaken, 2)} of the demand"
     lifts += " on its floor" * result.described.on_floor

@@ -177,7 +177,7 @@ class FormulaAssessment(Result):
         vertical = self.demand.vertical_words
         peaks = f"{quantity(self.pga_g, 'g')} and {quantity(self.pgv_m_s, 'm/s')}"
         peaks += f" with {vertical}" if vertical else ""
-        lifting = quantity(self.uplift_pga_g, "g")
+        lifting = quantity(self.uplift_pga_g, "g") + " as one body" * bool(self.block.parts)
         lifting += f", {number(self.uplift_pga_g / self.pga_g, 2)} of the demand"
         second = half = ""
         if self.probability is None:

@@ -8,6 +8,7 @@ import pytest
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.model.blocks.block import Block
+from rocksteady.risk.assess.described.facts import compute_object_facts
 from rocksteady.risk.assess.described.objects import EXAMPLE, DescribedObject, read_object
 from tests.every import every
 
@@ -52,7 +53,9 @@ def test_three_ways_to_one_body() -> None:
 def test_content_is_added_as_two_point_masses_would_be() -> None:
     """Steiner by hand: both parts about the pivot, then p = sqrt(M g R/I_0)."""
     both = made(
-        {**SIZES, "mass_kg": 60.0}, content={"mass_kg": 40.0, "mass_centre_height_m": 1.5}
+        {**SIZES, "mass_kg": 60.0},
+        content={"mass_kg": 40.0, "mass_centre_height_m": 1.5},
+        fixed_parts=True,
     ).block
     height = (60.0 * 0.9 + 40.0 * 1.5) / 100.0
     own = 60.0 * ((0.32**2 + 1.8**2) / 12.0 + 0.16**2 + 0.9**2)
@@ -60,6 +63,47 @@ def test_content_is_added_as_two_point_masses_would_be() -> None:
     radius = math.hypot(0.16, height)
     assert both.positive.centre_height == pytest.approx(height, rel=1e-12)
     assert both.p == pytest.approx(math.sqrt(100.0 * 9.80665 * radius / inertia), rel=1e-12)
+
+
+@every(
+    ("geometry", "keys", "words"),
+    [
+        (SIZES, {}, "(all parts as one body)"),
+        (SIZES, {"against_wall": True}, "(all parts as one body)"),
+        ({**SIZES, "mass_kg": 60.0}, {"content": {"mass_kg": 9.0, "mass_centre_height_m": 1.5}},
+         "(object and content as one body)"),
+        ({**SIZES, "columns": 1, "cap_mass_ratio": 2.0}, {}, "(pier and point cap as one body)"),
+        ({**SIZES, "columns": 4, "cap_mass_ratio": 2.0}, {}, "(each column as one body)"),
+    ],
+)  # fmt: skip
+def test_several_parts_are_named_as_one_body(
+    geometry: dict[str, Any], keys: dict[str, Any], words: str
+) -> None:
+    """Wherever the block is named: of the object, of its ends and of changes to it."""
+    described = made(geometry, fixed_parts=True, **keys)
+    blocks = [described.block, described.block_of(described.body.wider(0.95))]
+    for block in blocks:
+        assert words in block.describe().headline
+    facts = {fact.label: fact.text for fact in compute_object_facts(described).describe().facts}
+    assert f"({facts['as one body']} as one body)" == words
+
+
+def test_an_object_of_one_part_is_not_named_as_one_body() -> None:
+    assert "as one body" not in made().summary() + compute_object_facts(made()).summary()
+
+
+def test_one_pier_of_a_file_is_that_of_the_constructor_with_its_whole_mass() -> None:
+    """Not the frame's: mass centre and inertia of column and point, and the mass of both."""
+    shape = {"columns": 1, "cap_mass_ratio": 2.0}
+    described = made({**SIZES, **shape, "mass_kg": 60.0}, fixed_parts=True)
+    pier = Block.frame(width=0.32, height=1.8, **shape)  # type: ignore[arg-type]
+    for name in ("alpha", "radius", "p", "restitution"):
+        assert getattr(described.block, name) == pytest.approx(getattr(pier, name), rel=1e-14)
+    assert described.body.whole_mass_kg == pytest.approx(180.0)
+    slender = made({"alpha_deg": 10, "p_rad_s": 2.5, **shape}, fixed_parts=True).block
+    column = made({"alpha_deg": 10, "p_rad_s": 2.5}).block
+    capped = column.capped(**shape)  # type: ignore[arg-type]
+    assert slender.p == pytest.approx(capped.p, rel=1e-13)
 
 
 def test_a_worn_base_is_narrower_and_its_inertia_that_of_the_outline() -> None:
@@ -73,6 +117,7 @@ def test_ranges_take_the_middle_and_vary_to_both_ends() -> None:
     described = made(
         {"width_m": {"low": 0.3, "high": 0.34}, "height_m": 1.8, "mass_kg": 50},
         content={"mass_kg": {"low": 0.5, "high": 50.0}, "mass_centre_height_m": 1.7},
+        fixed_parts=True,
     )
     assert described.block.width == pytest.approx(0.32)
     found = {variant.label: variant.block for variant in described.variants()}
@@ -137,7 +182,15 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"restitution": 1.2}, "restitution = 1.2 is not valid: it must lie in (0, 1]"),
     ({"friction": {"low": 0.3, "high": 9}}, "friction = 9.0 is not valid"),
     ({"content": {"mass_kg": 10}}, "[content] mass_centre_height_m is missing: [content] needs it"),
-    ({"content": {"mass_kg": 10, "mass_centre_height_m": 1}}, "content needs the mass of the obj"),
+    ({"content": {"mass_kg": 10, "mass_centre_height_m": 1}, "fixed_parts": True},
+     "content needs the mass of the obj"),
+    ({"content": {"mass_kg": 10, "mass_centre_height_m": 1}},
+     "desk.toml: fixed_parts is not true: object and content are computed as one body"),
+    ({"content": {"mass_kg": 10, "mass_centre_height_m": 1}, "fixed_parts": False},
+     "add fixed_parts = true (in a table: yes) where they are fixed to each other, or describe"),
+    ({"geometry": {**SIZES, "columns": 1, "cap_mass_ratio": 2}},
+     "desk.toml: fixed_parts is not true: pier and point cap are computed as one body"),
+    ({"fixed_parts": 1}, "fixed_parts = 1 is not valid: it must be true or false"),
     ({"demand": {"pgv_m_s": 45}}, "write 0.4 for 40 cm/s"),
     ({"demand": {"spectrum": {"period_s": [1, 2], "sa_g": [0.1], "damping": 0.05}}}, "have 2 and"),
     ({"demand": {"spectrum": {"period_s": [1, -2], "sa_g": [1, 1], "damping": 0.05}}}, "= -2.0 is"),

@@ -26,10 +26,11 @@ def test_an_object_has_its_place_and_its_demand(tmp_path: Path) -> None:
 
 def test_objects_keep_their_order_their_ranges_and_their_further_columns(tmp_path: Path) -> None:
     text = (
-        "name,room,width_m,height_m,friction,mass_kg,content_mass_kg,content_mass_centre_height_m\n"
-        '"vase, blue",4,0.12,0.5,,,,\n'
+        "name,room,width_m,height_m,friction,mass_kg,content_mass_kg,content_mass_centre_height_m,"
+        "fixed_parts\n"
+        '"vase, blue",4,0.12,0.5,,,,,\n'
         "\n"
-        "cask,cellar,0.6:0.7,1.1,0.3:0.5,40,200,0.5\n"
+        "cask,cellar,0.6:0.7,1.1,0.3:0.5,40,200,0.5,yes\n"
     )
     vase, cask = read_objects(written(tmp_path, text))
     assert vase.name == "vase, blue"
@@ -38,6 +39,13 @@ def test_objects_keep_their_order_their_ranges_and_their_further_columns(tmp_pat
     assert [dict(each.extra) for each in (vase, cask)] == [{"room": "4"}, {"room": "cellar"}]
     assert cask.block.width == pytest.approx(0.65)
     assert cask.body.mass_kg == pytest.approx(240.0)
+    assert cask.block.parts == "object and content"
+    with pytest.raises(
+        RocksteadyError, match="line 4: fixed_parts is not true: object and content"
+    ):
+        read_objects(written(tmp_path, text.replace("yes", "no")))
+    with pytest.raises(RocksteadyError, match=r"fixed_parts = 'perhaps' .* write yes where it is"):
+        read_objects(written(tmp_path, text.replace("yes", "perhaps")))
     assert [variant.key for variant in cask.variants()] == ["geometry.width_m"] * 2
     assert cask.source == "store.csv: line 4"
     assert vase.sha256 == cask.sha256
@@ -137,5 +145,5 @@ def test_rows_may_be_frames_of_columns(tmp_path: Path) -> None:
         with pytest.raises(RocksteadyError, match=f"{column} does not go with width_m"):
             read_objects(written(tmp_path, text))
     text = f"{head[:-1]},content_mass_kg,content_mass_centre_height_m\nx,1.6,9.6,4,2,9,5,1\n"
-    with pytest.raises(RocksteadyError, match="a frame carries its cap alone; leave"):
+    with pytest.raises(RocksteadyError, match="columns carry their cap alone; leave"):
         read_objects(written(tmp_path, text))

@@ -8,6 +8,7 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import cos, hypot, sin
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Restitution
+from rocksteady.model.blocks.sides import with_point_mass
 from rocksteady.risk.assess.described.schema import Geometry, ObjectInput, Range, Value
 from rocksteady.risk.observations.files.toml_tables import named
 
@@ -45,7 +46,7 @@ class Body:
         Width and height [m] where it is a homogeneous rectangle on its full width.
     columns, cap_mass_ratio
         Number of columns of a frame, each of which is this body, and mass of the cap over that of
-        all of them; None of a single body.
+        all of them; None of a single body, as one pier with its cap.
     """
 
     left: float
@@ -94,21 +95,12 @@ class Body:
         return self.with_share(mass_kg / self.mass_kg, height_m)
 
     def with_share(self, share: float, height_m: float) -> "Body":
-        """Return the body with a point mass, as a share of its own, in line with its mass centre.
-
-        Parallel axes: ``M k^2`` grows by the reduced mass times the squared distance of the two.
-        """
-        whole = 1.0 + share
-        apart = height_m - self.centre_height
-        return replace(
-            self,
-            centre_height=self.centre_height + apart * share / whole,
-            gyration=math.sqrt(
-                (self.gyration * self.gyration + share * apart * apart / whole) / whole
-            ),
-            mass_kg=None if self.mass_kg is None else self.mass_kg * whole,
-            rectangle=None,
+        """Return the body with a point mass, a share of its own, in line with its mass centre."""
+        centre, gyration = with_point_mass(
+            self.centre_height, self.gyration, share=share, at_height=height_m
         )
+        mass = None if self.mass_kg is None else self.mass_kg * (1.0 + share)
+        return replace(self, centre_height=centre, gyration=gyration, mass_kg=mass, rectangle=None)
 
     def wider(self, factor: float) -> "Body":
         """Return the body on a base whose edges stand further from the mass centre by a factor.
@@ -133,7 +125,8 @@ def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
     Raises
     ------
     ModelError, InputError
-        If its geometry is given twice or in part, or no body has it.
+        If its geometry is given twice or in part, no body has it, or it has several parts that are
+        not stated to be fixed to each other.
     """
     shape = given.geometry
     form = _form(shape, source)
@@ -148,14 +141,25 @@ def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
         body = _of_sizes(numbers, source) if form == 0 else _of_edges(numbers, source)
     if shape.columns is not None:
         ratio = numbers["cap_mass_ratio"]
-        body = replace(body, columns=shape.columns, cap_mass_ratio=ratio)
+        if shape.columns == 1:
+            body = body.with_share(ratio, 2.0 * body.centre_height)
+        else:
+            body = replace(body, columns=shape.columns, cap_mass_ratio=ratio)
         if given.content is not None:
             raise ModelError(
                 named(source, "geometry", "columns"),
                 Words("stands beside [content]"),
-                "a frame carries its cap alone",
+                "columns carry their cap alone",
                 "leave [content] out, or add it to cap_mass_ratio",
             )
+    if not given.fixed_parts and (given.content is not None or shape.columns == 1):
+        raise ModelError(
+            named(source, "", "fixed_parts"),
+            Words("is not true"),
+            f"{given.parts} are computed as one body, in which nothing rocks or slides on its own",
+            "add fixed_parts = true (in a table: yes) where they are fixed to each other, or "
+            "describe what can rock by itself",
+        )
     if given.content is None:
         return body
     if body.mass_kg is None:

@@ -81,6 +81,7 @@ class ObjectFacts(Result):
         whose = "restitution of the wall" if walled else "restitution"
         facts = [
             Fact("name", self.name, "object"),
+            *([Fact("", label="as one body", text=parts)] if (parts := self.block.parts) else []),
             Fact("alpha_rad", weaker.alpha, "slenderness alpha", angle(weaker.alpha)),
             Fact("p_rad_s", weaker.p, "frequency p", quantity(weaker.p, "rad/s")),
             Fact("radius_m", weaker.radius, "radius R", length(weaker.radius)),

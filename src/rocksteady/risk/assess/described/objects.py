@@ -280,9 +280,11 @@ did you mean width_m?
         """Return the block of a body; a refusal names the file."""
         gravity = self.given.gravity_m_s2
         with in_file(self.source, "geometry"):
-            if self.given.against_wall:  # impacts on the base alone do not occur
-                return body.block(1.0, gravity).against_wall(restitution)
-            return body.block(restitution, gravity)
+            walled = self.given.against_wall  # impacts on the base alone do not occur
+            block = body.block(1.0 if walled else restitution, gravity)
+            if self.given.fixed_parts:
+                block = replace(block, parts=self.given.parts)
+            return block.against_wall(restitution) if walled else block
 
 
 def _ranges(given: ObjectInput) -> "Iterator[tuple[str, Range]]":

@@ -101,10 +101,18 @@ class ObjectInput(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     friction: Value | None = None
     restitution: str | Value = "housner"
     against_wall: bool = False
+    fixed_parts: bool = False
     gravity_m_s2: float = 9.80665
     content: Content | None = None
     demand: ObjectDemand = ObjectDemand()
     assessment: Options = Options()
+
+    @property
+    def parts(self) -> str:
+        """What is one body if `fixed_parts` is true."""
+        if self.geometry.columns is not None:
+            return "pier and point cap" if self.geometry.columns == 1 else "each column"
+        return "all parts" if self.content is None else "object and content"
 
 
 TABLES: dict[str, type[msgspec.Struct]] = {

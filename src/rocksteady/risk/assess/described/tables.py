@@ -16,7 +16,7 @@ COLUMNS: Mapping[str, tuple[str, str]] = {
         key: ("", key)
         for key in (
             *("name", "kind", "building", "floor", "friction", "restitution", "against_wall"),
-            "gravity_m_s2",
+            *("fixed_parts", "gravity_m_s2"),
         )
     },
     **{key: ("geometry", key) for key in Geometry.__struct_fields__},
@@ -27,7 +27,7 @@ COLUMNS: Mapping[str, tuple[str, str]] = {
 
 TEXTS = ("name", "kind", "building", "floor")
 ANSWERS = {"yes": True, "true": True, "no": False, "false": False}
-"""Words of the column against_wall."""
+"""Words of the columns against_wall and fixed_parts."""
 
 TABLE = Columns(
     known=COLUMNS,
@@ -46,7 +46,8 @@ def read_objects(path: Path | str) -> list[DescribedObject]:
     path
         The file, in UTF-8, with the names of the columns in its first line: ``name``, and the keys
         of ``[geometry]`` of an object file, as ``width_m`` and ``height_m``; further ``kind``,
-        ``friction``, ``restitution``, ``against_wall`` (yes or no), ``gravity_m_s2``,
+        ``friction``, ``restitution``, ``against_wall`` and ``fixed_parts`` (yes or no),
+        ``gravity_m_s2``,
         ``content_mass_kg``, ``content_mass_centre_height_m``, ``building`` and ``floor`` (of
         `read_buildings`), and ``pga_g``, ``pgv_m_s``, ``vertical_g`` and ``vertical_share`` of its
         own demand.  A cell holds a number, a range as
@@ -106,9 +107,9 @@ def _value(column: str, cell: str, name: str) -> object:
     """Return the number or the range of a cell; a text or a form of "housner" stays."""
     if column in TEXTS or "housner" in cell:  # the validation of the values checks it
         return cell
-    if column == "against_wall":
+    if column in ("against_wall", "fixed_parts"):
         if cell.lower() not in ANSWERS:
-            hint = "write yes where a wall stands behind the object, or leave the cell empty"
+            hint = "write yes where it is so, or leave the cell empty"
             raise InputError(name, cell, "it must be yes or no", hint)
         return ANSWERS[cell.lower()]
     parts = parts_of(cell)
