@@ -110,6 +110,8 @@ _ADVICE = {
         "limit or ask for a shorter time."
     ),
 }
+BALANCED = "stands balanced: any disturbance decides"
+"""Of a block that rocks no more, and neither falls nor comes back."""
 
 
 class AttractorKind(_Outcome, StrEnum):

@@ -17,6 +17,7 @@ from rocksteady.cli.flags.parsing import MOST_AXIS_POINTS
 from rocksteady.errors import InputError
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.risk import DescribedObject
+from tests.cli.program import rocksteady
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
@@ -66,6 +67,10 @@ LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
         (
             {"block": "statue-on-plinth", "restitution": "housner*0.9", "one_sided": True},
             Block.named("statue-on-plinth").against_wall(("housner", 0.9)),
+        ),
+        (
+            {"width_m": "1.6", "height_m": "9.6", "columns": 1, "cap_mass_ratio": 2.0},
+            Block.frame(columns=1, cap_mass_ratio=2.0, width=1.6, height=9.6),
         ),
         (
             {"width_m": "1.6", "height_m": "9.6", "columns": 4, "cap_mass_ratio": 2.0},
@@ -312,3 +317,30 @@ def test_sizes_above_50_m_are_refused_by_their_flags_in_the_words_of_object_file
     large = BlockFlags(alpha_rad="0.3", p_rad_s="0.1").described()
     assert isinstance(large, Block)
     assert large.height > 50.0
+
+
+@every(
+    "command",
+    [
+        "simulate --start 0.5,0",
+        "simulate --pulse one-sine --accel-g 0.25 --freq-hz 0.5",
+        "overturn --pulse one-sine --freq-hz 1",
+        "overturn --kick --start 0.5,0",
+        "attractor --accel-g 0.5 --freq-hz 2",
+        "assess --pga-g 0.3 --pgv-m-s 0.4",
+    ],
+)
+@every(
+    "block",
+    [
+        "--block statue-on-plinth",
+        "--columns 1 --cap-mass-ratio 2 --width-m 1.6 --height-m 9.6",
+    ],
+)
+def test_an_answer_names_parts_that_are_computed_as_one_body(command: str, block: str) -> None:
+    ran = rocksteady(f"{command} {block}")
+    assert ran.code == 0, ran.err
+    assert "as one body" in " ".join(ran.out.split())
+    assert ran.out.count("\n") <= 8
+    alike = rocksteady(f"{command} --width-m 0.6 --height-m 3")
+    assert "one body" not in alike.out

@@ -1,5 +1,7 @@
 """Answers of time histories: their verdict, their time, and the scale at which none falls."""
 
+from typing import Any
+
 import pytest
 
 from rocksteady import (
@@ -53,6 +55,52 @@ def test_a_dimensionless_block_counts_periods_and_a_free_one_seconds() -> None:
     assert " periods into the motion" in first_line(steady)
     free = simulate(BLOCK, Still(), start=State(angle=0.5, velocity=0.0))
     assert first_line(free) == f"It rests {free.rest_time_s:.3g} s after it is let go."
+
+
+LEANING = Block.asymmetric(left=0.1, right=0.3, height=1.2)
+RATIO = LEANING.negative.alpha / LEANING.alpha
+
+
+@pytest.mark.parametrize(
+    ("block", "angle", "velocity", "model"),
+    [
+        *((BLOCK, angle, 0.0, model) for angle in (1.0, -1.0) for model in ("linear", "nonlinear")),
+        (LEANING, 1.0, 0.0, "nonlinear"),
+        (LEANING, -RATIO, 0.0, "nonlinear"),
+        (BLOCK.against_wall(), 1.0, 0.0, "nonlinear"),
+        (BLOCK.with_restitution(1.0), 1.0, 0.0, "nonlinear"),
+        (DimensionlessBlock(restitution=0.8), -1.0, 0.0, "linear"),
+        (BLOCK, 0.5, 0.5, "linear"),  # u = 1 - exp(-s)/2 never comes back
+        (DimensionlessBlock(restitution=0.8), 0.0, 1.0, "linear"),
+    ],
+)
+def test_a_block_that_ends_at_its_balance_says_so(
+    block: Block | DimensionlessBlock, angle: float, velocity: float, model: Any
+) -> None:
+    """There x'' = 0 on a still base: it neither falls nor comes back, and time means nothing."""
+    start = State(angle=angle, velocity=velocity)
+    for motion in (Still(), Harmonic(amplitude=0.0, frequency_ratio=2.0)):
+        run = simulate(block, motion, start=start, model=model)
+        assert run.balanced
+        assert first_line(run) == "It stands balanced: any disturbance decides."
+        words = run.describe()
+        assert words.headline.startswith("balanced: ")
+        assert not any("longer run" in note for note in words.notes)
+
+
+@pytest.mark.parametrize(("angle", "start"), [(0.99, "rests"), (1.01, "falls"), (0.3, "rests")])
+def test_a_block_beside_its_balance_falls_or_rests(angle: float, start: str) -> None:
+    run = simulate(BLOCK, Still(), start=State(angle=angle, velocity=0.0))
+    assert first_line(run).startswith(f"It {start} ")
+    free = simulate(
+        BLOCK.with_restitution(1.0), Still(), start=State(angle=angle - 0.1, velocity=0.0)
+    )
+    assert first_line(free).startswith("It still rocks ")
+
+
+def test_the_command_says_that_a_block_stands_balanced() -> None:
+    asked = "simulate --width-m 0.4 --height-m 1.2 --start 1,0 --quiet"
+    assert rocksteady(asked).out.strip() == "It stands balanced: any disturbance decides."
 
 
 @pytest.mark.parametrize("accel_g", [0.75, 0.9, 1.5])

@@ -88,6 +88,20 @@ def test_a_block_beyond_its_balance_falls_without_a_kick() -> None:
     assert len(kicks.intervals(1)) == 2
 
 
+@every("block", [BARE, BLOCK, LEANING])
+@every("angle", [1.0, 1.01])
+def test_a_block_at_its_balance_waits_for_a_kick_of_any_size(
+    block: Block | DimensionlessBlock, angle: float
+) -> None:
+    """There it stays without one, as `simulate` has it; the least that fells it is 0 in size."""
+    kicks = find_fatal_kicks(block, start=State(angle=angle, velocity=0.0))
+    assert kicks.first[0] == 0.0
+    answer = kicks.describe().answer
+    assert answer is not None
+    ends = "falls without a kick" if angle > 1.0 else "stands balanced: any disturbance decides"
+    assert answer.sentence == f"It {ends}."
+
+
 @pytest.mark.slow
 @every("block", [BLOCK, LEANING])
 @every("model", [Linear(), Nonlinear()])

@@ -10,7 +10,7 @@ from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Still
-from rocksteady.outcomes import Status
+from rocksteady.outcomes import BALANCED, Status
 from rocksteady.results.answer import GIVEN, Answer
 from rocksteady.results.numbers import length, number, plural, quantity
 
@@ -39,6 +39,8 @@ def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
     tilt += f"; {impacts}" + (f"; top moves {length(top)}" if top else "")
     friction = words.get("friction_needed")
     lifts = "" if run.uplift_g is None else quantity(run.uplift_g, "g")
+    if isinstance(run.block, Block) and run.block.parts and lifts:
+        lifts += " as one body"  # where there is no room for the block
     if run.pga_g is not None:
         lifts += f"; {name_of(run.motion)} reaches {quantity(run.floor_pga_g or run.pga_g, 'g')}"
     facts = [
@@ -53,6 +55,8 @@ def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
 
 def sentence(run: "Physical") -> str:
     """Return how a run ended, and when, without a stop."""
+    if run.balanced:
+        return f"It {BALANCED}"
     if run.status is Status.AT_REST and not run.peak:
         return f"It {Status.AT_REST.plain} throughout: {name_of(run.motion)} never lifts it"
     if run.status is Status.OVERTURNED and run.overturn_time_pt == 0.0:

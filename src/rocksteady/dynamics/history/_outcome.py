@@ -12,7 +12,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import LINEAR_NOTE, needs_full_equations
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.model.motions.fourier import PeriodicMotion
-from rocksteady.outcomes import Status
+from rocksteady.outcomes import BALANCED, Status
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, force_words, length, number, quantity
 from rocksteady.results.result import Result
@@ -55,7 +55,7 @@ def description_of(run: Described, mass_kg: float | None = None) -> Description:
     factor = grown if math.isfinite(grown) else None
     words = f"{number(grown)}-fold" if factor is not None else "without bound"
     facts.append(Fact("growth", factor, "a small difference grows", words))
-    notes = [run.status.advice]
+    notes = [f"The block {BALANCED}." if run.balanced else run.status.advice]
     if grown > DECIDED_BY_ROUNDING:
         notes.append(
             f"A small difference grows {words}: rounding decides how the run goes on, and another "
@@ -73,6 +73,8 @@ def description_of(run: Described, mass_kg: float | None = None) -> Description:
 
 def outcome(run: Described) -> str:
     """Return how a run ended, and when."""
+    if run.balanced:
+        return "balanced"
     if run.status is Status.OVERTURNED and run.overturn_time_pt is not None:
         return f"overturned at {time_words(run, run.overturn_time_pt)}"
     if run.status is Status.AT_REST and run.rest_time_pt is not None:

@@ -59,6 +59,9 @@ class Physical:
         def side_peaks(self) -> tuple[float, float]: ...
 
         @property
+        def balanced(self) -> bool: ...
+
+        @property
         def impact_count(self) -> int: ...
 
         @property

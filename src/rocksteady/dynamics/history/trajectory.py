@@ -35,6 +35,9 @@ from rocksteady.outcomes import Status
 if TYPE_CHECKING:
     import xarray
 
+STILL = 1e-12
+"""Velocity d(theta/alpha)/d(p t) below which a block at its balance stands."""
+
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -175,6 +178,17 @@ class Trajectory(Described):
             return 0.0, 1.0
         positive, negative = self.sides[:, columns.LEAN].tolist()
         return -negative, positive
+
+    @property
+    def balanced(self) -> bool:
+        """Whether it ends still and tilted, its mass centre above an edge: any disturbance decides.
+
+        It neither falls nor comes back, and its status stays "rocking".
+        """
+        if self.status is not Status.ROCKING:
+            return False
+        end = self(self.end_time_pt)
+        return abs(float(end.velocity)) < STILL and float(end.angle) in self.balances
 
     @property
     def uplifts(self) -> tuple[float, float]:

@@ -40,6 +40,7 @@ from rocksteady.model.facts import case_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
+from rocksteady.outcomes import BALANCED
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
@@ -234,7 +235,9 @@ class FatalKicks(WindowLists):
         if math.isnan(self._smallest):
             return Answer("It stands after every kick searched.", facts)
         if self._smallest == 0.0:
-            return Answer("It falls without a kick.", facts)
+            course = simulate(self.block, self.motion, start=self.start, model=self.model)
+            ends = BALANCED if course.balanced else "falls without a kick"
+            return Answer(f"It {ends}.", facts)
         order = np.argsort(np.abs(self.least), kind="stable").tolist()
         at = order[0]
         opposite = abs(self.first[2 * at + int(self.least[at] > 0.0)])
