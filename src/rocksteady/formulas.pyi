@@ -10,6 +10,7 @@ from .dynamics.steady.regions import melnikov_amplitude as melnikov_amplitude
 from .dynamics.steady.regions import symmetry_breaking_amplitude as symmetry_breaking_amplitude
 from .dynamics.steady.regions import symmetry_breaking_frequencies as symmetry_breaking_frequencies
 from .dynamics.steady.states import steady_states as steady_states
+from .model.blocks.outlines import Outline as Outline
 from .model.blocks.sides import Side as Side
 from .model.blocks.sides import housner_restitution as housner_restitution
 from .model.blocks.sides import impact_restitution as impact_restitution

@@ -2,6 +2,7 @@
 
 import math
 import re
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -22,10 +23,12 @@ from rocksteady import (
 from rocksteady.errors import InputError, ModelError
 from rocksteady.explorer.view import DEFAULT_MOTION, LIMITS, TABS, WINDOW, state_of
 from rocksteady.export import ExplorerView
+from rocksteady.formulas import Outline
 from rocksteady.histories import ImpactState
 from tests.every import every
 from tests.explorer.in_node import InNode
 
+RECTANGLE = Block.rectangle(width=0.5, height=2.0)
 IMPORTS = """
 const { FIELDS, TABS, blockNumbers, caseOf, defaultState, patched, startOf } =
     await import(parts('shell/state.mjs'));
@@ -177,6 +180,7 @@ def test_numbers_that_the_page_does_not_take_are_refused(
         ({"block": Block.rectangle(width=0.5, height=2.0).against_wall()}, "block"),
         ({"block": DimensionlessBlock(restitution=0.8, alpha_ratio=1.1)}, "block"),
         ({"block": Block.named("gas-cylinder")}, "block"),
+        ({"block": replace(RECTANGLE, outline=Outline(height=2.5))}, "block"),
         ({"block": Block.rectangle(width=0.5, height=2.0, gravity=1.62)}, "gravity"),
         ({"block": DimensionlessBlock(restitution=0.8), "model": Nonlinear()}, "block"),
         ({"model": Nonlinear(tolerance=1e-8)}, "tolerance"),

@@ -150,6 +150,7 @@ def calls() -> dict[str, Call]:
         rs.BaseMotion(record).reversed: {},
         rs.Execution: {"executor": "serial", "workers": 1},
         rs.motions.Segment: {"duration": 1.0, "constant": 2.0},
+        rs.formulas.Outline: {"height": 1.8},
         rs.formulas.Side: {"alpha": 0.2, "radius": 1.0, "p": 2.0, "restitution": 0.8},
         rs.State: {"angle": 0.1, "velocity": 0.2},
         rs.State.per_tau: {"angle": 0.1, "velocity_tau": 0.2, "frequency_ratio": 4.0},

@@ -243,11 +243,13 @@ def _check_block(block: Block | DimensionlessBlock) -> None:
     _within("width", block.width, "give the full width in metres")
     _within("height", block.height, "give the full height in metres")
     rate = rectangle_p(block.radius, block.gravity)
-    if abs(block.p / rate - 1.0) > ROUNDED:
+    if abs(block.p / rate - 1.0) > ROUNDED or not block.fills_outline:
         raise ModelError(
             "block",
-            f"p {block.p:.6g} rad/s",
-            f"the page has homogeneous rectangles, of which one of this size has {rate:.6g} rad/s",
+            f"p {block.p:.6g} rad/s and its mass centre {block.positive.centre_height:.6g} m up in "
+            f"{block.width + sum(block.overhangs):.6g} x {block.height:.6g} m",
+            "the page has homogeneous rectangles, with the mass centre in the middle, of which one "
+            f"of this alpha and R has {rate:.6g} rad/s",
             "give a block by its width and height",
         )
 

@@ -17,11 +17,14 @@ def block_values(block: Block) -> dict[str, Any]:
     """Return a block's measures in SI; for one whose sides differ those of both.
 
     For a block against a wall those of the side on which it rocks, with the restitution of the
-    wall.
+    wall.  A body of several parts names them.
     """
-    positive: dict[str, Any] = {**block.positive.to_dict()}
-    negative = block.negative.to_dict()
+    positive: dict[str, Any] = block.positive.to_dict()
     positive |= {} if block.cap is None else block.cap.to_dict()
+    positive |= {"parts": block.parts} if block.parts else {}
+    if not block.fills_outline:
+        centre = block.positive.centre_height
+        positive |= {"height_m": block.height, "mass_centre_height_m": centre}
     if block.symmetric:
         return positive
     if block.one_sided:
@@ -30,7 +33,7 @@ def block_values(block: Block) -> dict[str, Any]:
             return positive
     distances = {"left_m": block.positive.distance, "right_m": block.negative.distance}
     values = {**positive, **distances, "height_m": block.height}
-    return values if block.one_sided else {**values, "negative": negative}
+    return values if block.one_sided else {**values, "negative": block.negative.to_dict()}
 
 
 def restitution_values(block: AnyBlock) -> dict[str, Any]:

@@ -272,17 +272,24 @@ def test_a_mass_centre_off_the_middle_is_an_asymmetric_block() -> None:
     low = BlockFlags(**sized, offset_m=-0.05, mass_centre_height_m=0.7).described()
     assert isinstance(low, Block)
     assert (low.positive.distance, low.negative.distance) == pytest.approx((0.2, 0.3))
-    assert low.height == pytest.approx(1.4)
+    assert (low.height, low.positive.centre_height) == pytest.approx((1.8, 0.7))
     for side in (low.positive, low.negative):  # I_c of the homogeneous outline
         square = low.gravity * side.radius / side.p**2 - side.radius**2
         assert square == pytest.approx((0.5**2 + 1.8**2) / 12.0)
+    edges: dict[str, Any] = {"left_m": 0.2, "right_m": 0.3, "height_m": "1.8"}
+    assert BlockFlags(**edges, mass_centre_height_m=0.7).described() == low
 
 
 @every(
     ("flags", "words"),
     [
         ({"width_m": "0.5", "height_m": "1.8", "offset_m": 0.25}, "--offset-m"),
-        ({"width_m": "0.5", "height_m": "1.8", "mass_centre_height_m": 2.0}, "--mass-centre"),
+        ({"width_m": "0.5", "height_m": "1.8", "mass_centre_height_m": 2.0}, "mass_centre"),
+        ({"mass_centre_height_m": 0.5}, "^no block .* by --mass-centre-height-m alone"),
+        (
+            {"left_m": 0.2, "right_m": 0.3, "height_m": "1.8", "offset_m": 0.1},
+            "^no block is described by --height-m --left-m --right-m --offset-m alone",
+        ),
         ({"width_m": "-0.5", "height_m": "1.8", "offset_m": 0.1}, "width"),
         (
             {"width_m": "0.5", "offset_m": 0.1},

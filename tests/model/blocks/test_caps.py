@@ -112,6 +112,7 @@ def test_one_pier_with_a_cap_is_a_body(width: float, height: float, gamma: float
     for name in ("alpha", "radius", "p", "restitution", "uplift_acceleration"):
         assert getattr(pier, name) == pytest.approx(getattr(point, name), rel=1e-12)
     assert pier.cap is None
+    assert pier.height == height
     assert pier.width == pytest.approx(width, rel=1e-14)
     misfits = [
         abs(stacked([column, (gamma, size, size, height + 0.5 * size)], width).p / pier.p - 1.0)

@@ -33,7 +33,7 @@ from tests.every import every
 from tests.seismic.grounds import ground, lifting
 
 SYMMETRIC = Block.rectangle(width=0.4, height=1.6)
-GENERAL = Block.general(mass=100.0, inertia=90.0, radius=0.8, alpha=0.2, gravity=9.0)
+GENERAL = Block.general(mass=100.0, inertia=90.0, radius=0.8, alpha=0.2, height=2.2, gravity=9.0)
 OFF_CENTRE = Block.asymmetric(left=0.25, right=0.4, height=2.4)
 BLOCKS = (SYMMETRIC, OFF_CENTRE, GENERAL)
 # Slow ones, which topple the blocks.

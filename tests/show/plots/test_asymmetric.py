@@ -1,6 +1,8 @@
 """Pictures of a block whose sides differ: where its mass centre is, and where it balances."""
 
+import cmath
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ from matplotlib.figure import Figure
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, State, Still, plots, simulate
 from rocksteady.errors import InputError
+from rocksteady.formulas import Outline
 from rocksteady.histories import Trajectory
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.show.film._geometry import shape_of
@@ -17,6 +20,10 @@ from rocksteady.show.film.animation import film_of
 from tests.every import every
 
 BLOCK = Block.asymmetric(left=0.15, right=0.25, height=1.2)
+LOW = replace(  # reaches beyond its base, and its mass centre is low
+    Block.asymmetric(left=0.2, right=0.3, height=1.8, mass_centre_height=0.5),
+    outline=Outline(height=1.8, left_overhang=0.2, right_overhang=0.1),
+)
 UNLIKE = DimensionlessBlock(restitution=0.85, negative_restitution=0.75, alpha_ratio=1.8)
 SHAKEN = Harmonic(amplitude=2.0, frequency_ratio=5.0)
 
@@ -40,7 +47,7 @@ def mass_centre(scene: BlockScene) -> tuple[float, float]:
 
 
 @every("side", [-1, 1])
-@every("block", [BLOCK, UNLIKE])
+@every("block", [BLOCK, LOW, UNLIKE])
 def test_where_it_balances_its_mass_centre_is_drawn_above_the_pivot(
     block: Block | DimensionlessBlock, side: int
 ) -> None:
@@ -50,7 +57,8 @@ def test_where_it_balances_its_mass_centre_is_drawn_above_the_pivot(
     pivot = -side * scene.shape.half_width
     assert x == pytest.approx(pivot, abs=1e-9)
     arm = scene.shape.left if side > 0 else scene.shape.right
-    assert y == pytest.approx(math.hypot(arm, 0.5 * scene.shape.height), rel=1e-9)
+    centre = 0.5 if block == LOW else 0.5 * scene.shape.height
+    assert y == pytest.approx(math.hypot(arm, centre), rel=1e-9)
 
 
 def test_at_rest_its_mass_centre_is_where_it_is() -> None:
@@ -60,6 +68,41 @@ def test_at_rest_its_mass_centre_is_where_it_is() -> None:
     x, y = mass_centre(scene)
     base = float(scene.ground(0.0)) - 0.5 * BLOCK.width
     assert (x - base, y) == pytest.approx((0.15, 0.6))
+
+
+@every("angle", [-0.9, 0.9])
+def test_the_drawn_top_is_where_a_turn_about_the_edge_takes_it(angle: float) -> None:
+    run = simulate(LOW, Still(), start=State(angle=angle, velocity=0.0))
+    axes = new_axes()
+    scene = BlockScene(axes, run, np.linspace(0.0, 1.0, 9))
+    scene.show(0.0)
+    drawn = (scene.body.get_transform() - axes.transData).transform(scene.body.get_xy())[2:4]
+    pivot = math.copysign(0.25, -angle)
+    turn = cmath.exp(1j * angle * LOW.alpha)
+    upper = [pivot + (x + 1.8j - pivot) * turn for x in (0.35, -0.45)]
+    assert drawn[:, 0] + 1j * drawn[:, 1] == pytest.approx(upper)
+    (left, right), (_, high) = axes.get_xlim(), axes.get_ylim()
+    assert left < drawn[:, 0].min() < drawn[:, 0].max() < right
+    assert drawn[:, 1].max() < high
+
+
+def test_a_body_wider_than_its_base_lies_on_its_side_and_not_in_the_ground() -> None:
+    run = simulate(LOW, Still(), start=State(angle=1.01, velocity=0.0))
+    film = film_of(run)
+    assert film.fall is not None
+    last = float(film.fall.lands_pt)
+    scene = BlockScene(new_axes(), run, np.array([0.0, last]), fall=film.fall)
+    corners = scene.shape.corners(scene.theta(last))
+    assert corners[:, 1].min() == pytest.approx(0.0, abs=1e-12)
+    assert corners[[0, 3], 1] == pytest.approx([0.0, 0.0], abs=1e-12)
+
+
+def test_the_model_of_a_low_mass_centre_has_two_heights() -> None:
+    texts = [text.get_text() for text in plots.block(LOW, new_axes()).texts]
+    for symbol, value in (("$H$", "1.8 m"), ("$h$", "0.5 m")):
+        assert value in texts[texts.index(symbol, texts.index("$H$") + 1) :]
+    assert "$2h$" not in texts
+    assert "$2h$" in [text.get_text() for text in plots.block(BLOCK, new_axes()).texts]
 
 
 def test_a_dimensionless_block_is_drawn_with_the_ratio_of_its_slendernesses() -> None:

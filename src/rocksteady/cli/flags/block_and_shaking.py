@@ -1,6 +1,5 @@
 """Flags for the block and its shaking, converted to objects of the model."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -224,15 +223,15 @@ class BlockFlags:
     )
     mass_centre_height_m: float | None = options.block_flag(
         "--mass-centre-height-m M",
-        "Set the height of the mass centre above the base \\[m], with --width-m and "
-        "--height-m; default half of --height-m. The radius of gyration about the mass centre "
-        "stays that of the homogeneous outline, unless --gyration-m is given.",
+        "Set the height of the mass centre above the base \\[m], with --height-m and --width-m "
+        "or --left-m and --right-m; default half of --height-m. The radius of gyration about the "
+        "mass centre stays that of the homogeneous outline, unless --gyration-m is given.",
     )
     left_m: float | None = options.block_flag(
         "--left-m M",
         "Set the distance from the left edge to the mass centre \\[m], with --right-m and "
-        "--height-m (twice the height of the mass centre): a block whose sides differ. The left "
-        "edge is the pivot of positive rotation, and its side the unit of angles and times.",
+        "--height-m: a block whose sides differ. The left edge is the pivot of positive rotation, "
+        "and its side the unit of angles and times.",
     )
     right_m: float | None = options.block_flag(
         "--right-m M", "Set the distance from the right edge to the mass centre \\[m]."
@@ -288,7 +287,7 @@ class BlockFlags:
             return self._framed()
         gravity = STANDARD_GRAVITY if self.gravity_m_s2 is None else self.gravity_m_s2
         given = [FLAG_OF_ARGUMENT[name] for name in (*self.sizes, *self.asymmetric)]
-        given += self._moved
+        given += [] if self.offset_m is None else ["--offset-m"]
         if not given and self.block is None:
             refuse(
                 {"--gravity-m-s2": self.gravity_m_s2},
@@ -327,8 +326,6 @@ class BlockFlags:
             name: (axis[0], axis[-1]) for name, axis in self.sizes.items() if name in LENGTHS
         }
         lengths |= {name: (value, value) for name, value in self.asymmetric.items()}
-        if self.mass_centre_height_m is not None:
-            lengths["--mass-centre-height-m"] = (self.mass_centre_height_m,) * 2
         for name, ends in lengths.items():
             for end in ends:
                 if end > TALL:
@@ -374,54 +371,37 @@ class BlockFlags:
         """Return what makes the block of a restitution; None where the sizes describe none."""
         sizes = {name: single(FLAG_OF_ARGUMENT[name], self.sizes[name]) for name in self.sizes}
         if self.block is not None:
-            named = not sizes and not self.asymmetric and not self._moved
+            named = not sizes and not self.asymmetric and self.offset_m is None
             return partial(Block.named, self.block) if named else None
-        if self._moved:
-            return self._off_centre(sizes)
-        whole = {"left", "right", *self.asymmetric} == self.asymmetric.keys()
+        edges = self.asymmetric
+        for name, value in edges.items():  # the width that follows has no flag
+            in_range(name, value, 0.0, LARGEST, hint="give a distance in metres, as 0.3")
+        moved = self.offset_m is not None or "mass_centre_height" in edges
+        if moved and tuple(sizes) == ("width", "height") and not {"left", "right"} & edges.keys():
+            return self._off_centre(**sizes)
         makers: dict[tuple[str, ...], Callable[..., Block]] = {
             ("width", "height"): Block.rectangle,
             ("alpha", "radius"): Block.from_radius,
             ("alpha", "p"): Block.from_p,
         }
-        if self.asymmetric:
+        if edges or moved:
+            whole = {"left", "right"} <= edges.keys() and self.offset_m is None
             makers = {("height",): Block.asymmetric} if whole else {}
-        for name, value in self.asymmetric.items():  # the width that follows has no flag
-            in_range(name, value, 0.0, LARGEST, hint="give a distance in metres, as 0.3")
         make = makers.get(tuple(sizes))
-        return None if make is None else partial(make, **sizes, **self.asymmetric)
+        return None if make is None else partial(make, **sizes, **edges)
 
-    @property
-    def _moved(self) -> list[str]:
-        """The flags that move the mass centre off the middle of the outline."""
-        flags = {"--offset-m": self.offset_m, "--mass-centre-height-m": self.mass_centre_height_m}
-        return [flag for flag, value in flags.items() if value is not None]
-
-    def _off_centre(self, sizes: dict[str, float]) -> Callable[..., Block] | None:
+    def _off_centre(self, width: float, height: float) -> Callable[..., Block]:
         """Return what makes a block of --width-m and --height-m, its mass off the middle."""
-        if tuple(sizes) != ("width", "height") or self.asymmetric.keys() - {"gyration"}:
-            return None
-        width, height = sizes["width"], sizes["height"]
-        for name, size in sizes.items():
-            length(f"give the full {name} in metres")(name, size)
-        offset, centre = self.offset_m or 0.0, self.mass_centre_height_m
-        if centre is None:
-            centre = 0.5 * height
-        half = 0.5 * width
+        length("give the full width in metres")("width", width)
+        half, offset = 0.5 * width, self.offset_m or 0.0
         hint = "give metres from the middle of the base, positive to the right"
         in_range("--offset-m", offset, -half, half, "()", hint=hint)
-        in_range(
-            "--mass-centre-height-m", centre, 0.0, height, "(]", hint="give metres above the base"
-        )
-        gyration = self.gyration_m
-        if gyration is None and centre != 0.5 * height:  # else what `asymmetric` takes
-            gyration = math.sqrt((width * width + height * height) / 12.0)
         return partial(
             Block.asymmetric,
             left=half + offset,
             right=half - offset,
-            height=2.0 * centre,
-            gyration=gyration,
+            height=height,
+            **self.asymmetric,
         )
 
     def refuse_sides(self, valid: str, hint: str) -> FlagError:
@@ -432,7 +412,7 @@ class BlockFlags:
                 valid=valid,
                 hint=hint,
             )
-        flags_given = "--left-m and --right-m" if self.asymmetric else "--restitution/-r"
+        flags_given = "--left-m and --right-m" if self.left_m else "--restitution/-r"
         flags_given = "--offset-m" if self.offset_m else flags_given
         return FlagError(
             finding=f"{flags_given} make a block whose sides differ", valid=valid, hint=hint
@@ -440,8 +420,13 @@ class BlockFlags:
 
     @property
     def asymmetric(self) -> dict[str, float]:
-        """The measures that are given of a block whose sides differ."""
-        values = {"left": self.left_m, "right": self.right_m, "gyration": self.gyration_m}
+        """The measures that are given of a block with its mass centre off the middle."""
+        values = {
+            "left": self.left_m,
+            "right": self.right_m,
+            "mass_centre_height": self.mass_centre_height_m,
+            "gyration": self.gyration_m,
+        }
         return {name: value for name, value in values.items() if value is not None}
 
     @cached_property

@@ -107,6 +107,7 @@ FLAG_OF_ARGUMENT = {name: "--" + name.replace("_", "-") for name in NAMESAKES.sp
     "left": "--left-m",
     "right": "--right-m",
     "gyration": "--gyration-m",
+    "mass_centre_height": "--mass-centre-height-m",
     "alpha_ratio": "--left-m/--right-m/--offset-m",
     "p_ratio": "--left-m/--right-m/--offset-m",
     "negative_restitution": "--restitution/-r",

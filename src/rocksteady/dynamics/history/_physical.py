@@ -23,7 +23,7 @@ from rocksteady.kernels.march.forces import FORCES, largest_forces
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import impact_friction
-from rocksteady.model.blocks.tops import overhang, top_displacement
+from rocksteady.model.blocks.tops import clearance, top_displacement
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.bounds import MASS
 from rocksteady.model.checks.validation import finite
@@ -352,18 +352,18 @@ class Physical:
 
     @property
     def _turned(self) -> tuple[Block, list[float]] | None:
-        """The block and its largest rotation about either edge [rad]; None if it falls."""
+        """The block and its largest rotation about the left and right edge; None if it falls."""
         block = self.block
         if not isinstance(block, Block) or self.overturn_time_pt is not None:
             return None
-        alphas = block.positive.alpha, block.negative.alpha
+        alphas = block.positive.alpha, -block.negative.alpha
         return block, [p * a for p, a in zip(self.side_peaks, alphas, strict=True)]
 
     @property
     def top_displacement_m(self) -> float | None:
-        """Largest motion of the top across the base [m], at the height of the block.
+        """Largest motion of the top across the base [m], at the full height of the block.
 
-        ``2 h sin|theta| + 2 b (1 - cos theta)``; of a frame the motion of the cap.
+        That of the upper corner opposite to the pivot; of a frame the motion of the cap.
         None without a `Block`, or if it overturns.
         """
         if self._turned is None:
@@ -375,14 +375,14 @@ class Physical:
     def clearances_m(self) -> tuple[float, float] | None:
         """Gaps that keep the block off neighbours on its left and right [m].
 
-        ``2 h sin|theta|``, of a frame `top_displacement_m`, to neighbours as high that move with
-        the base.
+        They hold the upper corners of its outline, of a frame the cap, off neighbours as high that
+        move with the base.
         None without a `Block`, or if it overturns.
         """
         if self._turned is None:
             return None
         block, angles = self._turned
-        left, right = overhang(block, angles).tolist()
+        left, right = clearance(block, angles).tolist()
         return left, right
 
     @property

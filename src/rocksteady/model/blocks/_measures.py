@@ -6,7 +6,8 @@ from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.caps import Cap
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.gravity import in_g
-from rocksteady.model.blocks.sides import Side, same_shape
+from rocksteady.model.blocks.outlines import Outline
+from rocksteady.model.blocks.sides import SAME_BODY, Side, same_shape
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, quantity
@@ -28,6 +29,7 @@ class Measured(Result):
         wall_restitution: float | None
         cap: Cap | None
         parts: str
+        outline: Outline | None
 
     @property
     def alpha(self) -> float:
@@ -66,8 +68,21 @@ class Measured(Result):
 
     @property
     def height(self) -> float:
-        """Twice the height of the mass centre [m]; that of a rectangle is its full height."""
-        return 2.0 * self.positive.centre_height
+        """Full height [m]; where none was given, twice the height of the mass centre."""
+        assert self.outline is not None  # a block has one from its construction on
+        return self.outline.height
+
+    @property
+    def overhangs(self) -> tuple[float, float]:
+        """How far it reaches beyond the left and the right edge of its base [m]."""
+        assert self.outline is not None
+        return self.outline.left_overhang, self.outline.right_overhang
+
+    @property
+    def fills_outline(self) -> bool:
+        """Whether it is as wide as its base and twice as high as its mass centre."""
+        twice = 2.0 * self.positive.centre_height
+        return self.overhangs == (0.0, 0.0) and abs(self.height - twice) <= SAME_BODY * twice
 
     @property
     def symmetric(self) -> bool:
@@ -118,12 +133,12 @@ class Measured(Result):
 def description_of(block: Measured) -> Description:
     """Return the facts of a block.
 
-    A rectangle has a width and a height; for any other body the height is not known.  A block
-    against a wall rocks on its positive side alone, and has no rates of the other.
+    A rectangle has a width and a height, any other body a base, a mass centre, and an outline where
+    that is not the mass centre's.  A block against a wall rocks on its positive side alone, and has
+    no rates of the other.
     """
     positive, negative, factor = block.positive, block.negative, block.housner_factor
     alike = block.symmetric or (block.one_sided and same_shape(positive, negative))
-    width, height = block.width, block.height
     sides = (positive,) if alike or block.one_sided else (positive, negative)
     alphas = " and ".join(angle(side.alpha) for side in sides)
     ratios = [block.restitution] if block.one_sided else [side.restitution for side in sides]
@@ -131,17 +146,7 @@ def description_of(block: Measured) -> Description:
     if factor is not None:
         source = "that from angular momentum" if block.one_sided else "Housner's"
         restitutions += f" ({number(factor)} of {source})"
-    noun = "block against a wall" if block.one_sided else "block"
-    size = f"{number(width)} x {number(height)} m {noun}"
-    lengths = Fact("", label="size", text=f"{length(width)} x {length(height)}")
-    if block.cap is not None:
-        size = f"{block.cap.words} of {number(width)} x {number(height)} m"
-        size += " against a wall" if block.one_sided else ""
-        lengths = Fact("", label="each column", text=f"{length(width)} x {length(height)}")
-    elif not _rectangular(positive, width, height, block.gravity):
-        centre = 0.5 * height
-        size = f"{number(width)} m wide {noun} with its mass centre at {number(centre)} m"
-        lengths = Fact("", label="base", text=f"{length(width)}, mass centre {length(centre)} up")
+    size, lengths = _size(block)
     size += f" ({block.parts} as one body)" if block.parts else ""
     uplifts = " and ".join(quantity(in_g(block.gravity * tan(side.alpha)), "g") for side in sides)
     facts = [
@@ -162,14 +167,39 @@ def description_of(block: Measured) -> Description:
     elif not alike:
         facts.insert(0, Fact("", label="sides", text="positive (left) and negative (right)"))
     if not alike:
-        facts += [
-            Fact("left_m", positive.distance),
-            Fact("right_m", negative.distance),
-            Fact("height_m", height),
-        ]
-        if not block.one_sided:
-            facts.append(Fact("negative", negative.to_dict()))
+        facts += [Fact("left_m", positive.distance), Fact("right_m", negative.distance)]
+    if not (alike and block.fills_outline):
+        facts.append(Fact("height_m", block.height))
+    if not block.fills_outline:
+        facts.append(Fact("mass_centre_height_m", positive.centre_height))
+    if block.parts:
+        facts.append(Fact("parts", block.parts))
+    if not alike and not block.one_sided:
+        facts.append(Fact("negative", negative.to_dict()))
     return Description(headline=f"{size}, alpha {alphas}, restitution {restitutions}", facts=facts)
+
+
+def _size(block: Measured) -> tuple[str, Fact]:
+    """Return the size of a block as in a headline, and as a fact."""
+    width, height, centre = block.width, block.height, block.positive.centre_height
+    noun = "block against a wall" if block.one_sided else "block"
+    if block.cap is not None:
+        size = f"{block.cap.words} of {number(width)} x {number(height)} m"
+        size += " against a wall" if block.one_sided else ""
+        return size, Fact("", label="each column", text=f"{length(width)} x {length(height)}")
+    if not block.fills_outline:
+        across = width + sum(block.overhangs)
+        size, text = f"{number(across)} x {number(height)} m {noun}", ""
+        if across > width:
+            size, text = f"{size} on a base of {number(width)} m", f", base {length(width)}"
+        text = f"{length(across)} x {length(height)}{text}, mass centre {length(centre)} up"
+        return f"{size} with its mass centre at {number(centre)} m", Fact("", "", "size", text)
+    if not _rectangular(block.positive, width, height, block.gravity):
+        size = f"{number(width)} m wide {noun} with its mass centre at {number(centre)} m"
+        text = f"{length(width)}, mass centre {length(centre)} up"
+        return size, Fact("", label="base", text=text)
+    text = f"{length(width)} x {length(height)}"
+    return f"{number(width)} x {number(height)} m {noun}", Fact("", label="size", text=text)
 
 
 def _rectangular(side: Side, width: float, height: float, gravity: float) -> bool:

@@ -20,6 +20,7 @@ from rocksteady.model.blocks.caps import CAP_MASS, COLUMNS, Cap, conserving_pair
 from rocksteady.model.blocks.examples import PARTS, constructor_of
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, Restitutions
+from rocksteady.model.blocks.outlines import Outline, outline_around
 from rocksteady.model.blocks.sides import (
     Side,
     body_p,
@@ -48,7 +49,7 @@ from rocksteady.model.checks.bounds import (
     length,
     restitution_of_wall,
 )
-from rocksteady.model.checks.validation import positive
+from rocksteady.model.checks.validation import in_range, positive
 
 
 @checked
@@ -62,7 +63,7 @@ class Block(Measured):
                                                 half-diagonal
     ``Block.from_p(alpha, p)``                  slenderness [rad] and frequency parameter [rad/s]
     ``Block.general(...)``                      any mass distribution, symmetric
-    ``Block.asymmetric(left, right, height)``   mass centre nearer to one edge than to the other
+    ``Block.asymmetric(left, right, height)``   mass centre nearer to one edge, or off mid-height
     ``Block.from_alphas(positive, negative)``   the same, by the critical angles of both sides
     ``Block.frame(columns, ...)``               equal rectangular columns under one rigid cap
     ``Block.named(name)``                       one of the literature or of common equipment
@@ -91,6 +92,10 @@ class Block(Measured):
     cap
         Cap of a rocking frame (`capped`); None (default) of a single block.  Width, height, alpha
         and radius of a frame are those of one column.
+    outline
+        The rectangle around the block, for its top, clearances, pictures and the wall behind it;
+        default (None) that of its edges, twice as high as the mass centre, as of a homogeneous
+        rectangle.
     parts
         Parts that are fixed to each other and computed as one body, for descriptions, as "statue
         and plinth"; empty (default) of a single part.
@@ -98,7 +103,7 @@ class Block(Measured):
     Raises
     ------
     InputError
-        If the gravity is not positive.
+        If the gravity is not positive, or the mass centre is above the outline.
     ModelError
         If the sides are not those of one rigid body: ``R cos(alpha)``, the height of its mass
         centre, or ``g R/p^2 - R^2``, its radius of gyration squared, differ, or the latter is
@@ -125,6 +130,7 @@ class Block(Measured):
     housner_factor: float | None = field(default=None, compare=False)
     wall_restitution: Annotated[float | None, restitution_of_wall] = None
     cap: Cap | None = None
+    outline: Outline | None = None
     parts: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
@@ -132,27 +138,36 @@ class Block(Measured):
         for name in ("positive", "negative"):
             object.__setattr__(self, name, getattr(self, name).under(self.gravity))
         check_one_body(self.positive, self.negative, self.gravity)
-        factor, wall_side = self.housner_factor, self.wall_restitution
+        factor = self.housner_factor
         if factor is not None:
             Impacts.of(("housner", factor))  # refuses what is none
+        # Kept where none was given, so that another mass centre leaves the block as high.
+        outline = outline_around(self.positive.centre_height, self.outline)
+        object.__setattr__(self, "outline", outline)
         sides = self.positive, self.negative, self.gravity
-        if factor is not None and not has_factor(factor, *sides, wall_side, self.cap):
+        if factor is not None and not has_factor(
+            factor, *sides, wall=self.wall_restitution, cap=self.cap, outline=outline
+        ):
             object.__setattr__(self, "housner_factor", None)
 
     @property
     def _identity(self) -> tuple[object, ...]:
-        """What equal blocks have in common: all that moves them."""
+        """What equal blocks have in common: all that moves them, and their outline."""
         sides = [self.positive, self.negative]
         if self.one_sided:  # no impact on the base alone ends a rotation
             sides = [replace(side, restitution=1.0) for side in sides]
-        return (*sides, self.gravity, self.wall_restitution, self.cap)
+        return (*sides, self.gravity, self.wall_restitution, self.cap, self.outline)
 
     def __eq__(self, other: object) -> bool:
-        """Return whether the other is a block that moves alike."""
+        """Return whether the other is a block that moves alike in the same outline.
+
+        An outline moves nothing, but the top of a higher block moves further: results of blocks
+        that are equal are the same in every number.
+        """
         return isinstance(other, Block) and self._identity == other._identity
 
     def __hash__(self) -> int:
-        """Return the same number for blocks that move alike."""
+        """Return the same number for equal blocks."""
         return hash(self._identity)
 
     @classmethod
@@ -323,6 +338,7 @@ class Block(Measured):
         inertia: float,
         radius: float,
         alpha: float,
+        height: float | None = None,
         restitution: Restitution = "housner",
         gravity: float = STANDARD_GRAVITY,
     ) -> "Block":
@@ -338,6 +354,8 @@ class Block(Measured):
             R from pivot to mass centre [m].
         alpha
             Slenderness [rad].
+        height
+            Full height [m], which moves nothing; default twice the height of the mass centre.
         restitution
             A ratio of angular velocities in (0, 1]; "housner" (default) for
             1 - 2 (M R^2 / I_0) sin^2 alpha, from angular momentum about the new pivot;
@@ -348,7 +366,7 @@ class Block(Measured):
         Raises
         ------
         InputError
-            As for `rectangle`.
+            As for `rectangle`, or if the mass centre is above the height.
         ModelError
             If the inertia is below M R^2, which no body has.
         """
@@ -358,7 +376,7 @@ class Block(Measured):
         g = GRAVITY("gravity", gravity)
         made = cls._symmetric(alpha, r, restitution, g, body_p(mass * g, r, i))
         question_millimetres({"radius": r}, height=made.height)
-        return made
+        return made if height is None else replace(made, outline=Outline(height=height))
 
     @classmethod
     def asymmetric(
@@ -366,12 +384,13 @@ class Block(Measured):
         *,
         left: float,
         right: float,
-        height: float,
+        height: Annotated[float, length("give the full height in metres")],
+        mass_centre_height: float | None = None,
         gyration: float | None = None,
         restitution: Restitutions = "housner",
         gravity: float = STANDARD_GRAVITY,
     ) -> "Block":
-        """Return a block whose mass centre need not stand above the middle of its base.
+        """Return a block whose mass centre need not be in the middle.
 
         Parameters
         ----------
@@ -379,13 +398,14 @@ class Block(Measured):
             Horizontal distances from the left and from the right edge to the mass centre [m].  The
             left edge is the pivot of positive rotation.
         height
-            Twice the height of the mass centre [m]; the full height of a block whose mass centre
-            is at half of it.
+            Full height [m].
+        mass_centre_height
+            Height of the mass centre above the base [m]; default half of `height`.
         gyration
             Radius of gyration about the mass centre, ``sqrt(I_c/M)`` [m].  Without, that of the
             homogeneous rectangle of this base and height, ``sqrt(((left + right)^2 +
-            height^2)/12)``: what moves the mass centre sideways is assumed to leave the moment of
-            inertia about it as it was.
+            height^2)/12)``: what moves the mass centre is assumed to leave the moment of inertia
+            about it as it was.
         restitution
             A ratio of angular velocities in (0, 1] for both impacts; a pair, for the impact that
             ends positive rotation and for the other; or "housner" (default), that of each impact
@@ -397,13 +417,15 @@ class Block(Measured):
         Returns
         -------
         Block
-            With ``left == right`` and no `gyration` it is ``Block.rectangle``, to the last bit.
+            With ``left == right`` and neither `mass_centre_height` nor `gyration` it is
+            ``Block.rectangle``, to the last bit.
 
         Raises
         ------
         InputError
-            If a number is not positive, a restitution lies outside (0, 1], or one that follows
-            from angular momentum is not positive (a block so stocky does not rock).
+            If a number is not positive, the mass centre is above the height, a restitution lies
+            outside (0, 1], or one that follows from angular momentum is not positive (a block so
+            stocky does not rock).
 
         Examples
         --------
@@ -413,11 +435,18 @@ class Block(Measured):
         0.2450 rad, 3.4290 rad/s, 0.8201
         0.3948 rad, 3.3865 rad/s, 0.8837
         """
-        made = cls._asymmetric(left, right, height, gyration, restitution, gravity)
-        if left != right or gyration is None:  # else its radius has been questioned
+        twice, k = height, gyration
+        if mass_centre_height is not None:
+            hint = "give metres above the base, at most the full height"
+            h = in_range("mass_centre_height", mass_centre_height, 0.0, height, "(]", hint=hint)
+            twice = 2.0 * h
+        if twice != height and k is None:
+            k = math.sqrt(((left + right) * (left + right) + height * height) / 12.0)
+        made = cls._asymmetric(left, right, twice, k, restitution, gravity)
+        if left != right or k is None:  # else its radius has been questioned
             sizes = {"left": float(left), "right": float(right), "height": float(height)}
             question_millimetres(sizes, height=float(height))
-        return made
+        return replace(made, outline=Outline(height=height))
 
     @classmethod
     def from_alphas(
@@ -567,7 +596,8 @@ class Block(Measured):
         InputError
             If one is outside its range, or columns so stocky do not rock.
         ModelError
-            If the block is asymmetric, against a wall, of several parts, or a frame already.
+            If the block is asymmetric, against a wall, of several parts, a frame already, or has
+            its mass centre or outline off mid-height.
 
         Examples
         --------
@@ -578,19 +608,21 @@ class Block(Measured):
         >>> print(f"mass centre at {pier.positive.centre_height:.3f} m, p {pier.p:.4f} rad/s")
         mass centre at 8.000 m, p 1.0436 rad/s
         """
-        if not self.symmetric or self.cap is not None or self.parts:
+        if not self.symmetric or self.cap is not None or self.parts or not self.fills_outline:
             raise ModelError(
                 "block",
                 self,
-                "the columns of a frame are single blocks whose sides are alike",
+                "the columns of a frame have their mass in mid-height, are as wide as their base, "
+                "and are single blocks whose sides are alike",
                 "give such a block, as Block.rectangle(width=..., height=...)",
             )
         if COLUMNS("columns", columns) == 1:
             share, side = CAP_MASS("cap_mass_ratio", cap_mass_ratio), self.positive
             b, h, k = side.distance, side.centre_height, side.gyration(self.gravity)
-            h, k = with_point_mass(h, k, share=share, at_height=2.0 * h)
+            h, k = with_point_mass(h, k, share=share, at_height=self.height)
             pier = self._asymmetric(b, b, 2.0 * h, k, restitution, self.gravity)
-            return replace(pier, parts=f"pier with a point cap of {share:.4g} times its mass")
+            parts = f"pier with a point cap of {share:.4g} times its mass"
+            return replace(pier, outline=self.outline, parts=parts)
         cap = Cap(columns=columns, cap_mass_ratio=cap_mass_ratio)
         side = cap.of_column(self.positive, self.gravity)
         if Impacts.of(restitution).factor is not None:
@@ -634,7 +666,8 @@ class Block(Measured):
                 "give the restitution as a number in [0, 1]",
             )
         else:
-            ratio = impacts.times(wall_ratio(self.positive, self.negative, self.gravity))
+            sides = self.positive, self.negative, self.gravity
+            ratio = impacts.times(wall_ratio(*sides, self.outline))
         return replace(self, wall_restitution=ratio, housner_factor=impacts.noted)
 
     def with_restitution(self, restitution: Restitutions) -> "Block":

@@ -19,6 +19,7 @@ from typing import Annotated
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import sin
+from rocksteady.model.blocks.outlines import Outline
 from rocksteady.model.blocks.sides import SAME_BODY, Side, housner_pair, wall_ratio
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
@@ -89,8 +90,10 @@ def has_factor(
     positive: Side,
     negative: Side,
     gravity: float,
+    *,
     wall: float | None,
     cap: Cap | None,
+    outline: Outline,
 ) -> bool:
     """Return whether the restitutions of a block are a factor of Housner's.
 
@@ -104,13 +107,15 @@ def has_factor(
         Restitution of the wall that it stands against; None of none.
     cap
         Cap of a frame; None of a single block.
+    outline
+        Its outline.
     """
     if wall is None:
         given = [positive.restitution, negative.restitution]
         values = [*conserving_pair(positive, negative, gravity, cap)]
     else:
         try:
-            given, values = [wall], [wall_ratio(positive, negative, gravity)]
+            given, values = [wall], [wall_ratio(positive, negative, gravity, outline)]
         except InputError:  # so stocky that it has none
             return False
     pairs = zip(given, values, strict=True)

@@ -71,7 +71,13 @@ def _statue() -> dict[str, float]:
         for b, h, m, x, y in boxes
     )
     gyration = math.sqrt(inertia / mass)
-    return {"left": left, "right": 0.6 - left, "height": 2.0 * centre, "gyration": gyration}
+    return {
+        "left": left,
+        "right": 0.6 - left,
+        "height": 0.9 + 1.7,
+        "mass_centre_height": centre,
+        "gyration": gyration,
+    }
 
 
 CONSTRUCTORS: dict[str, tuple[str, Callable[[], dict[str, float]]]] = {

@@ -11,6 +11,7 @@ from typing import Annotated
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
 from rocksteady.model.blocks.housner_forms import Impacts, Restitutions
+from rocksteady.model.blocks.outlines import Outline
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import ALPHA, GRAVITY, GYRATION, RADIUS, RESTITUTION, P, length
 
@@ -337,20 +338,24 @@ def refuse_no_rocking(name: str, value: object, ratio: float, words: str) -> Non
         raise InputError(name, value, valid, hint)
 
 
-def wall_ratio(positive: Side, negative: Side, gravity: float) -> float:
+def wall_ratio(
+    positive: Side, negative: Side, gravity: float, outline: Outline | None = None
+) -> float:
     """Return the restitution of a block against a wall by conservation of angular momentum.
 
-    A block that falls back strikes its base at the other edge, then the wall at its top, twice as
-    high as the mass centre and above that edge, then its base at the first edge.  Each impact
-    conserves angular momentum about the point that is struck, and passes its angular velocity on to
-    the next.  For a symmetric block::
+    A block that falls back strikes its base at the other edge, then the wall at the upper right
+    corner of its outline, then its base at the first edge.  Each impact conserves angular momentum
+    about the point that is struck, and passes its angular velocity on to the next.  For a symmetric
+    block, twice as high as its mass centre (the default outline)::
 
         (1 - 2 k sin^2 alpha)^2 (2 k cos^2 alpha - 1),    k = p^2 R/g
 
     with k = 3/4 of a rectangle (Sorrentino, Kunnath, Monti and Scalora 2008; Sorrentino, AlShawa
     and Decanini 2011).  It tends to 1/2 of a slender rectangle.  In general the two impacts on the
     base have their own values of `impact_restitution`, and alpha and k of the wall's factor are
-    those of the edge beneath it.
+    those of the edge beneath it; with a corner H up and d beyond that edge the factor is ``(H h - d
+    b - I_0)/I_W``, for unit mass, I_0 and I_W about edge and corner, b and h from the edge to the
+    mass centre.
 
     Raises
     ------
@@ -358,8 +363,13 @@ def wall_ratio(positive: Side, negative: Side, gravity: float) -> float:
         If the block is so stocky that the base or the wall does not turn it back.
     """
     share = negative.p * negative.p * negative.radius / gravity
-    cosine = float(cos(negative.alpha))
-    wall = 2.0 * share * cosine * cosine - 1.0
+    cosine, sine = float(cos(negative.alpha)), float(sin(negative.alpha))
+    up, out = 1.0, 0.0  # of the corner, over twice the height of the mass centre and over R
+    if outline is not None:
+        up = outline.height / (2.0 * positive.centre_height)
+        out = outline.right_overhang / negative.radius
+    about = 1.0 + share * (4.0 * cosine * cosine * up * (up - 1.0) + out * (2.0 * sine + out))
+    wall = (2.0 * share * cosine * cosine * up - share * sine * out - 1.0) / about
     first, second = housner_pair(positive, negative, gravity)
     if min(first, second) <= 0.0 or wall < 0.0:
         raise InputError(

@@ -113,7 +113,7 @@ def lengths_of(
     """
     b1 = length("give the distance of the left edge in metres")("left", left)
     b2 = length("give the distance of the right edge in metres")("right", right)
-    h = length("give twice the height of the mass centre in metres")("height", height)
+    h = length("give the full height in metres")("height", height)
     return b1, b2, h, None if gyration is None else GYRATION("gyration", gyration)
 
 

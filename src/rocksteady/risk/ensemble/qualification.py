@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.lowering import mass_centres, weight_kn
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.tops import overhang, top_displacement
+from rocksteady.model.blocks.tops import clearance, top_displacement
 from rocksteady.model.equations import chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
@@ -56,7 +56,7 @@ def qualification_of(
 ) -> dict[str, Floats]:
     """Return motion of the top and clearance [m], and speed of the lifted edge [m/s].
 
-    They are `top_displacement` and `overhang`, of a block whose sides differ on the worse side.
+    They are `top_displacement` and `clearance`, of a block whose sides differ on the worse side.
     The edge is as fast as ``2 b |omega|``, at a landing the speed of impact.
 
     Parameters
@@ -68,8 +68,11 @@ def qualification_of(
     """
     tops, gaps, edges = np.empty((3, *peaks.shape))
     for place, block in enumerate(blocks):
-        angles = [peaks[place] * side.alpha for side in free_sides(block)]
-        for whole, motion in ((tops, top_displacement), (gaps, overhang)):
+        angles = [
+            sign * peaks[place] * side.alpha
+            for sign, side in zip((1.0, -1.0), free_sides(block), strict=False)
+        ]
+        for whole, motion in ((tops, top_displacement), (gaps, clearance)):
             whole[place] = np.max([motion(block, angle) for angle in angles], axis=0)
         edges[place] = block.width * (block.alpha * block.p) * speeds[place]
     for whole in (tops, gaps):

@@ -258,7 +258,8 @@ def _wall_row(case: Case) -> Screen:
         unknown = "no answer: angular momentum gives none for a frame against a wall"
     else:
         with suppress(InputError):  # of a stocky block
-            value = wall_ratio(case.block.positive, case.block.negative, case.block.gravity)
+            block = case.block
+            value = wall_ratio(block.positive, block.negative, block.gravity, block.outline)
     return Screen(
         name="restitution",
         equation="momentum at wall",

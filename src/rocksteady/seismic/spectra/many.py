@@ -284,7 +284,7 @@ def _measures(bodies: Sequence[Block]) -> dict[str, Any]:
     if "negative_alpha" in coordinates:
         words = {**words, "long_name": "restitution of the negative side"}
         coordinates["negative_restitution"] = ("block", ratios[:, 1], words)
-    sizes = {"width": "distance between the edges", "height": "twice that of the mass centre"}
+    sizes = {"width": "distance between the edges", "height": "full height"}
     return coordinates | {
         name: (
             "block",

@@ -94,7 +94,7 @@ def _object_words(assessment: Assessment) -> str:
     kind = assessment.described.given.kind
     words: list[str] = [] if kind == "other" else [kind]
     words.append(f"base {length(block.positive.distance + block.negative.distance)} wide")
-    words.append(f"mass centre {length(0.5 * block.height)} up")
+    words.append(f"mass centre {length(block.positive.centre_height)} up")
     if facts.mass_kg is not None:
         words.append(quantity(facts.mass_kg, "kg"))
     return ", ".join(words)

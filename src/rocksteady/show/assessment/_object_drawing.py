@@ -7,7 +7,6 @@ import numpy as np
 
 from rocksteady.results.numbers import length, number
 from rocksteady.risk.assess.described.objects import DescribedObject
-from rocksteady.risk.assess.described.schema import Range
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.show.style import palette
 from rocksteady.show.style.tokens import DOTTED, inks_of
@@ -34,8 +33,10 @@ def draw_object(described: DescribedObject) -> "Figure":
 
     block = described.block
     left, right = block.positive.distance, block.negative.distance
-    centre = (0.5 * (left - right), 0.5 * block.height)
-    width, height, known = _outline(described, left + right, block.height)
+    centre = (0.5 * (left - right), block.positive.centre_height)
+    shape = described.given.geometry
+    width, height = left + right + sum(block.overhangs), block.height
+    known = shape.height_m is not None or shape.p_rad_s is not None
     size = max(width, height)
     factor, unit = (1.0, "m") if size >= 1.0 else (1000.0, "mm")
     margin = BESIDE * size
@@ -72,18 +73,6 @@ def draw_object(described: DescribedObject) -> "Figure":
         axes.locator_params(axis="x", nbins=4)
         axes.grid(visible=False)
     return figure
-
-
-def _outline(described: DescribedObject, base: float, high: float) -> tuple[float, float, bool]:
-    """Return width and height of the outline, and whether they are given."""
-    shape = described.given.geometry
-    if shape.width_m is None or shape.height_m is None:
-        return base, high, shape.p_rad_s is not None
-    width, height = (
-        value.middle if isinstance(value, Range) else value
-        for value in (shape.width_m, shape.height_m)
-    )
-    return width, height, True
 
 
 def _draw_body(axes: "Axes", width: float, height: float, *, known: bool, words: str) -> None:

@@ -19,8 +19,6 @@ MOST_COLUMNS = 5
 """Of a frame that are drawn: of more the first ones."""
 SPACING, CAP = 2.2, 0.5
 """From column to column, and depth of the cap, in their widths: of the drawing alone."""
-LYING = 0.5 * math.pi
-"""|theta| at which a block lies on its side; it is not drawn further down."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,11 +34,13 @@ class Shape:
     left, right
         Horizontal distances from the corners to the mass centre.
     height
-        Height of the rectangle: twice that of the mass centre.
+        Full height.
     travel
         Length of alpha g/p^2, the unit of the ground's displacement.
     columns
         Number of columns that are drawn under the cap of a frame; 0 of a single block.
+    overhangs
+        How far the top reaches beyond the left and the right corner.
     unit
         ``"m"`` or ``"radius"``, the end of the names of the axis labels.
     """
@@ -53,6 +53,7 @@ class Shape:
     travel: float
     unit: str
     columns: int = 0
+    overhangs: tuple[float, float] = (0.0, 0.0)
 
     @property
     def places(self) -> Floats:
@@ -74,6 +75,17 @@ class Shape:
         return 0.5 * (self.left + self.right)
 
     @property
+    def lying(self) -> tuple[float, float]:
+        """|theta| [rad] at which it lies on its left and on its right side, drawn no further."""
+        left, right = self.overhangs
+        return math.atan2(self.height, left), math.atan2(self.height, right)
+
+    @property
+    def centre_height(self) -> float:
+        """Height of the mass centre."""
+        return self.radius * math.cos(self.alpha)
+
+    @property
     def offset(self) -> float:
         """How far to the right of the middle between the pivots the mass centre is."""
         return 0.5 * (self.left - self.right)
@@ -82,15 +94,15 @@ class Shape:
         """Return the corners of the block at rotations [rad], seen from the ground.
 
         Positive rotation is about the left corner, negative about the right one; x is 0 midway
-        between the two.
+        between the two.  What is wider than its base is drawn as a trapezium.
 
         Returns
         -------
         ndarray, shape (..., 4, 2)
             Bottom left, bottom right, top right, top left.
         """
-        b, h = self.half_width, self.height
-        standing = np.array([[-b, 0.0], [b, 0.0], [b, h], [-b, h]])
+        b, h, (left, right) = self.half_width, self.height, self.overhangs
+        standing = np.array([[-b, 0.0], [b, 0.0], [b + right, h], [-b - left, h]])
         angle = np.asarray(theta, dtype=np.float64)[..., np.newaxis]
         pivot = np.where(angle < 0.0, b, -b)
         x, y = standing[:, 0] - pivot, standing[:, 1]
@@ -127,7 +139,7 @@ def shape_of_block(block: Block | DimensionlessBlock, alpha: float | None = None
             "alpha",
             ALPHA / widest if alpha is None else alpha,
             0.0,
-            LYING / widest,
+            0.5 * math.pi / widest,
             "()",
             hint=hint,
         )
@@ -155,6 +167,7 @@ def shape_of_block(block: Block | DimensionlessBlock, alpha: float | None = None
         left=block.positive.distance,
         right=block.negative.distance,
         height=block.height,
+        overhangs=block.overhangs,
         travel=block.uplift_acceleration / block.p**2,
         unit="m",
         columns=0 if block.cap is None else min(block.cap.columns, MOST_COLUMNS),

@@ -65,11 +65,13 @@ class _Drawing:
         self.inks: Inks = inks_of(axes)
         self.small = text_size(axes, 9.0)
         self.sized = isinstance(block, Block)
+        # h is the height of the mass centre, in every formula.
+        self.tall = "2h" if not isinstance(block, Block) or block.fills_outline else "H"
         self.differ = shape.left != shape.right and not block.one_sided
         self.tilt = min(max(0.5 * shape.alpha, LEAST_TILT), MOST_TILT, PART_OF_ALPHA * shape.alpha)
-        self.size = max(shape.height, 2.0 * shape.half_width)
+        self.size = max(shape.height, 2.0 * shape.half_width + sum(shape.overhangs))
         self.edge = np.array([-shape.half_width, 0.0])
-        self.centre = self.turned(shape.left, 0.5 * shape.height)
+        self.centre = self.turned(shape.left, shape.centre_height)
         self._set_view()
 
     def turned(self, x: float, y: float) -> Floats:
@@ -120,7 +122,7 @@ class _Drawing:
         """Draw the ground under the block, and the wall behind one that has it."""
         from matplotlib.patches import Rectangle
 
-        s, b = self.size, self.shape.half_width
+        s, b = self.size, self.shape.half_width + self.shape.overhangs[1]
         left, right = self.axes.get_xlim()
         soil: dict[str, Any] = {"facecolor": self.inks.soil, "lw": 0.0, "zorder": 1.0}
         self.axes.add_patch(Rectangle((left, -self.deep), right - left, self.deep, **soil))
@@ -159,16 +161,20 @@ class _Drawing:
             place = self.turned(0.5 * (start + end), tall + 2.0 * off)
             self.write(math_of(name), place, rotation=lean, ha=side)
         # The wall stands to the right.
-        across, beyond = (-3.2 * off, -off) if self.block.one_sided else (wide + off, off)
+        across, beyond = wide + shape.overhangs[1] + off, off
+        if self.block.one_sided:
+            across, beyond = -shape.overhangs[0] - 3.2 * off, -off
         ends = self.turned(across, 0.0), self.turned(across, tall)
         self.arrow(*ends, quiet, "|-|,widthA=0.25,widthB=0.25", lw=0.9)
-        self.write("$2h$", self.turned(across + 1.1 * beyond, 0.5 * tall), rotation=lean)
+        self.write(
+            math_of(self.tall), self.turned(across + 1.1 * beyond, 0.5 * tall), rotation=lean
+        )
         part = 0.4 if self.differ else 0.72
-        place = self.turned(part * shape.left + 0.55 * off, part * 0.5 * tall)
+        place = self.turned(part * shape.left + 0.55 * off, part * shape.centre_height)
         self.write("$R_+$" if self.differ else "$R$", place, self.inks.on_rocks)
         if self.differ:
             self.line(self.turned(wide, 0.0), self.centre, color=self.inks.on_rocks, lw=1.3)
-            place = self.turned(wide - 0.75 * shape.right + 0.7 * off, 0.75 * 0.5 * tall)
+            place = self.turned(wide - 0.75 * shape.right + 0.7 * off, 0.75 * shape.centre_height)
             self.write("$R_-$", place, self.inks.on_rocks)
 
     def draw_angles(self) -> None:
@@ -181,8 +187,8 @@ class _Drawing:
         if self.differ:
             sides.append((shape.right, self.turned(2.0 * shape.half_width, 0.0), -1.0, "α₋"))
         for across, corner, sign, name in sides:
-            alpha = math.atan2(across, 0.5 * shape.height)
-            radius = ARC * math.hypot(across, 0.5 * shape.height)
+            alpha = math.atan2(across, shape.centre_height)
+            radius = ARC * math.hypot(across, shape.centre_height)
             edge = 90.0 + lean
             ends = sorted((edge, edge - sign * math.degrees(alpha)))
             self.axes.add_patch(
@@ -218,8 +224,8 @@ class _Drawing:
         down = np.array([0.0, 0.34 * self.deep])
         self.write("$O$", self.edge - down)
         if self.block.one_sided:
-            tall = self.shape.height
-            self.axes.plot(b, tall, "_", ms=9.0, mew=1.8, color=inks.impact, zorder=5.0)
+            struck = np.array([b + self.shape.overhangs[1], self.shape.height])
+            self.axes.plot(*struck, "_", ms=9.0, mew=1.8, color=inks.impact, zorder=5.0)
             self.law = "$\\dot\\theta_a = -e\\,\\dot\\theta_b$"
         else:
             self.axes.plot(*struck, "|", ms=9.0, mew=1.8, color=inks.impact, zorder=5.0)
@@ -243,7 +249,8 @@ class _Drawing:
             distances = [shape.left, shape.right] if self.differ else [block.width]
             rows += [
                 self._row("b" if self.differ else "2b", distances, " m"),
-                self._row("2h", [block.height], " m"),
+                self._row(self.tall, [block.height], " m"),
+                *([] if block.fills_outline else [self._row("h", [shape.centre_height], " m")]),
                 self._row("R", [side.radius for side in sides], " m"),
                 self._row("α", [math.degrees(side.alpha) for side in sides], "°"),
                 self._row("p", [side.p for side in sides], " rad/s"),
@@ -266,8 +273,9 @@ class _Drawing:
         point = self.small * self.per_point
         names = 0.75 * max(len(name) for name, _ in rows) + 0.9
         top = self.axes.get_ylim()[1] - point
-        height = self.turned(2.0 * shape.half_width + 2.1 * self.gap, 0.5 * shape.height)
-        begin = max(self.right, float(height[0]) + 1.6 * point)  # to the right of "2h"
+        wide = 2.0 * shape.half_width + shape.overhangs[1]
+        height = self.turned(wide + 2.1 * self.gap, 0.5 * shape.height)
+        begin = max(self.right, float(height[0]) + 1.6 * point)  # to the right of the height
         for k, (name, value) in enumerate(rows):
             at = np.array([begin, top - 1.5 * k * point])
             self.write(math_of(name), at, ha="left")

@@ -13,7 +13,7 @@ from rocksteady.dynamics.history.fall import Fall
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
-from rocksteady.show.film._geometry import LYING, shape_of
+from rocksteady.show.film._geometry import shape_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import figure_of, text_size
 from rocksteady.show.style.tokens import DASHED, HATCHES, inks_of, mixed
@@ -102,8 +102,11 @@ class BlockScene:
         end = self.trajectory.end_time_pt
         angle = self.trajectory(np.minimum(times, end)).angle
         turned = np.maximum(angle * self.side(times), 0.0)
-        theta = np.minimum(turned * self.shape.alpha, LYING) * self.side(times)
-        return theta if self.fall is None else np.where(times > end, self.fall(times), theta)
+        theta = turned * self.shape.alpha * self.side(times)
+        if self.fall is not None:
+            theta = np.where(times > end, self.fall(times), theta)
+        left, right = self.shape.lying
+        return np.clip(theta, -right, left)
 
     def side(self, s: ArrayLike) -> Floats:
         """Return 1 where the block stands on its left corner, -1 on its right one, 0 on both."""
@@ -183,7 +186,7 @@ class BlockScene:
         # Where the mass centre is above the edge that it turns about, |theta| = alpha.
         for side, across in ((1, shape.left), (-1, shape.right)):
             if side > 0 or not self.one_sided:
-                top = 1.12 * math.hypot(across, 0.5 * h)
+                top = 1.12 * math.hypot(across, shape.centre_height)
                 axes.plot(
                     [-side * b, -side * b],
                     [0.0, top],
@@ -210,7 +213,7 @@ class BlockScene:
         strokes = np.arange(-wide + 0.11 * r, wide, 0.11 * r)
         hatching = [((x, 0.0), (x - 0.07 * r, -0.07 * r)) for x in strokes]
         self._draw_edge(surface, hatching, ground)
-        corners = [(-b, 0.0), (b, 0.0), (b, h), (-b, h)]
+        corners = shape.corners(0.0)
         look: dict[str, Any] = {"closed": True, "transform": block, "joinstyle": "round"}
         line: dict[str, Any] = {"edgecolor": self.inks.ink, "lw": 1.2, "zorder": 3.0}
         self.body = Polygon(corners, **line, **look)
@@ -240,7 +243,7 @@ class BlockScene:
         (self.lever,) = axes.plot([], [], lw=0.8, transform=block, zorder=3.5)
         (self.mass,) = axes.plot(
             [shape.offset],
-            [0.5 * h],
+            [shape.centre_height],
             marker="o",
             ms=6.5,
             mfc=self.inks.paper,
@@ -263,7 +266,7 @@ class BlockScene:
         )
         self.rings = {
             side: axes.plot(
-                [side * b],
+                [side * (b + shape.overhangs[1] * self.one_sided)],
                 [h if self.one_sided else 0.0],  # of a wall, where the block's top strikes it
                 marker="o",
                 mfc="none",
@@ -290,7 +293,8 @@ class BlockScene:
         """Make the wall behind the block, which stands on the ground and moves with it."""
         from matplotlib.patches import Rectangle
 
-        axes, r, b = self.axes, self.shape.radius, self.shape.half_width
+        axes, r = self.axes, self.shape.radius
+        b = self.shape.half_width + self.shape.overhangs[1]
         thick, high = 0.5 * THICKNESS * r, 1.03 * self.shape.height
         axes.add_patch(
             Rectangle(
@@ -382,7 +386,9 @@ class BlockScene:
         self.lever.set_color(line)
         self.mass.set_markeredgecolor(line)
         centre = self.shape.offset
-        self.lever.set_data(([-side * b, centre], [0.0, 0.5 * h]) if side else ([], []))
+        self.lever.set_data(
+            ([-side * b, centre], [0.0, self.shape.centre_height]) if side else ([], [])
+        )
         corners = [-side * b] if side else [-b, b]
         self.pivots.set_data(corners, [0.0] * len(corners))
         self._flash(s)

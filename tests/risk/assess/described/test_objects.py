@@ -50,6 +50,32 @@ def test_three_ways_to_one_body() -> None:
     assert one.positive.distance > one.negative.distance  # to the right is away from the left edge
 
 
+def test_the_outline_of_an_object_is_that_of_its_block() -> None:
+    """By hand: what is measured of the outside stays, whatever moves edges and mass centre."""
+    low = made({**SIZES, "mass_centre_height_m": 0.5, "base_width_m": 0.24, "offset_m": 0.02})
+    assert low.block.height == 1.8
+    assert low.block.positive.centre_height == pytest.approx(0.5)
+    assert low.block.overhangs == pytest.approx((0.04, 0.04))
+    assert made(SIZES).block.overhangs == (0.0, 0.0)
+    edges = {"left_m": 0.25, "right_m": 0.15, "mass_centre_height_m": 0.6}
+    assert made(edges).block.height == pytest.approx(1.2)
+    tall = made({**edges, "height_m": 1.9})
+    assert tall.block.height == 1.9
+    square = (0.4**2 + 1.9**2) / 12.0  # I_c of the outline
+    side = tall.block.positive
+    assert 9.80665 * side.radius / side.p**2 - side.radius**2 == pytest.approx(square)
+    ballasted = tall.block_of(tall.body.with_share(0.5, 0.05))
+    assert ballasted.positive.centre_height == pytest.approx((0.6 + 0.5 * 0.05) / 1.5)
+    assert ballasted.height == 1.9
+    wider = low.block_of(low.body.wider(1.1))
+    assert wider.width + sum(wider.overhangs) == pytest.approx(0.32)
+    vase = {"mass_kg": 1.0, "mass_centre_height_m": 2.4}
+    assert made({**SIZES, "mass_kg": 1.0}, content=vase, fixed_parts=True).block.height == 2.4
+    pier = made({**SIZES, "columns": 1, "cap_mass_ratio": 2.0}, fixed_parts=True)
+    assert pier.block.height == 1.8
+    assert pier.block.positive.centre_height == pytest.approx((0.9 + 2.0 * 1.8) / 3.0)
+
+
 def test_content_is_added_as_two_point_masses_would_be() -> None:
     """Steiner by hand: both parts about the pivot, then p = sqrt(M g R/I_0)."""
     both = made(
@@ -170,6 +196,9 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"geometry": {**SIZES, "offset_m": 0.2}}, "the mass centre must stand above the base, 0.16"),
     ({"geometry": {**SIZES, "base_width_m": 0.4}}, "the base is at most as wide as width_m, 0.32"),
     ({"geometry": {**SIZES, "mass_centre_height_m": 1.9}}, "it is below height_m, 1.8"),
+    ({"geometry": {"left_m": 1, "right_m": 1, "height_m": 2, "mass_centre_height_m": 2}},
+     "mass_centre_height_m = 2.0 is not valid: it is below height_m, 2"),
+    ({"geometry": {"left_m": 1, "right_m": 1, "height_m": 2}}, "mass_centre_height_m is missing"),
     ({"geometry": {"width_m": 3.6, "height_m": 1.8}}, "[geometry] width = 3.6 is not valid"),
     ({"geometry": {**SIZES, "width_m": {"low": 0.3}}}, "[geometry] width_m has no high"),
     ({"geometry": {**SIZES, "width_m": {"low": 0.3, "hi": 1}}}, "width_m: hi is unknown: its keys"),

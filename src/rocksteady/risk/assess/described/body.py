@@ -8,6 +8,7 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import cos, hypot, sin
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Restitution
+from rocksteady.model.blocks.outlines import Outline
 from rocksteady.model.blocks.sides import with_point_mass
 from rocksteady.risk.assess.described.schema import Geometry, ObjectInput, Range, Value
 from rocksteady.risk.observations.files.toml_tables import named
@@ -22,7 +23,8 @@ FORMS: Mapping[str, tuple[str, ...]] = {
                              "mass_centre_height_m", "gyration_m", "inertia_kg_m2", "mass_kg",
                              *FRAME),
     "left_m, right_m and mass_centre_height_m": ("left_m", "right_m", "mass_centre_height_m",
-                                                 "gyration_m", "inertia_kg_m2", "mass_kg"),
+                                                 "height_m", "gyration_m", "inertia_kg_m2",
+                                                 "mass_kg"),
     "alpha_rad or alpha_deg, and p_rad_s": ("alpha_rad", "alpha_deg", "p_rad_s", *FRAME),
 }  # fmt: skip
 """The three ways to give a geometry, each with all keys that go with it."""
@@ -40,6 +42,10 @@ class Body:
         Height of the mass centre [m].
     gyration
         Radius of gyration about the mass centre [m].
+    height
+        Full height [m].
+    ends
+        Horizontal distances from the left and right end of the outline to the mass centre [m].
     mass_kg
         Mass [kg], of a frame that of one column; None where the file does not give it.
     rectangle
@@ -53,6 +59,8 @@ class Body:
     right: float
     centre_height: float
     gyration: float
+    height: float
+    ends: tuple[float, float]
     mass_kg: float | None = None
     rectangle: tuple[float, float] | None = None
     columns: int | None = None
@@ -68,7 +76,7 @@ class Body:
     def block(self, restitution: Restitution, gravity: float) -> Block:
         """Return the block, or the frame."""
         if self.columns is not None:
-            column = replace(self, columns=None).block(1.0, gravity)
+            column = replace(self, columns=None, ends=(0.0, 0.0)).block(1.0, gravity)
             return column.capped(
                 columns=self.columns, cap_mass_ratio=self.cap_mass_ratio, restitution=restitution
             )
@@ -77,7 +85,7 @@ class Body:
             return Block.rectangle(
                 width=width, height=height, restitution=restitution, gravity=gravity
             )
-        return Block.asymmetric(
+        block = Block.asymmetric(
             left=self.left,
             right=self.right,
             height=2.0 * self.centre_height,
@@ -85,6 +93,12 @@ class Body:
             restitution=restitution,
             gravity=gravity,
         )
+        outline = Outline(
+            height=max(self.height, self.centre_height),
+            left_overhang=max(self.ends[0] - self.left, 0.0),
+            right_overhang=max(self.ends[1] - self.right, 0.0),
+        )
+        return replace(block, outline=outline)
 
     def with_mass(self, mass_kg: float, height_m: float) -> "Body":
         """Return the body with a point mass above the middle between mass centre and nothing else.
@@ -100,7 +114,14 @@ class Body:
             self.centre_height, self.gyration, share=share, at_height=height_m
         )
         mass = None if self.mass_kg is None else self.mass_kg * (1.0 + share)
-        return replace(self, centre_height=centre, gyration=gyration, mass_kg=mass, rectangle=None)
+        return replace(
+            self,
+            centre_height=centre,
+            gyration=gyration,
+            height=max(self.height, height_m),
+            mass_kg=mass,
+            rectangle=None,
+        )
 
     def wider(self, factor: float) -> "Body":
         """Return the body on a base whose edges stand further from the mass centre by a factor.
@@ -110,8 +131,14 @@ class Body:
         return replace(self, left=self.left * factor, right=self.right * factor, rectangle=None)
 
     def with_centre(self, factor: float) -> "Body":
-        """Return the body with its mass centre higher by a factor, and its gyration as it was."""
-        return replace(self, centre_height=self.centre_height * factor, rectangle=None)
+        """Return the body with its mass centre higher by a factor, and its gyration as it was.
+
+        A column of a frame is higher by that factor, with its mass in mid-height.
+        """
+        height = self.height if self.columns is None else self.height * factor
+        return replace(
+            self, centre_height=self.centre_height * factor, height=height, rectangle=None
+        )
 
 
 def nominal(_: str, value: Value) -> float:
@@ -138,11 +165,18 @@ def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
     if form == 2:
         body = _of_slenderness(numbers, given.gravity_m_s2)
     else:
-        body = _of_sizes(numbers, source) if form == 0 else _of_edges(numbers, source)
+        body = _of_sizes(numbers, source) if form == 0 else _of_edges(numbers)
+    if body.centre_height >= body.height:
+        raise InputError(
+            named(source, "geometry", "mass_centre_height_m"),
+            body.centre_height,
+            f"it is below height_m, {body.height:g}",
+            "measure it again",
+        )
     if shape.columns is not None:
         ratio = numbers["cap_mass_ratio"]
         if shape.columns == 1:
-            body = body.with_share(ratio, 2.0 * body.centre_height)
+            body = body.with_share(ratio, body.height)
         else:
             body = replace(body, columns=shape.columns, cap_mass_ratio=ratio)
         if given.content is not None:
@@ -179,7 +213,8 @@ def _form(shape: Geometry, source: str) -> int:
     """Return which of the three ways a geometry is given in."""
     given = [key for key in shape.__struct_fields__ if getattr(shape, key) is not None]
     heads = (("width_m", "height_m"), ("left_m", "right_m"), ("alpha_rad", "alpha_deg", "p_rad_s"))
-    places = [place for place, head in enumerate(heads) if set(head) & set(given)]
+    extra: set[str] = {"height_m"} if set(heads[1]) & set(given) else set()  # goes with edges too
+    places = [place for place, head in enumerate(heads) if set(head) & (set(given) - extra)]
     table = f"{source}: [geometry]"
     ways = "; ".join(FORMS)
     if not places:
@@ -250,7 +285,6 @@ def _of_sizes(numbers: Mapping[str, float], source: str) -> Body:
         ("base_width_m", base, base <= width, f"the base is at most as wide as width_m, {width:g}"),
         ("offset_m", offset, abs(offset) < 0.5 * base,
          f"the mass centre must stand above the base, {0.5 * base:g} m to either side"),
-        ("mass_centre_height_m", centre, centre < height, f"it is below height_m, {height:g}"),
     )  # fmt: skip
     for key, value, fits, valid in checks:
         if not fits:
@@ -264,21 +298,25 @@ def _of_sizes(numbers: Mapping[str, float], source: str) -> Body:
         right=0.5 * base - offset,
         centre_height=centre,
         gyration=_gyration(numbers, hypot(width, height) / math.sqrt(12.0)),
+        height=height,
+        ends=(0.5 * width + offset, 0.5 * width - offset),
         mass_kg=numbers.get("mass_kg"),
         rectangle=(width, height) if plain else None,
     )
 
 
-def _of_edges(numbers: Mapping[str, float], source: str) -> Body:
+def _of_edges(numbers: Mapping[str, float]) -> Body:
     """Return the body of base edges and mass centre."""
     left, right = numbers["left_m"], numbers["right_m"]
     centre = numbers["mass_centre_height_m"]
-    assert source
+    height = numbers.get("height_m", 2.0 * centre)
     return Body(
         left=left,
         right=right,
         centre_height=centre,
-        gyration=_gyration(numbers, hypot(left + right, 2.0 * centre) / math.sqrt(12.0)),
+        gyration=_gyration(numbers, hypot(left + right, height) / math.sqrt(12.0)),
+        height=height,
+        ends=(left, right),
         mass_kg=numbers.get("mass_kg"),
     )
 
@@ -294,6 +332,8 @@ def _of_slenderness(numbers: Mapping[str, float], gravity: float) -> Body:
         right=0.5 * width,
         centre_height=0.5 * height,
         gyration=diagonal / math.sqrt(12.0),
+        height=height,
+        ends=(0.5 * width, 0.5 * width),
         rectangle=(width, height),
     )
 
