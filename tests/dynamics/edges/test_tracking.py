@@ -132,7 +132,7 @@ def test_between_two_mirror_images_it_is_the_orbit_that_is_its_own() -> None:
 
 def test_of_the_nonlinear_model_it_is_that_models_hilltop() -> None:
     block = Block.from_p(alpha=0.3, p=2.0, restitution=0.85)
-    motion = Harmonic(amplitude=0.5, frequency_ratio=2.0)
+    motion = Harmonic(amplitude=0.2, frequency_ratio=2.0)
     edge = find_edge_state(block, motion, kick=-1, model=Nonlinear())
     left = find_hilltop_saddles(block, motion, model=Nonlinear())[1]
     assert isinstance(edge.saddle, HilltopSaddle)
@@ -160,6 +160,9 @@ def test_a_wall_takes_kicks_into_it_and_a_fractal_border_holds_orbits() -> None:
     motion = Harmonic(amplitude=0.5, frequency_ratio=2.0)
     edge = find_edge_state(walled, motion)
     assert edge.kick == pytest.approx(1.0 - 0.1 * 2.0, abs=1e-9)
+    assert edge.opposite is not None
+    assert math.isnan(edge.opposite)
+    assert "no kick up to 4 alpha g/p makes it fall" in str(edge.describe().answer)
     with pytest.raises(ModelError, match="stands under every kick"):
         find_edge_state(walled, motion, kick=-1)
     fractal = find_edge_state(BARE, motion)

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     import pandas as pd
 
 
+MOST_KICK = 4.0
+"""Largest kick that is tried [alpha g/p]."""
 MEANING = {
     "hilltop": "On the edge the block balances about its upright position and has no impact.",
     "orbit": "On the edge the block rocks for ever in an unstable orbit.",
@@ -61,8 +63,16 @@ class EdgeState(Result):
     boundary
         The state on the border between them, to 1e-10 of it, at which the tracking began.
     kick
-        The least fatal kick from `start` [alpha g/p], with its sign, of those 0.001 apart and then
-        bisected; None where `other` was given.
+        The least fatal kick from `start` [alpha g/p], with its sign; None where `other` was given.
+    opposite
+        The least fatal kick in the other direction; nan where none up to 4 alpha g/p is fatal, None
+        where that direction was not searched.
+    fractal
+        Whether smaller steps of the kick find more borders, so that `kick` is the least one found;
+        None where `other` was given.
+    resolution
+        Step of the sizes up to twice the least [alpha g/p]: narrower windows of fatal kicks may be
+        missed.
     angle, velocity
         The tracked motion at the phase, period by period, shape (periods + 1,).
     bisections
@@ -86,6 +96,9 @@ class EdgeState(Result):
     outcomes: tuple[str, str]
     boundary: State
     kick: float | None
+    opposite: float | None
+    fractal: bool | None
+    resolution: float | None
     angle: Floats
     velocity: Floats
     bisections: int
@@ -101,9 +114,12 @@ class EdgeState(Result):
     @property
     def kick_m_s(self) -> float:
         """The least fatal kick [m/s]; nan of a dimensionless block, or where there is none."""
-        if self.kick is None or not isinstance(self.block, Block):
+        return self._in_m_s(self.kick)
+
+    def _in_m_s(self, kick: float | None) -> float:
+        if kick is None or not isinstance(self.block, Block):
             return math.nan
-        return self.kick * self.block.uplift_acceleration / self.block.p
+        return kick * self.block.uplift_acceleration / self.block.p
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per tracked state: periods since the boundary, angle and velocity."""
@@ -138,9 +154,13 @@ class EdgeState(Result):
                 "least_kick",
                 self.kick,
                 "" if self.kick is None else "least kick",
-                self._kick_text(),
+                self._kick_text(self.kick),
             ),
             Fact("least_kick_m_s", number_or_none(self.kick_m_s)),
+            Fact("opposite_kick", self.opposite, *self._other_way),
+            Fact("opposite_kick_m_s", number_or_none(self._in_m_s(self.opposite))),
+            Fact("fractal", self.fractal),
+            Fact("resolution", self.resolution, *self._searched),
             Fact("start_state", _pair(self.start), "start", _text(self.start)),
             Fact("other_state", _pair(self.other), "other", _text(self.other)),
             Fact("boundary_state", _pair(self.boundary), "boundary", _text(self.boundary)),
@@ -166,7 +186,10 @@ class EdgeState(Result):
         if self.kick is None:
             words = f"the edge between both starts passes {_state(self.boundary)}"
         else:
-            words = f"from {start} the least kick that makes it fall is {self._kick_text(3)}"
+            sign = "negative " if self.kick < 0.0 else "positive "
+            kind = sign * (self.opposite is None) + "kick" + " found" * bool(self.fractal)
+            size = self._kick_text(self.kick, 3)
+            words = f"from {start} the least {kind} that makes it fall is {size}"
         sentence = f"{words[0].upper()}{words[1:]}."
         if self.saddle is None:
             sentence = f"Undecided on the edge, which does not repeat; {words}."
@@ -178,6 +201,8 @@ class EdgeState(Result):
         return Answer(
             sentence,
             [
+                self._other_way,
+                self._searched,
                 ("on the edge", meaning),
                 ("leaves the edge", f"{leaves} (multipliers {pair})" if pair else leaves),
                 ("between", f"{first} and {second}"),
@@ -185,12 +210,28 @@ class EdgeState(Result):
             ],
         )
 
-    def _kick_text(self, digits: int = 6) -> str:
-        if self.kick is None:
+    @property
+    def _other_way(self) -> tuple[str, str]:
+        """The least kick in the other direction, as a fact."""
+        if self.opposite is None:
+            return "", ""
+        none = f"no kick up to {MOST_KICK:g} alpha g/p makes it fall"
+        text = none if math.isnan(self.opposite) else self._kick_text(self.opposite, 3)
+        return "the other way", text
+
+    @property
+    def _searched(self) -> tuple[str, str]:
+        """The resolution, as a fact, where smaller kicks may be fatal."""
+        step = number(self.resolution or 0.0)
+        text = f"in steps of {step} alpha g/p; fractal: a smaller one may fell it"
+        return "searched", text * bool(self.fractal)
+
+    def _kick_text(self, kick: float | None, digits: int = 6) -> str:
+        if kick is None:
             return ""
-        text = f"{number(self.kick, digits)} alpha g/p"
+        text = f"{number(kick, digits)} alpha g/p"
         if isinstance(self.block, Block):
-            text = f"{number(self.kick_m_s, digits)} m/s ({text})"
+            text = f"{number(self._in_m_s(kick), digits)} m/s ({text})"
         return text
 
 

@@ -12,12 +12,13 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.batch.fates import ends_of
 from rocksteady.dynamics.edges._flow import Flow
 from rocksteady.dynamics.edges._outcomes import Outcome, Outcomes
-from rocksteady.dynamics.edges.edge_state import EdgeState
+from rocksteady.dynamics.edges.edge_state import MOST_KICK, EdgeState
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle, find_hilltop_saddles
 from rocksteady.dynamics.history.start import (
     HasStart,
@@ -61,9 +62,13 @@ LONGEST_ORBIT = 12
 MOST_CYCLES, FEWEST_PERIODS = 500, 200
 LONGEST_APPROACH, MOST_PERIODS = 60.0, 10_000
 """Pivot time for which the border of fast shaking is tracked by default, and the most periods."""
-MOST_KICK = 4.0
 KICKS = 4000
-"""Sizes at which a fatal kick is looked for."""
+"""Sizes of either sign up to the largest kick;"""
+FINER = 10
+"""up to twice the least fatal one they are this much closer."""
+RESOLUTION = MOST_KICK / KICKS / FINER
+ZOOMS, ZOOM = 3, 20
+"""Times that the sizes just below the least fatal one are tried again, each time closer by this."""
 LEAST_APART, MOST_APART = 1e-13, 1e-3
 """Kicks by which a second state is moved off the border until it falls [alpha g/p]."""
 HALVINGS = 100
@@ -103,7 +108,7 @@ def find_edge_state(
     *,
     start: Start | HasStart | None = None,
     other: State | Rest | HasStart | None = None,
-    kick: int = 1,
+    kick: int | None = None,
     max_periods: int | None = None,
     max_cycles: int = MOST_CYCLES,
     model: ModelChoice = None,
@@ -114,9 +119,10 @@ def find_edge_state(
     overturns and the other does not, it is the border of overturning; otherwise that of the basin
     to which `start` belongs.  Without a second state it is sought among the states to which a
     sudden change of the base velocity takes the block: the border is then reached by exactly the
-    least fatal kick, and the edge state is what the block settles to under it.  Kicks are tried at
-    steps of 0.001 alpha g/p: where the border is fractal, a smaller one between two steps may be
-    fatal too.
+    least fatal kick, and the edge state is what the block settles to under it.  Both directions are
+    searched, also for a symmetric block: the phase of the shaking makes them differ.  Kicks are
+    tried in steps of 0.001 alpha g/p up to 4, and in steps of 0.0001 up to twice the least.  If
+    these cross the border more often than those, it is fractal: the kick is the least one found.
 
     Parameters
     ----------
@@ -129,7 +135,8 @@ def find_edge_state(
     other
         The second state, `State` without a phase or `Rest`; None for a kick.
     kick
-        +1 (default) or -1, the sign of the change of the base velocity; counts without `other`.
+        +1 or -1, the only sign of the change of the base velocity to search; default both.  It
+        counts without `other`.
     max_periods
         Forcing periods for which the border is tracked; default 200, and of fast shaking those of
         60 pivot times, up to 10,000.
@@ -162,6 +169,8 @@ def find_edge_state(
     >>> edge = find_edge_state(DimensionlessBlock(restitution=0.9), motion)
     >>> print(edge.kind, edge.saddle.side, f"{edge.kick:.6f}", edge.outcomes[1])
     hilltop 1 0.920000 overturned to the positive side
+    >>> print(f"the other way {edge.opposite:.6f}")
+    the other way -1.080000
     """
     bare, shaken = block.dimensionless(), harmonic(motion)
     equations = chosen_model(model, block)
@@ -175,7 +184,7 @@ def find_edge_state(
     ):
         hint = "give a number of forcing periods"
         limits[name] = whole_number(name, value, at_least=1, at_most=most, hint=hint)
-    direction = side_value("kick", kick)
+    signs = (1, -1) if kick is None else (side_value("kick", kick),)
     initial = start_of(start)
     flow = Flow(block, shaken, equations)
     tilted = flow.sides if isinstance(equations, Nonlinear) else None
@@ -185,18 +194,23 @@ def find_edge_state(
     here = begin.angle, begin.velocity
     outcomes = Outcomes(flow, limits["max_cycles"])
     size: float | None = None
+    kicks: list[_Fatal] = []
     if other is None:
-        low, high = _fatal(flow, here, phase, direction, limits["max_cycles"])
-        size = direction * 0.5 * (low + high)
-        near = _kicked(flow.sides, here, direction * low)
-        far = _kicked(flow.sides, here, direction * high)
+        kicks = [_fatal(flow, here, phase, sign, limits["max_cycles"]) for sign in signs]
+        kicks.sort(key=lambda each: each.high)
+        least = kicks[0]
+        if not math.isfinite(least.high):
+            raise _no_edge(f"stands under every kick up to {MOST_KICK:g} alpha g/p")
+        size = least.kick
+        near = _kicked(flow.sides, here, least.sign * least.low)
+        far = _kicked(flow.sides, here, least.sign * least.high)
     else:
         near, far = here, _second(other, bare)
     ends = outcomes.of(*here, phase), outcomes.of(*far, phase)
     wider = LEAST_APART
     while size is not None and not ends[1].falls and wider < MOST_APART:
         # Rounding decides at the border, and not alike where a motion is followed to its end.
-        far = _kicked(flow.sides, here, size + direction * wider)
+        far = _kicked(flow.sides, here, size + math.copysign(wider, size))
         ends, wider = (ends[0], outcomes.of(*far, phase)), 2.0 * wider
     border = _Border(outcomes, *ends)
     pair = border.bisected(Pair(near, far), phase)
@@ -212,6 +226,9 @@ def find_edge_state(
         outcomes=(ends[0].name, ends[1].name),
         boundary=State(angle=pair.middle[0], velocity=pair.middle[1]),
         kick=size,
+        opposite=kicks[1].kick if len(kicks) > 1 else None,
+        fractal=any(each.fractal for each in kicks) if kicks else None,
+        resolution=RESOLUTION if kicks else None,
         angle=tracked.states[:, 0],
         velocity=tracked.states[:, 1],
         bisections=outcomes.asked,
@@ -319,13 +336,8 @@ class _Border:
                 pair = Pair((first.angle, first.velocity), (two.angle, two.velocity))
                 bounced += first.impacts
                 apart += first.impacts - two.impacts
-                if not math.isfinite(pair.distance):
-                    raise ModelError(
-                        "other",
-                        Words(f"leads to a pair that parts at once, after {period} periods"),
-                        "the border could not be followed",
-                        "give states that are closer together",
-                    )
+                if not math.isfinite(pair.distance):  # one of them has fallen meanwhile
+                    return Tracked(np.array(states), None, math.nan, growth.exponent)
                 if apart != 0:  # one of them has an impact that the other is still to have
                     continue
                 parted = pair.distance > PARTED * pair.size
@@ -420,44 +432,86 @@ def _kicked(sides: Floats, point: Point, kick: float) -> Point:
     return point[0], set_going(*point, kick, sides)[1]
 
 
-def _fatal(
-    flow: Flow, point: Point, phase: float, direction: int, cycles: int
-) -> tuple[float, float]:
-    """Return the sizes of a kick that leaves the block standing and of one that is fatal.
+class _Fatal(NamedTuple):
+    """Least fatal kick in one direction.
 
-    They enclose the least fatal one of those tried, and are bisected as far as numbers go.
+    Attributes
+    ----------
+    sign
+        Of the change of the base velocity.
+    low, high
+        Sizes that enclose it: the block stands under the first; infinite where no kick is fatal.
+    fractal
+        Whether smaller steps find more borders.
     """
-    sizes = np.linspace(0.0, MOST_KICK, KICKS + 1)
-    states = np.array([_kicked(flow.sides, point, direction * size) for size in sizes.tolist()])
-    count = len(sizes)
-    status = ends_of(
-        amplitude=np.full(count, flow.motion.amplitude),
-        frequency_ratio=np.full(count, flow.motion.frequency_ratio),
-        sides=np.broadcast_to(flow.sides, (count, *flow.sides.shape)).copy(),
-        angle=states[:, 0].copy(),
-        velocity=states[:, 1].copy(),
-        phase=np.full(count, phase),
-        cycles=cycles,
-        harmonics=(),
-    )
-    falls = np.flatnonzero(status == int(Status.OVERTURNED))
-    if not len(falls) or falls[0] == 0:
-        reason = "overturns without a kick" if len(falls) else "stands under every kick"
-        raise ModelError(
-            "start",
-            Words(f"{reason} up to {MOST_KICK:g} alpha g/p"),
-            "the least fatal kick is sought from a state that stands, towards one that falls",
-            "give another start, the other sign of the kick, or a second state as other",
+
+    sign: int
+    low: float
+    high: float
+    fractal: bool
+
+    @property
+    def kick(self) -> float:
+        """The kick with its sign [alpha g/p]; nan where none is fatal."""
+        size = 0.5 * (self.low + self.high)
+        return self.sign * size if math.isfinite(size) else math.nan
+
+
+def _fatal(flow: Flow, point: Point, phase: float, sign: int, cycles: int) -> _Fatal:
+    """Return the least fatal kick in one direction, bisected as far as numbers go."""
+
+    def falls(sizes: Floats) -> NDArray[np.bool_]:
+        states = np.array([_kicked(flow.sides, point, sign * size) for size in sizes.tolist()])
+        count = len(sizes)
+        status = ends_of(
+            amplitude=np.full(count, flow.motion.amplitude),
+            frequency_ratio=np.full(count, flow.motion.frequency_ratio),
+            sides=np.broadcast_to(flow.sides, (count, *flow.sides.shape)).copy(),
+            angle=states[:, 0].copy(),
+            velocity=states[:, 1].copy(),
+            phase=np.full(count, phase),
+            cycles=cycles,
+            harmonics=(),
         )
-    low, high = float(sizes[falls[0] - 1]), float(sizes[falls[0]])
+        overturned: NDArray[np.bool_] = status == int(Status.OVERTURNED)
+        return overturned
 
-    def fatal(size: float) -> bool:
-        state = _kicked(flow.sides, point, direction * size)
-        return flow.carried(*state, phase, phase + TURN * cycles).fallen
-
+    sizes = np.linspace(0.0, MOST_KICK, KICKS + 1)
+    coarse = falls(sizes)
+    first = int(np.argmax(coarse))
+    if coarse[0]:
+        raise _no_edge("overturns without a kick")
+    if not first:
+        return _Fatal(sign, math.inf, math.inf, fractal=False)
+    twice = min(2 * first, KICKS)
+    sizes = np.linspace(0.0, sizes[twice], FINER * twice + 1)
+    fine = falls(sizes)
+    fractal = _borders(fine) > _borders(coarse[: twice + 1])
+    first = int(np.argmax(fine))
+    for _ in range(ZOOMS if fractal else 0):  # narrower windows lead to the least
+        begin = max(float(sizes[first]) - KICKS / ZOOM * float(sizes[1] - sizes[0]), 0.0)
+        sizes = np.linspace(begin, sizes[first], KICKS + 1)
+        first = int(np.argmax(falls(sizes)))
+    low, high = float(sizes[first - 1]), float(sizes[first])
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         if high - low <= 1e-13 * high or middle in (low, high):
             break
-        low, high = (low, middle) if fatal(middle) else (middle, high)
-    return low, high
+        state = _kicked(flow.sides, point, sign * middle)
+        fatal = flow.carried(*state, phase, phase + TURN * cycles).fallen
+        low, high = (low, middle) if fatal else (middle, high)
+    return _Fatal(sign, low, high, fractal)
+
+
+def _borders(falls: NDArray[np.bool_]) -> int:
+    """Return how often neighbours differ."""
+    return int(np.count_nonzero(falls[1:] != falls[:-1]))
+
+
+def _no_edge(reason: str) -> ModelError:
+    return ModelError(
+        "start",
+        Words(reason),
+        "the least fatal kick is sought from a state that stands, towards one that falls",
+        "give another start, search both signs of the kick, or give a second state as other",
+    )

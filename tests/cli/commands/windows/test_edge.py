@@ -11,6 +11,7 @@ from tests.cli.program import refused, rocksteady
 from tests.every import every
 
 POINT = "edge -A 0.2 -W 2 -r 0.9"
+ASYMMETRIC = "--left-m .22 --right-m .16 --height-m 1.5"
 
 
 def test_the_json_is_that_of_the_function_with_the_start() -> None:
@@ -73,7 +74,30 @@ def test_the_answer_is_the_least_kick_in_the_units_given(size: str) -> None:
         kick = f"{values['least_kick_m_s']:.3g} m/s ({kick})"
     assert lines[0] == f"From rest the least kick that makes it fall is {kick}."
     assert len(lines) <= 8
-    assert f"{math.exp(values['exponent']):.3g}-fold a period" in lines[2]
+    opposite = values["opposite_kick_m_s"] or values["opposite_kick"]
+    assert lines[1].split()[3] == f"{opposite:.3g}"
+    assert f"{math.exp(values['exponent']):.3g}-fold a period" in lines[3]
+
+
+@every(
+    ("command", "least", "opposite", "unit"),
+    [
+        (f"{ASYMMETRIC} -A .5 -W 1.7 --model linear", -0.255, 0.44, "_m_s"),
+        ("-A .6 -W 2 -r .9", -0.265, 0.425, ""),
+    ],
+)
+def test_a_fractal_edge_has_the_least_kick_found_of_both_directions(
+    command: str, least: float, opposite: float, unit: str
+) -> None:
+    values = rocksteady(f"edge {command} --json").json
+    assert values[f"least_kick{unit}"] == pytest.approx(least, abs=1e-3)
+    assert values[f"opposite_kick{unit}"] == pytest.approx(opposite, abs=1e-3)
+    assert (values["direction"], values["fractal"], values["resolution"]) == ("both", True, 1e-4)
+    text = " ".join(rocksteady(f"edge {command}").out.split())
+    assert f"the least kick found that makes it fall is {least}" in text
+    assert "in steps of 0.0001 alpha g/p; fractal" in text
+    forward = " ".join(rocksteady(f"edge {command} --direction +").out.split())
+    assert f"the least positive kick found that makes it fall is {opposite}" in forward
 
 
 def test_the_answer_between_two_starts_is_a_state_of_the_edge() -> None:

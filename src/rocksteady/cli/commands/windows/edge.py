@@ -21,9 +21,10 @@ HELP = (
     "The edge of two basins: the unstable motion on it, and the least fatal kick from a "
     "state.\n\n"
     "A motion is kept on the edge by bisection and polished by Newton's method. Without --other "
-    "the edge is sought among kicks, sudden changes of the base velocity. With --manifolds the "
-    "curves along which motions approach the edge motion and leave it are computed too; the "
-    "first separate the basins. Exit code 3 where the motion on the edge does not repeat."
+    "the edge is sought among kicks of both signs, sudden changes of the base velocity. With "
+    "--manifolds the curves along which motions approach the edge motion and leave it are "
+    "computed too; the first separate the basins. Exit code 3 where the motion on the edge does "
+    "not repeat."
 )
 MAIN = "amplitude frequency_ratio restitution width_m height_m start other manifolds plot csv"
 """Parameters that the short help shows."""
@@ -49,7 +50,7 @@ def edge(
         "default: a state after a kick.",
     ),
     direction: str | None = edge_flag(
-        "--direction [+|-]", "Choose the sign of the kick; not with --other. Default +."
+        "--direction [+|-]", "Search kicks of one sign alone; not with --other. Default both."
     ),
     manifolds: bool = edge_flag(
         "--manifolds",
@@ -93,7 +94,7 @@ def edge(
             motion,
             start=start.of(motion.frequency_ratio),
             other=None if other is None else state_from(other, motion.frequency_ratio, "other"),
-            kick=-1 if direction == "-" else 1,
+            kick=None if direction is None else int(f"{direction}1"),
             max_cycles=cycles,
             model=equations,
         )
@@ -120,7 +121,7 @@ def edge(
         after={
             **start.values(edge_state.motion.phase),
             "cycles": cycles,
-            "direction": direction or "+",
+            "direction": direction or "both",
             **({"manifolds": [curve.to_dict() for curve in curves]} if manifolds else {}),
         },
         also=[curve.describe() for curve in curves],
