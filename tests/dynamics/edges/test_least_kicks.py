@@ -130,12 +130,18 @@ def check(case: Case, tried: int) -> EdgeState:
     assert edge.opposite is not None
     assert abs(edge.kick) <= abs(edge.opposite)
     # A fractal border has ever narrower windows beside its end.
-    wider = np.geomspace(1e-7, 1e-3, 40 if edge.fractal else 1)
+    wider = np.geomspace(1e-12, 1e-3, 60) if edge.fractal else np.array([1e-7])
     parts = np.concatenate([np.linspace(0.0, 1.0 - 1e-7, tried), 1.0 + wider])
-    kicks = case.unit * np.array([[edge.kick], [edge.opposite]])
-    fell = falls(case, (kicks * parts).ravel()).reshape(2, -1)
-    assert not fell[:, :tried].any()
+    kicks = case.unit * np.array([[edge.kick], [edge.opposite]]) * parts
+    fell = falls(case, kicks.ravel()).reshape(2, -1)
     assert fell[:, tried:].any(axis=1).all()
+    assert edge.fractal or not fell[:, :tried].any()
+    for missed in kicks[:, :tried][fell[:, :tried]].tolist():
+        assert edge.resolution is not None
+        near = np.linspace(-1.0, 1.0, 401) * edge.resolution * case.unit
+        stands = near[~falls(case, missed + near)]
+        width = stands[stands > 0.0].min() - stands[stands < 0.0].max()
+        assert width < edge.resolution * case.unit
     return edge
 
 

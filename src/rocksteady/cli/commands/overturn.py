@@ -214,20 +214,22 @@ def overturn(
 
 def with_standing(scales: "OverturningScales", answer: "Answer | None") -> "Answer | None":
     """Return an answer with the largest scale of a record at which no neighbour falls."""
-    if answer is None or not scales.first[0] > 0.0:
+    if answer is None or not scales.governing[0] > 0.0:
         return answer
     stands = ("stands at", partial(standing, scales))
     return replace(answer, facts=[*answer.facts[:2], stands, *answer.facts[2:]])
 
 
 def standing(scales: "OverturningScales") -> str:
-    """Return the largest scale below the first that falls with no neighbour falling, in words."""
+    """Return the largest scale at which no neighbour falls either way, in words."""
     from rocksteady.dynamics.history.neighbours import check_neighbours
     from rocksteady.dynamics.history.simulate import simulate
 
     block, motion = scales.block, scales.motions[0]
     base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
-    scale = float(scales.first[0])
+    scale = float(scales.governing[0])
+    if scale != scales.first[0]:  # the reversed record governs
+        base = base.reversed()
     case = simulate(block, base.scaled(scale), model=scales.model)
     part = check_neighbours(case).stands_at
     if part is None:

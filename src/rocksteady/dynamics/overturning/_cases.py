@@ -20,6 +20,7 @@ from rocksteady.dynamics.overturning.window_cells import (
     follow,
     keep,
     nothing_found,
+    search_both_ways,
     uplifts_of,
 )
 from rocksteady.kernels.core.tables import CEILING, LEFT_OUT
@@ -45,6 +46,23 @@ BATCH = 4
 
 
 def windows_at(
+    frequency_ratio: Floats,
+    *,
+    block: Block | DimensionlessBlock,
+    model: Model,
+    pulse: Pulse,
+    **how: Any,
+) -> dict[str, NDArray[Any]]:
+    """Return the windows at some frequencies, and the first ones of the reversed pulse."""
+
+    def search(reverse: bool) -> dict[str, NDArray[Any]]:
+        moved = replace(pulse, reverse=pulse.reverse is not reverse)
+        return _one_way(frequency_ratio, block=block, model=model, pulse=moved, **how)
+
+    return search_both_ways(search, sides_of(block, model))
+
+
+def _one_way(
     frequency_ratio: Floats,
     *,
     block: Block | DimensionlessBlock,
@@ -88,6 +106,7 @@ def windows_at(
             closest=CLOSEST if isinstance(model, Nonlinear) else 0.0,
             most=MOST if floor is None else 3 * MOST,
             numbered=floor is None,
+            crowded=floor is not None,
         )
         if floor is not None:
             windows = windows._replace(impacts=windows.impacts - MANY)
@@ -121,8 +140,12 @@ def least_lift(
     pulse: Pulse,
     ratios: Iterable[float],
 ) -> float:
-    """Return the least amplitude of the ground's pulse at which a side lifts on a floor."""
-    pulses = [replace(pulse, frequency_ratio=ratio) for ratio in ratios]
+    """Return the least amplitude of the ground's pulse, either way, at which a side lifts."""
+    pulses = [
+        replace(pulse, frequency_ratio=ratio, reverse=way)
+        for ratio in ratios
+        for way in (False, True)
+    ]
     return min(min(_on_floor(floor, block, model, each)[1]) for each in pulses)
 
 

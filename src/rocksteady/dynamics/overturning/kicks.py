@@ -100,6 +100,8 @@ class FatalKicks(WindowLists):
     first
         The smallest size that overturns, shape (2 moments,); nan where none in the range does, 0
         where the block falls without a kick.
+    opposite
+        That in the other direction, shape (2 moments,).
     left_out, left_out_width, undecided, unsettled
         What the search has left, shape (2 moments,).
     left_out_low, left_out_high
@@ -240,7 +242,7 @@ class FatalKicks(WindowLists):
             return Answer(f"It {ends}.", facts)
         order = np.argsort(np.abs(self.least), kind="stable").tolist()
         at = order[0]
-        opposite = abs(self.first[2 * at + int(self.least[at] > 0.0)])
+        opposite = abs(self.opposite[2 * at + int(self.least[at] < 0.0)])
         way = "-" if self.least[at] > 0.0 else "+"
         words = f"{way}{write(opposite)}" if opposite > 0.0 else "no kick fells it"
         state = f"theta/alpha {number(self.angle[at])}, velocity {number(self.velocity[at])}"
@@ -252,7 +254,8 @@ class FatalKicks(WindowLists):
         rows = rows if len(order) > 1 else []
         facts[1:1] = [*rows, ("the other way", words), ("tilt before", state)]
         when = f" at {moment(at)}" if len(order) > 1 else ""
-        return Answer(f"The least kick that fells it is {write(self._smallest)}{when}.", facts)
+        kind = "kick found" if self.unsettled.any() else "kick"
+        return Answer(f"The least {kind} that fells it is {write(self._smallest)}{when}.", facts)
 
     @property
     def _smallest(self) -> float:
@@ -307,7 +310,8 @@ def find_fatal_kicks(
     The kick is added to the motion of the base at a moment, at which the block has the state that
     it has come to by then; with an impulse of the motion at that moment it makes one impulse.  All
     sizes are searched in both directions, since a block that falls under a kick may stand under a
-    harder one.  From rest on a still base the least is `overturning_impulse`.
+    harder one.  From rest on a still base the least towards the positive side is
+    `overturning_impulse`.
 
     Parameters
     ----------
@@ -397,6 +401,8 @@ def find_fatal_kicks(
         run=run,
         batch=1,
     )
+    found = kept_windows(data)
+    found["opposite"] = found["first"].reshape(-1, 2)[:, ::-1].ravel()
     return FatalKicks(
         block=block,
         model=chosen,
@@ -407,7 +413,7 @@ def find_fatal_kicks(
         velocity=velocity,
         within=(low, high),
         resolution=RESOLUTION,
-        **kept_windows(data),
+        **found,
     )
 
 
@@ -450,7 +456,7 @@ def _windows_of(
                 np.concatenate([less.side, windows.side]),
                 less.undecided + windows.undecided,
                 less.tried + windows.tried,
-                less.unsettled + windows.unsettled,
+                np.concatenate([less.hidden, windows.hidden]),
             )
         # A block that falls under next to no kick falls without one.
         begin = np.where(windows.low <= NONE, 0.0, windows.low)

@@ -28,8 +28,9 @@ itineraries nor slopes nor maxima around it announce, and that is narrower than 
 than `FINE` in a doubtful place.  No bound on the slope is known: where flights graze it has none.
 
 Where windows have no number the search would not end for a long time.  After `most` amplitudes
-besides the grid it ends, the widest intervals halved first, and counts the intervals that it
-leaves.
+besides the grid it ends, the widest intervals halved first, and returns the intervals that it
+leaves.  On a floor it returns those too, above the first fall, between whose ends the itinerary of
+a block that stands changes: narrower windows crowd there.
 """
 
 import math
@@ -88,8 +89,8 @@ class Found(NamedTuple):
     undecided: int
     """Amplitudes whose fate the march could not decide; each counts as one that stands."""
     tried: int
-    unsettled: int
-    """Intervals in which a window might still hide when the search ended."""
+    hidden: Floats
+    """Ends of the intervals in which a window might still hide, shape (intervals, 2)."""
 
 
 def scan(
@@ -104,6 +105,7 @@ def scan(
     closest: float = 0.0,
     most: int = MOST,
     numbered: bool = True,
+    crowded: bool = False,
 ) -> Found:
     """Return every window between two amplitudes.
 
@@ -130,6 +132,9 @@ def scan(
     numbered
         Whether a fall after many impacts is doubtful by itself.  Under a record all falls are such:
         without (False), intervals are doubtful where the impacts of their ends differ.
+    crowded
+        Whether windows may hide, above the first, wherever the itinerary of a block that stands
+        changes.
     """
     amplitude = first_grid(low, high, step, uplifts)
     looked = follow if rough is None else rough
@@ -142,10 +147,14 @@ def scan(
         amplitude, fates = _with(looked, amplitude, fates, middles)
         left -= len(where)
         doubtful = np.flatnonzero(_doubtful(amplitude, fates, numbered))
+    if crowded:
+        stands = np.cumsum(fates.overturns)[:-1] * ~(fates.overturns[:-1] | fates.overturns[1:])
+        doubtful = np.union1d(doubtful, np.flatnonzero(stands * np.diff(fates.during)))
+    hidden = np.stack([amplitude[doubtful], amplitude[doubtful + 1]], axis=1)
     if rough is not None:
         amplitude = amplitude[_kept(amplitude, fates)]
         fates = follow(amplitude)
-    return _windows(follow, amplitude, fates, len(doubtful), keep, closest)
+    return _windows(follow, amplitude, fates, hidden, keep, closest)
 
 
 def first_grid(low: float, high: float, step: float, uplifts: Sequence[float] = (1.0,)) -> Floats:
@@ -241,7 +250,7 @@ def _windows(
     follow: Callable[[Floats], Fates],
     amplitude: Floats,
     fates: Fates,
-    left: int,
+    hidden: Floats,
     keep: int,
     closest: float,
 ) -> Found:
@@ -268,7 +277,7 @@ def _windows(
     low, high = amplitude[starts], amplitude[stops]
     touching = np.flatnonzero(starts[1:] == stops[:-1] + 1)
     high[touching] = low[touching + 1]
-    return Found(low, high, fates.impacts[starts], fates.side[starts], undecided, tried, left)
+    return Found(low, high, fates.impacts[starts], fates.side[starts], undecided, tried, hidden)
 
 
 def _kept(amplitude: Floats, fates: Fates) -> Integers:

@@ -1,5 +1,6 @@
 """A search for windows as one cell of a sweep: its outputs, and the fates that it needs."""
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -51,6 +52,7 @@ def outputs(most: int = MOST_WINDOWS, lying: int = MOST_WINDOWS) -> tuple[Output
     return (
         Output(name="windows", dtype=np.int32, long_name="windows that are kept"),
         Output(name="first", long_name="smallest amplitude that overturns"),
+        Output(name="opposite", long_name="that of the reversed motion"),
         Output(name="left_out", dtype=np.int32, long_name="windows that are not kept"),
         Output(name="left_out_width", long_name="their width together"),
         Output(name="undecided", dtype=np.int32, long_name="amplitudes without a decision"),
@@ -107,27 +109,45 @@ def keep(
 ) -> None:
     """Write the windows of one cell into its outputs, the widest where there are many.
 
-    Where the others lie is written as a number of stretches at most, with the widest gaps between.
+    Where the others lie, or may hide, is written as a number of stretches at most, with the widest
+    gaps between.
     """
     width = windows.high - windows.low
     kept = np.sort(np.argsort(-width, kind="stable")[:most])
     columns["windows"][cell] = len(kept)
     columns["left_out"][cell] = len(width) - len(kept)
     columns["left_out_width"][cell] = float(np.delete(width, kept).sum())
-    low, high = np.delete(windows.low, kept), np.delete(windows.high, kept)
+    others = np.stack([np.delete(windows.low, kept), np.delete(windows.high, kept)], axis=1)
+    low, high = np.array(sorted([*others.tolist(), *windows.hidden.tolist()])).reshape(-1, 2).T
     if len(low):
-        gaps = np.sort(np.argsort(high[:-1] / low[1:], kind="stable")[: lying - 1])
+        high = np.maximum.accumulate(high)
+        gaps = np.flatnonzero(high[:-1] < low[1:])
+        order = np.argsort(high[gaps] / low[gaps + 1], kind="stable")
+        gaps = np.sort(gaps[order[: lying - 1]])
         for place, (begin, end) in enumerate(zip([0, *(gaps + 1)], [*gaps, -1], strict=True)):
             columns[f"left_low_{place}"][cell] = low[begin]
             columns[f"left_high_{place}"][cell] = high[end]
     columns["undecided"][cell] = windows.undecided
-    columns["unsettled"][cell] = windows.unsettled
+    columns["unsettled"][cell] = len(windows.hidden)
     if len(width):
         columns["first"][cell] = windows.low[0]
     for place, k in enumerate(kept.tolist()):
         columns[f"low_{place}"][cell] = windows.low[k]
         columns[f"high_{place}"][cell] = windows.high[k]
         columns[f"way_{place}"][cell] = windows.side[k] * (1 + windows.impacts[k])
+
+
+def search_both_ways(
+    search: Callable[[bool], dict[str, NDArray[Any]]], sides: Floats
+) -> dict[str, NDArray[Any]]:
+    """Return the outputs of a search, with the first amplitude of the reversed motion.
+
+    A block at rest whose sides are alike falls under both alike, and is searched once.
+    """
+    windows_found = search(False)
+    reversed_found = search(True) if (sides[0] != sides[1]).any() else windows_found
+    windows_found["opposite"] = reversed_found["first"].copy()
+    return windows_found
 
 
 def rows_of(data: "Labelled", name: str, most: int) -> NDArray[Any]:
@@ -145,7 +165,7 @@ def kept_windows(data: "Labelled", lying: int = MOST_WINDOWS) -> dict[str, Any]:
     left = {f"left_out_{name}": rows_of(data, f"left_{name}", lying) for name in ("low", "high")}
     used = max(1, int((~np.isnan(left["left_out_low"])).any(axis=0).sum()))
     windows |= {name: ends[:, :used] for name, ends in left.items()}
-    for name in ("first", "left_out_width"):
+    for name in ("first", "opposite", "left_out_width"):
         windows[name] = data[name].values.ravel()
     for name in ("left_out", "undecided", "unsettled"):
         windows[name] = data[name].values.ravel().astype(np.int64)

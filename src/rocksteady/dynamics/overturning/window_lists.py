@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,7 +16,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import block_text, block_values, case_text
-from rocksteady.results.answer import left_out
+from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
@@ -63,11 +63,13 @@ class WindowLists(Result):
         of a row.
     first
         The smallest amplitude that overturns the block, shape (rows,); nan where none does.
+    opposite
+        The same of the reversed motion; that of a block whose sides are alike is `first`.
     left_out, left_out_width, undecided, unsettled
         What the search has left, shape (rows,).
     left_out_low, left_out_high
-        Ends of the stretches in which the windows left out lie, shape (rows, stretches); nan
-        beyond the last.
+        Ends of the stretches in which the windows left out lie, or narrower ones may hide, shape
+        (rows, stretches); nan beyond the last.
     """
 
     block: Block | DimensionlessBlock
@@ -79,6 +81,7 @@ class WindowLists(Result):
     impacts: Integers
     side: Integers
     first: Floats
+    opposite: Floats
     left_out: Integers
     left_out_width: Floats
     undecided: Integers
@@ -89,6 +92,12 @@ class WindowLists(Result):
     def _row_of(self, index: int | str) -> int:
         """Return a row by its number, counted from the end where that is below 0."""
         return index_value(index, len(self.first), "row")
+
+    @property
+    def governing(self) -> Floats:
+        """The smallest amplitude that overturns the block either way, shape (rows,)."""
+        least: Floats = np.fmin(self.first, self.opposite)
+        return least
 
     @property
     def _ends(self) -> Floats:
@@ -169,7 +178,21 @@ class WindowLists(Result):
         if count:
             width = number(self.left_out_width.sum(), 2)
             words = f"; {plural(count, 'narrower window')}, {width} in width, left out"
-        return words + "; narrower ones may be missing" * bool(self.unsettled.any())
+        narrow = f"; ones narrower than {number(100.0 * self.resolution)} % may be missing"
+        return words + narrow * bool(self.unsettled.any())
+
+    def _both_ways(self, write: Callable[[int, float], str], answer: Answer) -> Answer:
+        """Return an answer with the least of the reversed motion, in its sentence if it governs."""
+        if np.array_equal(self.first, self.opposite, equal_nan=True):
+            return answer
+        least = np.fmin.reduce(self.opposite)
+        if math.isnan(least):
+            return replace(answer, facts=[("the other way", "stands"), *answer.facts])
+        words = f"falls first at {write(int(np.nanargmin(self.opposite)), float(least))}"
+        if least >= np.fmin.reduce(self.first):
+            return replace(answer, facts=[("the other way", words), *answer.facts])
+        sentence = f"{answer.sentence} The other way governs: it {words}."
+        return replace(answer, sentence=sentence)
 
     def _verdict(self, row: int, write: Callable[[float], str]) -> str:
         """Return from which size on a block of one row falls, and what it does up to the end."""
@@ -228,14 +251,14 @@ class WindowLists(Result):
         more
             Further fields of shape (rows,), which stand before those of `LEFT`.
         """
-        words = dict.fromkeys(("low", "high", "first", "top", *UNLISTED), unit)
+        words = dict.fromkeys(("low", "high", "first", "opposite", "top", *UNLISTED), unit)
         words["impacts"] = {"units": "1", "long_name": f"{COUNTED_IMPACTS}; -1: no window"}
         per_window = ("low", "high", "impacts", "side")
         dims = dict.fromkeys(per_window, (rows, "window"))
         dims |= dict.fromkeys(UNLISTED, (rows, "stretch"))
         return {
             name: (dims.get(name, (rows,)), getattr(self, name), words.get(name, {"units": "1"}))
-            for name in (*per_window, "first", *more, *LEFT, *UNLISTED)
+            for name in (*per_window, "first", "opposite", *more, *LEFT, *UNLISTED)
         }
 
     @property

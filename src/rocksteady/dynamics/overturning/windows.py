@@ -43,6 +43,8 @@ UPLIFTS = 2.0
 HIGHEST = 1e6
 """Largest amplitude of a range."""
 RESOLUTION = 2e-3
+ON_FLOOR = 4
+"""Digits of amplitudes on a floor, whose lines are within 1e-3 of the ground's peak."""
 MOST_ROWS = 100
 """Windows that a summary shows."""
 
@@ -67,7 +69,8 @@ class OverturningWindows(WindowLists):
     resolution
         The largest step of the first amplitudes that were tried, as a part of them.
     low, high
-        Ends of the windows, shape (frequencies, windows); nan beyond the last of a frequency.
+        Ends of the windows, shape (frequencies, windows); nan beyond the last of a frequency.  On a
+        floor, whose motion is lines within 1e-3 of the ground's peak, four digits are right.
         Windows that touch differ in their impacts or their side.
     impacts
         Impacts before the block overturns, as `Impacts` counts them, the same shape; -1 beyond the
@@ -76,17 +79,20 @@ class OverturningWindows(WindowLists):
         Side on which it falls, +1 or -1; 0 beyond the last.
     first
         The smallest amplitude that overturns the block, shape (frequencies,); nan where none does.
+    opposite
+        That of the reversed pulse, the same for a block whose sides are alike; the smaller governs
+        where the direction of the motion is not known.
     left_out, left_out_width
         Number of windows beyond the widest 32, and their total width, to within
         the steps of the search.
     left_out_low, left_out_high
-        Ends of the stretches in which they lie, between and beside the windows listed, shape
-        (frequencies, stretches); nan beyond the last.
+        Ends of the stretches in which they lie, or narrower ones may hide, between and beside the
+        windows listed, shape (frequencies, stretches); nan beyond the last.
     undecided
         Amplitudes that were tried and whose fate could not be decided; they count as safe.
     unsettled
-        Intervals in which a window might still hide when the search ended, after more than ten
-        thousand amplitudes; above 0 only where windows have no number, or nearly none.
+        Intervals in which a window might still hide when the search ended.  On the ground above 0
+        only after more than ten thousand amplitudes: where windows have no number, or nearly none.
     """
 
     pulse: Pulse
@@ -156,8 +162,8 @@ class OverturningWindows(WindowLists):
         unsettled = int((self.unsettled > 0).sum())
         if unsettled:
             notes.append(
-                f"At {unsettled} of the frequencies there are so many windows that the search was "
-                "ended before all of them."
+                f"At {unsettled} of the frequencies there are so many windows that narrow ones may be "
+                "missing."
             )
         headline = (
             f"Overturning: {self._pulse_text} pulse, "
@@ -181,6 +187,9 @@ class OverturningWindows(WindowLists):
             quantity(row["freq_hz"], "Hz") if sized else f"W = {number(row['frequency_ratio'])}"
             for row in rows
         ]
+        finish = functools.partial(
+            self._both_ways, lambda row, size: write(size) + f" ({names[row]})" * (len(rows) > 1)
+        )
         shown, pulse = self._by_first, f"{self._pulse_text} pulse"
         searched = f"{write(self.within[0])} to {write(self.within[1])}{self._missing}"
         facts = [
@@ -192,7 +201,7 @@ class OverturningWindows(WindowLists):
         if not shown:
             at = names[0] if len(names) == 1 else f"all {len(names)} frequencies"
             top = write(self.within[1])
-            return Answer(f"It stands in the {pulse} at {at}, up to {top}.", facts)
+            return finish(Answer(f"It stands in the {pulse} at {at}, up to {top}.", facts))
         if len(rows) > 1:
             stands = [names[row] for row in np.flatnonzero(np.isnan(self.first))]
             facts[1:1] = [
@@ -200,11 +209,11 @@ class OverturningWindows(WindowLists):
                 self._rest,
                 ("stands at", listed(stands)),
             ]
-            return Answer(
+            sentence = (
                 f"It falls at {len(rows) - len(stands)} of {len(rows)} frequencies, first at "
-                f"{write(self.first[shown[0]])} ({names[shown[0]]}, {pulse}).",
-                facts,
+                f"{write(self.first[shown[0]])} ({names[shown[0]]}, {pulse})."
             )
+            return finish(Answer(sentence, facts))
         first, last = self.at(0)[0], self.at(0)[-1]
         after = f"{plural(first.impacts, 'impact')} at {write(first.low)}"
         if last.low > first.low:
@@ -216,7 +225,7 @@ class OverturningWindows(WindowLists):
             ("falls after", after),
             ("without impact", "" if closed is None else f"from {write(closed)} on, closed form"),
         ]
-        return Answer(f"It falls {self._verdict(0, write)} ({names[0]} {pulse}).", facts)
+        return finish(Answer(f"It falls {self._verdict(0, write)} ({names[0]} {pulse}).", facts))
 
     @property
     def _pulse_text(self) -> str:
@@ -239,6 +248,7 @@ class OverturningWindows(WindowLists):
             "intervals": [list(ends) for ends in intervals],
             "modes": self._modes(index),
             "first": float(self.first[index]),
+            "opposite": float(self.opposite[index]),
             "closed_form": closed,
             **self._left(index),
         }
@@ -246,7 +256,16 @@ class OverturningWindows(WindowLists):
             unit = in_g(self.block.uplift_acceleration)
             row["freq_hz"] = replace(self.pulse, frequency_ratio=ratio).frequency_hz(self.block)
             row["intervals_g"] = [[end * unit for end in ends] for ends in intervals]
-        return row
+        return self._written(row)
+
+    def _written(self, row: dict[str, Any]) -> dict[str, Any]:
+        """Return a row with the digits of amplitudes that the lines of a floor leave right."""
+        if self.floor is None:
+            return row
+        return {
+            key: value if key in ("frequency_ratio", "freq_hz") else _round(value)
+            for key, value in row.items()
+        }
 
     def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
         """Yield one row per window, as in tables and files."""
@@ -262,7 +281,7 @@ class OverturningWindows(WindowLists):
                     window |= {"low_g": low * unit, "high_g": high * unit}
                 for name in ("impacts", "side", "endless"):
                     window[name] = mode[name]
-                yield window
+                yield self._written(window)
 
     def _columns(self) -> list[Column]:
         """Return what people read of a window: in Hz and g first where the block has a size."""
@@ -448,6 +467,15 @@ def threshold_without_impact(
     threshold = np.vectorize(THRESHOLDS[pulse.shape], otypes=[np.float64])
     amplitude: Floats = alpha_ratio * threshold(np.asarray(frequency_ratios) / p_ratio)
     return amplitude
+
+
+def _round(value: Any) -> Any:
+    """Return a value with its numbers rounded to the digits that are right on a floor."""
+    if isinstance(value, dict):
+        return {key: _round(each) for key, each in value.items()}
+    if isinstance(value, list):
+        return [_round(each) for each in value]
+    return float(f"{value:.{ON_FLOOR}g}") if isinstance(value, float) else value
 
 
 def _unit(pulse: Pulse | str, ratios: Floats) -> Pulse:

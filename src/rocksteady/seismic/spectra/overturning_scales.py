@@ -3,7 +3,7 @@
 import functools
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,6 +20,7 @@ from rocksteady.dynamics.overturning.window_cells import (
     kept_windows,
     nothing_found,
     outputs,
+    search_both_ways,
     uplifts_of,
 )
 from rocksteady.dynamics.overturning.window_lists import WindowLists
@@ -100,6 +101,9 @@ class OverturningScales(WindowLists):
         Side on which it falls, +1 or -1; 0 beyond the last.
     first
         The smallest scale that overturns the block, shape (records,); nan where none does.
+    opposite
+        That of the reversed record, the same for a block whose sides are alike; the smaller governs
+        where the direction of the motion is not known.
     share
         Part of the range, in the logarithm of the scale, over which the block falls.
     pga_g, pgv_m_s
@@ -107,8 +111,8 @@ class OverturningScales(WindowLists):
     left_out, left_out_width
         Number of windows beyond the widest 256, and their total width.
     left_out_low, left_out_high
-        Ends of the stretches in which they lie, between and beside the windows listed, shape
-        (records, stretches); nan beyond the last.  At most 64.
+        Ends of the stretches in which they lie, or narrower ones may hide, between and beside the
+        windows listed, shape (records, stretches); nan beyond the last.  At most 64.
     undecided
         Scales that were tried and whose fate could not be decided; they count as safe.
     unsettled
@@ -251,23 +255,30 @@ class OverturningScales(WindowLists):
             pga = quantity(scale * self.pga_g[row], "g")
             return f"{number(scale)} x ({pga})"
 
+        finish = functools.partial(
+            self._both_ways,
+            lambda row, scale: write(row, scale) + f" in {names[row]}" * (count > 1),
+        )
         if not shown:
             where = names[0] if count == 1 else f"all {count} records"
             reached = quantity(self.pga_g.max() * self.within[1], "g")
-            return Answer(f"It stands in {where}, from {low} to {high} x ({reached}).", facts)
+            return finish(
+                Answer(f"It stands in {where}, from {low} to {high} x ({reached}).", facts)
+            )
         if count == 1:
             name = names[0]
             windows = self._widest(0)
             facts[1:1] = [("falls", windows and f"{windows} x{self._narrower(0)}")]
             verdict = self._verdict(0, functools.partial(write, 0))
-            return Answer(f"It falls {verdict}.".replace(" x (", f" x {name} (", 1), facts)
+            sentence = f"It falls {verdict}.".replace(" x (", f" x {name} (", 1)
+            return finish(Answer(sentence, facts))
         rows = [
             (names[row], "falls " + self._verdict(row, functools.partial(write, row)))
             for row in shown
         ]
         facts[1:1] = [*rows, self._rest]
         least = f"first at {write(shown[0], self.first[shown[0]])} in {names[shown[0]]}"
-        return Answer(f"It falls in {falls} of {count} records, {least}.", facts)
+        return finish(Answer(f"It falls in {falls} of {count} records, {least}.", facts))
 
     def _notes(self) -> list[str]:
         """Return what the search has left."""
@@ -305,6 +316,7 @@ class OverturningScales(WindowLists):
             "intervals_m_s": [[end * pgv for end in ends] for ends in intervals],
             "modes": self._modes(index),
             "first": float(self.first[index]),
+            "opposite": float(self.opposite[index]),
             "top": float(self.top[index]),
             "share": float(self.share[index]),
             **self._left(index),
@@ -351,8 +363,8 @@ def find_overturning_scales(
     Parameters
     ----------
     block
-        At rest at first.  One against a wall falls to its free side alone: the reversed record has
-        other windows.
+        At rest at first.  If its sides differ, or one is a wall, the reversed record has other
+        windows: their first scale is searched too.
     motions
         A record or several, or `BaseMotion` of a horizontal and a vertical record, which are scaled
         by the same factor.
@@ -424,16 +436,32 @@ def find_overturning_scales(
 
 
 def _windows_of(
-    record: NDArray[np.object_],
+    record: NDArray[np.object_], *, block: Block, model: Model, **how: float
+) -> dict[str, NDArray[Any]]:
+    """Return the windows of some records, and the first ones of the reversed records."""
+    sides = sides_of(block, model)
+
+    def search(reverse: bool) -> dict[str, NDArray[Any]]:
+        grounds = [
+            replace(ground, record=ground.record.reversed()) if reverse else ground
+            for ground in record
+        ]
+        return _one_way(grounds, block=block, model=model, sides=sides, **how)
+
+    return search_both_ways(search, sides)
+
+
+def _one_way(
+    record: Sequence[GroundShaking],
     *,
     block: Block,
     model: Model,
+    sides: Floats,
     low: float,
     high: float,
     resolution: float,
 ) -> dict[str, NDArray[Any]]:
     """Return the windows of some records."""
-    sides = sides_of(block, model)
     windows_found = nothing_found(len(record), KEPT, LYING)
     windows_found |= {"share": np.zeros(len(record)), "top": np.full(len(record), high)}
     for cell, ground in enumerate(record):
