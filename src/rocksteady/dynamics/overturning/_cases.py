@@ -20,7 +20,6 @@ from rocksteady.dynamics.overturning.window_cells import (
     follow,
     keep,
     nothing_found,
-    search_both_ways,
     uplifts_of,
 )
 from rocksteady.kernels.core.tables import CEILING, LEFT_OUT
@@ -50,23 +49,7 @@ def windows_at(
     *,
     block: Block | DimensionlessBlock,
     model: Model,
-    pulse: Pulse,
-    **how: Any,
-) -> dict[str, NDArray[Any]]:
-    """Return the windows at some frequencies, and the first ones of the reversed pulse."""
-
-    def search(reverse: bool) -> dict[str, NDArray[Any]]:
-        moved = replace(pulse, reverse=pulse.reverse is not reverse)
-        return _one_way(frequency_ratio, block=block, model=model, pulse=moved, **how)
-
-    return search_both_ways(search, sides_of(block, model))
-
-
-def _one_way(
-    frequency_ratio: Floats,
-    *,
-    block: Block | DimensionlessBlock,
-    model: Model,
+    sides: Floats,
     pulse: Pulse,
     low: float,
     high: float,
@@ -74,7 +57,7 @@ def _one_way(
     floor: Floor | None = None,
 ) -> dict[str, NDArray[Any]]:
     """Return the windows at some frequencies."""
-    table, sides = _tables(block, model, pulse)
+    table, _ = _tables(block, model, pulse)
     uplifts: Sequence[float] = uplifts_of(sides)
     lines, quick = table, sides
     if isinstance(model, Nonlinear) and len(table) > MOST_LINES and floor is None:
@@ -87,7 +70,7 @@ def _one_way(
         speed = ratio
         if floor is not None:
             moved = replace(pulse, frequency_ratio=ratio)
-            (table, uplifts), speed = _on_floor(floor, block, model, moved), 1.0
+            (table, uplifts), speed = _on_floor(floor, block, model, sides, moved), 1.0
             lines = table
         exact, rough = (
             functools.partial(
@@ -121,12 +104,12 @@ def _uncounted(amplitude: Floats, **how: Any) -> Fates:
 
 
 def _on_floor(
-    floor: Floor, block: Block | DimensionlessBlock, model: Model, pulse: Pulse
+    floor: Floor, block: Block | DimensionlessBlock, model: Model, sides: Floats, pulse: Pulse
 ) -> tuple[Floats, list[float]]:
     """Return the segments of a floor, and the amplitudes of its pulse at which a side lifts."""
     assert isinstance(block, Block)
     moved: Any = floor.motion(pulse, block)
-    table, sides = _tables(block, model, moved)
+    table, _ = _tables(block, model, moved)
     lines, sign = segments_of(moved)[:-1], only_side(sides)  # 0 where both sides are free
     ends = [a for p in lines for a in (p.constant, p.constant + p.slope * p.duration)]
     peak = max(sign * end if sign else abs(end) for end in ends)
@@ -141,12 +124,10 @@ def least_lift(
     ratios: Iterable[float],
 ) -> float:
     """Return the least amplitude of the ground's pulse, either way, at which a side lifts."""
-    pulses = [
-        replace(pulse, frequency_ratio=ratio, reverse=way)
-        for ratio in ratios
-        for way in (False, True)
-    ]
-    return min(min(_on_floor(floor, block, model, each)[1]) for each in pulses)
+    sides = sides_of(block, model)
+    pulses = [replace(pulse, frequency_ratio=ratio) for ratio in ratios]
+    ways = [(each, lanes) for each in pulses for lanes in (sides, sides[::-1].copy())]
+    return min(min(_on_floor(floor, block, model, lanes, each)[1]) for each, lanes in ways)
 
 
 def load_kernel(block: Block | DimensionlessBlock, model: Model, pulse: Pulse) -> None:

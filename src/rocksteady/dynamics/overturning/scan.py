@@ -29,8 +29,8 @@ than `FINE` in a doubtful place.  No bound on the slope is known: where flights 
 
 Where windows have no number the search would not end for a long time.  After `most` amplitudes
 besides the grid it ends, the widest intervals halved first, and returns the intervals that it
-leaves.  On a floor it returns those too, above the first fall, between whose ends the itinerary of
-a block that stands changes: narrower windows crowd there.
+leaves.  On a floor it returns those too, above the first fall, between whose ends the fate or the
+itinerary of a block that stands changes, and their neighbours: narrower windows crowd there.
 """
 
 import math
@@ -133,8 +133,8 @@ def scan(
         Whether a fall after many impacts is doubtful by itself.  Under a record all falls are such:
         without (False), intervals are doubtful where the impacts of their ends differ.
     crowded
-        Whether windows may hide, above the first, wherever the itinerary of a block that stands
-        changes.
+        Whether windows may hide above the first wherever the fate or the itinerary of a block that
+        stands changes, and in the intervals beside.
     """
     amplitude = first_grid(low, high, step, uplifts)
     looked = follow if rough is None else rough
@@ -148,8 +148,10 @@ def scan(
         left -= len(where)
         doubtful = np.flatnonzero(_doubtful(amplitude, fates, numbered))
     if crowded:
-        stands = np.cumsum(fates.overturns)[:-1] * ~(fates.overturns[:-1] | fates.overturns[1:])
-        doubtful = np.union1d(doubtful, np.flatnonzero(stands * np.diff(fates.during)))
+        above = np.cumsum(fates.overturns)[:-1] * ~(fates.overturns[:-1] & fates.overturns[1:])
+        changes = np.flatnonzero(above * (_differ(fates, during=False) | np.diff(fates.during)))
+        beside = np.clip(changes + [[-1], [0], [1]], 0, len(above) - 1)
+        doubtful = np.union1d(doubtful, beside)
     hidden = np.stack([amplitude[doubtful], amplitude[doubtful + 1]], axis=1)
     if rough is not None:
         amplitude = amplitude[_kept(amplitude, fates)]

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.lowering import only_side
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.overturning.scan import Fates, Found
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.core.tables import (
@@ -20,6 +21,9 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.core.tuples import PulseFates, Tables
 from rocksteady.kernels.elementary.arrays import tan
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.equations import Model
 from rocksteady.outcomes import Status
 from rocksteady.sweep.cases.outputs import Output
 
@@ -138,16 +142,22 @@ def keep(
 
 
 def search_both_ways(
-    search: Callable[[bool], dict[str, NDArray[Any]]], sides: Floats
+    *,
+    search: Callable[..., dict[str, NDArray[Any]]],
+    block: Block | DimensionlessBlock,
+    model: Model,
+    **how: Any,
 ) -> dict[str, NDArray[Any]]:
     """Return the outputs of a search, with the first amplitude of the reversed motion.
 
-    A block at rest whose sides are alike falls under both alike, and is searched once.
+    That is the first of the mirrored block.  A block whose sides are alike is searched once.
     """
-    windows_found = search(False)
-    reversed_found = search(True) if (sides[0] != sides[1]).any() else windows_found
-    windows_found["opposite"] = reversed_found["first"].copy()
-    return windows_found
+    sides = sides_of(block, model)
+    found = search(block=block, model=model, sides=sides, **how)
+    mirrored = found
+    if (sides[0] != sides[1]).any():
+        mirrored = search(block=block, model=model, sides=sides[::-1].copy(), **how)
+    return found | {"opposite": mirrored["first"]}
 
 
 def rows_of(data: "Labelled", name: str, most: int) -> NDArray[Any]:

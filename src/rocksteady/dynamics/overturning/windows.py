@@ -12,7 +12,12 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.overturning._cases import BATCH, least_lift, load_kernel, windows_at
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
-from rocksteady.dynamics.overturning.window_cells import kept_windows, outputs, uplifts_of
+from rocksteady.dynamics.overturning.window_cells import (
+    kept_windows,
+    outputs,
+    search_both_ways,
+    uplifts_of,
+)
 from rocksteady.dynamics.overturning.window_lists import WindowLists, listed
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
@@ -162,8 +167,8 @@ class OverturningWindows(WindowLists):
         unsettled = int((self.unsettled > 0).sum())
         if unsettled:
             notes.append(
-                f"At {unsettled} of the frequencies there are so many windows that narrow ones may be "
-                "missing."
+                f"At {unsettled} of the frequencies there are so many windows that narrow ones may "
+                "be missing."
             )
         headline = (
             f"Overturning: {self._pulse_text} pulse, "
@@ -398,7 +403,8 @@ def find_overturning_windows(
     load_kernel(body, chosen, unit)
     data = compute_cells(
         functools.partial(
-            windows_at,
+            search_both_ways,
+            search=windows_at,
             block=body,
             model=chosen,
             pulse=unit,

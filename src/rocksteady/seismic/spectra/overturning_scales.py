@@ -3,14 +3,14 @@
 import functools
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.dynamics.history.lowering import only_side, segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning.scan import MANY, scan
 from rocksteady.dynamics.overturning.window_cells import (
@@ -408,7 +408,13 @@ def find_overturning_scales(
     follow(np.empty(0), table=_table(block, chosen, grounds[0]), sides=sides_of(block, chosen))
     data = compute_cells(
         functools.partial(
-            _windows_of, block=block, model=chosen, low=low, high=high, resolution=step
+            search_both_ways,
+            search=_windows_of,
+            block=block,
+            model=chosen,
+            low=low,
+            high=high,
+            resolution=step,
         ),
         Grid(axes=(axis,)),
         OUTPUTS,
@@ -436,23 +442,7 @@ def find_overturning_scales(
 
 
 def _windows_of(
-    record: NDArray[np.object_], *, block: Block, model: Model, **how: float
-) -> dict[str, NDArray[Any]]:
-    """Return the windows of some records, and the first ones of the reversed records."""
-    sides = sides_of(block, model)
-
-    def search(reverse: bool) -> dict[str, NDArray[Any]]:
-        grounds = [
-            replace(ground, record=ground.record.reversed()) if reverse else ground
-            for ground in record
-        ]
-        return _one_way(grounds, block=block, model=model, sides=sides, **how)
-
-    return search_both_ways(search, sides)
-
-
-def _one_way(
-    record: Sequence[GroundShaking],
+    record: NDArray[np.object_],
     *,
     block: Block,
     model: Model,
@@ -466,7 +456,7 @@ def _one_way(
     windows_found |= {"share": np.zeros(len(record)), "top": np.full(len(record), high)}
     for cell, ground in enumerate(record):
         table = _table(block, model, ground)
-        lifts = _drive(ground.record, block) / block.uplift_acceleration
+        lifts = _drive(ground.record, only_side(sides)) / block.uplift_acceleration
         end = max(min(high, _largest_scale(table)), low)
         windows_found["top"][cell] = end
         if end == low:
@@ -493,10 +483,10 @@ def _one_way(
     return windows_found
 
 
-def _drive(record: Record, block: Block) -> float:
-    """Return the largest acceleration towards a side that is free [m/s^2]."""
-    if block.one_sided:
-        return max(float(record.acceleration_m_s2.max()), 0.0)
+def _drive(record: Record, sign: int) -> float:
+    """Return the largest acceleration towards the one side, or either (0) [m/s^2]."""
+    if sign:
+        return max(float((sign * record.acceleration_m_s2).max()), 0.0)
     return abs(record.peak_acceleration_m_s2)
 
 
