@@ -125,6 +125,25 @@ def test_what_is_refused_says_so_in_one_line(command: str, words: str) -> None:
     assert words in refused(command)
 
 
+@every("motion", ["--pulse one-sine --freq-hz 1", "--record example:near-fault"])
+def test_the_answer_of_an_asymmetric_block_has_the_direction_that_governs(motion: str) -> None:
+    command = f"overturn --left-m .22 --right-m .16 --height-m 1.5 --model linear {motion}"
+    ahead, back = (rocksteady(f"{command}{way}").out.split("\n  ")[0] for way in ("", " --reverse"))
+    values, other = (rocksteady(f"{command}{way} --json").json for way in ("", " --reverse"))
+    (row,), (reversed_row,) = values["windows"], other["windows"]
+    assert row["opposite"] == pytest.approx(reversed_row["first"], rel=1e-9)
+    assert reversed_row["opposite"] == pytest.approx(row["first"], rel=1e-9)
+    governs = "The other way governs: it falls first at"
+    assert governs in " ".join(ahead.split())
+    assert row["opposite"] < row["first"]
+    assert governs not in " ".join(back.split())
+    assert " the other way    falls first at " in rocksteady(f"{command} --reverse").out
+    symmetric = f"overturn --width-m .4 --height-m 1.5 --model linear {motion}"
+    assert "other way" not in rocksteady(symmetric).out
+    (even,) = rocksteady(f"{symmetric} --json").json["windows"]
+    assert even["opposite"] == even["first"]
+
+
 def test_a_reversed_pulse_is_the_same_pulse_for_the_mirrored_block() -> None:
     point = "overturn --pulse one-sine --freq-hz 1 --model linear --json --height-m 1.2"
     other = rocksteady(f"{point} --left-m 0.25 --right-m 0.15 --accel-g 1").json

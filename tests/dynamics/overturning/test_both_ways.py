@@ -145,6 +145,10 @@ def test_windows_on_a_floor_are_written_with_the_digits_that_are_right() -> None
     (row,) = found.to_dict()["windows"]
     ends = [*np.ravel(row["intervals"]), *np.ravel(row["intervals_g"]), row["first"]]
     assert all(float(f"{end:.4g}") == end for end in ends)
+    scales = find_overturning_scales(EVEN, FLOOR.motion(SHOCKS), within=(0.1, 2.0), model=Linear())
+    (record,) = scales.to_dict()["windows"]
+    ends = [*np.ravel(record["intervals"]), *np.ravel(record["intervals_g"]), record["first"]]
+    assert all(float(f"{end:.4g}") == end for end in ends)
     # Straight lines a hundred times as close move the first by less than the last digit.
     moved = FLOOR.motion(replace(SINE, frequency_ratio=4.0), EVEN, tolerance=1e-5)
     fates = [

@@ -150,7 +150,7 @@ def scan(
     if crowded:
         above = np.cumsum(fates.overturns)[:-1] * ~(fates.overturns[:-1] & fates.overturns[1:])
         changes = np.flatnonzero(above * (_differ(fates, during=False) | np.diff(fates.during)))
-        beside = np.clip(changes + [[-1], [0], [1]], 0, len(above) - 1)
+        beside = np.clip(np.add.outer((-1, 0, 1), changes), 0, len(above) - 1)
         doubtful = np.union1d(doubtful, beside)
     hidden = np.stack([amplitude[doubtful], amplitude[doubtful + 1]], axis=1)
     if rough is not None:

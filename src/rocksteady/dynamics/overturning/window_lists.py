@@ -29,6 +29,10 @@ MOST_DIGITS = 6
 """Significant digits of an end of a window."""
 UNLISTED = ("left_out_low", "left_out_high")
 """Fields on the stretches in which windows left out lie."""
+ON_FLOOR = 4
+"""Digits of amplitudes on a floor, whose lines are within 1e-3 of the ground's peak."""
+EXACT = ("frequency_ratio", "freq_hz", "pga_g", "pgv_m_s", "top")
+"""Keys of a row whose values are given, not searched."""
 LEFT = ("left_out", "left_out_width", "undecided", "unsettled")
 """Fields on amplitudes that a search leaves out, undecided or unsettled."""
 
@@ -270,6 +274,15 @@ class WindowLists(Result):
             "within": list(self.within),
             "resolution": self.resolution,
         }
+
+
+def floor_digits(row: Any) -> Any:
+    """Return a row, or a part of it, with the digits of amplitudes that are right on a floor."""
+    if isinstance(row, dict):
+        return {key: each if key in EXACT else floor_digits(each) for key, each in row.items()}
+    if isinstance(row, list):
+        return [floor_digits(each) for each in row]
+    return float(f"{row:.{ON_FLOOR}g}") if isinstance(row, float) else row
 
 
 def listed(names: Sequence[str]) -> str:

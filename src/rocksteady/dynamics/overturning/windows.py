@@ -18,7 +18,7 @@ from rocksteady.dynamics.overturning.window_cells import (
     search_both_ways,
     uplifts_of,
 )
-from rocksteady.dynamics.overturning.window_lists import WindowLists, listed
+from rocksteady.dynamics.overturning.window_lists import WindowLists, floor_digits, listed
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -48,8 +48,6 @@ UPLIFTS = 2.0
 HIGHEST = 1e6
 """Largest amplitude of a range."""
 RESOLUTION = 2e-3
-ON_FLOOR = 4
-"""Digits of amplitudes on a floor, whose lines are within 1e-3 of the ground's peak."""
 MOST_ROWS = 100
 """Windows that a summary shows."""
 
@@ -261,16 +259,7 @@ class OverturningWindows(WindowLists):
             unit = in_g(self.block.uplift_acceleration)
             row["freq_hz"] = replace(self.pulse, frequency_ratio=ratio).frequency_hz(self.block)
             row["intervals_g"] = [[end * unit for end in ends] for ends in intervals]
-        return self._written(row)
-
-    def _written(self, row: dict[str, Any]) -> dict[str, Any]:
-        """Return a row with the digits of amplitudes that the lines of a floor leave right."""
-        if self.floor is None:
-            return row
-        return {
-            key: value if key in ("frequency_ratio", "freq_hz") else _round(value)
-            for key, value in row.items()
-        }
+        return row if self.floor is None else floor_digits(row)
 
     def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
         """Yield one row per window, as in tables and files."""
@@ -286,7 +275,7 @@ class OverturningWindows(WindowLists):
                     window |= {"low_g": low * unit, "high_g": high * unit}
                 for name in ("impacts", "side", "endless"):
                     window[name] = mode[name]
-                yield self._written(window)
+                yield window if self.floor is None else floor_digits(window)
 
     def _columns(self) -> list[Column]:
         """Return what people read of a window: in Hz and g first where the block has a size."""
@@ -473,15 +462,6 @@ def threshold_without_impact(
     threshold = np.vectorize(THRESHOLDS[pulse.shape], otypes=[np.float64])
     amplitude: Floats = alpha_ratio * threshold(np.asarray(frequency_ratios) / p_ratio)
     return amplitude
-
-
-def _round(value: Any) -> Any:
-    """Return a value with its numbers rounded to the digits that are right on a floor."""
-    if isinstance(value, dict):
-        return {key: _round(each) for key, each in value.items()}
-    if isinstance(value, list):
-        return [_round(each) for each in value]
-    return float(f"{value:.{ON_FLOOR}g}") if isinstance(value, float) else value
 
 
 def _unit(pulse: Pulse | str, ratios: Floats) -> Pulse:

@@ -23,7 +23,7 @@ from rocksteady.dynamics.overturning.window_cells import (
     search_both_ways,
     uplifts_of,
 )
-from rocksteady.dynamics.overturning.window_lists import WindowLists
+from rocksteady.dynamics.overturning.window_lists import WindowLists, floor_digits
 from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import CEILING, LIFT, LIFT_SLOPE
 from rocksteady.kernels.elementary.arrays import log
@@ -307,7 +307,7 @@ class OverturningScales(WindowLists):
         """Return all that is known of one record."""
         pga, pgv = float(self.pga_g[index]), float(self.pgv_m_s[index])
         intervals = self.intervals(index)
-        return {
+        row = {
             "record": self.names[index],
             "pga_g": pga,
             "pgv_m_s": pgv,
@@ -321,13 +321,19 @@ class OverturningScales(WindowLists):
             "share": float(self.share[index]),
             **self._left(index),
         }
+        return floor_digits(row) if self._floors[index] else row
+
+    @property
+    def _floors(self) -> list[bool]:
+        """Whether each record is that of a floor, whose lines leave four digits right."""
+        return [ground.record.ground is not None for ground in grounds_of(self.motions)]
 
     def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
         """Yield one row per window, as in tables and files."""
-        for row in rows:
+        for row, floor in zip(rows, self._floors, strict=True):
             for mode in row["modes"]:
                 low, high = mode["interval"]
-                yield {
+                window = {
                     "record": row["record"],
                     "low": low,
                     "high": high,
@@ -340,6 +346,7 @@ class OverturningScales(WindowLists):
                     "endless": mode["endless"],
                     "left_out": row["left_out"],
                 }
+                yield floor_digits(window) if floor else window
 
 
 @checked
