@@ -41,7 +41,8 @@ HELP = (
     "The overturning amplitudes are not one interval: a block may fall after an impact, stand "
     "under a stronger pulse and fall without an impact under a still stronger one. Each window "
     "has its number of impacts; its ends are found to rounding, in the linear model or (--model "
-    "nonlinear) with the full equations. With --record or --records the factor of a record is "
+    "nonlinear) with the full equations. Where sides differ, the reversed motion is searched too, "
+    "and the answer names the direction that governs. With --record or --records the factor of a record is "
     "searched; with --kick the least sudden change of the base velocity that overturns the "
     "block. Exit code 3 where an amplitude is undecided."
 )

@@ -401,8 +401,8 @@ def find_fatal_kicks(
         run=run,
         batch=1,
     )
-    found = kept_windows(data)
-    found["opposite"] = found["first"].reshape(-1, 2)[:, ::-1].ravel()
+    windows = kept_windows(data)
+    windows["opposite"] = windows["first"].reshape(-1, 2)[:, ::-1].ravel()
     return FatalKicks(
         block=block,
         model=chosen,
@@ -413,7 +413,7 @@ def find_fatal_kicks(
         velocity=velocity,
         within=(low, high),
         resolution=RESOLUTION,
-        **found,
+        **windows,
     )
 
 

@@ -153,11 +153,11 @@ def search_both_ways(
     That is the first of the mirrored block.  A block whose sides are alike is searched once.
     """
     sides = sides_of(block, model)
-    found = search(block=block, model=model, sides=sides, **how)
-    mirrored = found
+    ahead = search(block=block, model=model, sides=sides, **how)
+    mirrored = ahead
     if (sides[0] != sides[1]).any():
         mirrored = search(block=block, model=model, sides=sides[::-1].copy(), **how)
-    return found | {"opposite": mirrored["first"]}
+    return ahead | {"opposite": mirrored["first"]}
 
 
 def rows_of(data: "Labelled", name: str, most: int) -> NDArray[Any]:
