@@ -96,6 +96,11 @@ def case_text(block: AnyBlock) -> str:
     return f"{restitution_text(block)}, alpha {alphas}{rate}"
 
 
+def solved_text(words: str, block: AnyBlock | None) -> str:
+    """Return words on what was solved, and that several parts were solved as one body."""
+    return f"{words}, as one body" if isinstance(block, Block) and block.parts else words
+
+
 def _alphas(block: Block) -> str:
     """Return the slenderness of each side on which a block rocks."""
     sides = (block.positive,) if block.one_sided else (block.positive, block.negative)

@@ -334,6 +334,10 @@ def test_sizes_above_50_m_are_refused_by_their_flags_in_the_words_of_object_file
         "overturn --pulse one-sine --freq-hz 1",
         "overturn --kick --start 0.5,0",
         "attractor --accel-g 0.5 --freq-hz 2",
+        "orbits --accel-g 0.4 --freq-hz 2",
+        "edge --accel-g 0.4 --freq-hz 2",
+        "basins --accel-g 0.4 --freq-hz 2 --angles=-1:1:5",
+        "screens --pga-g 0.3",
         "assess --pga-g 0.3 --pgv-m-s 0.4",
     ],
 )
@@ -346,8 +350,8 @@ def test_sizes_above_50_m_are_refused_by_their_flags_in_the_words_of_object_file
 )
 def test_an_answer_names_parts_that_are_computed_as_one_body(command: str, block: str) -> None:
     ran = rocksteady(f"{command} {block}")
-    assert ran.code == 0, ran.err
+    assert ran.code in (0, 3), ran.err
     assert "as one body" in " ".join(ran.out.split())
-    assert ran.out.count("\n") <= 8
+    assert ran.out.count("\n") <= (12 if command.startswith("screens") else 8)  # with its rows
     alike = rocksteady(f"{command} --width-m 0.6 --height-m 3")
     assert "one body" not in alike.out

@@ -7,7 +7,7 @@ from typing import Any
 from rocksteady.dynamics.orbits.orbit_answers import beyond_alpha
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.dynamics.steady.steady_answers import BEYOND
-from rocksteady.model.facts import case_text, peak_unit, tilt_text
+from rocksteady.model.facts import case_text, peak_unit, solved_text, tilt_text
 from rocksteady.outcomes import AttractorKind, Status
 from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.numbers import chance, number, plural
@@ -68,7 +68,8 @@ def basins_answer(basins: Any) -> Answer:
         ("computed", f"{basins.model.name}; at most {basins.max_cycles} periods"),
         ("boundary", "not measured: --entropy and --exponent measure it"),
     ]
-    return Answer(shares_sentence(ends, basins.undecided), facts)
+    sentence = shares_sentence(ends, basins.undecided).removesuffix(".")
+    return Answer(f"{solved_text(sentence, basins.block)}.", facts)
 
 
 def _window(result: Any) -> str:
@@ -188,7 +189,7 @@ def over_answer(shares: Any, families: Sequence[dict[str, Any]]) -> Answer:
         ("starts", f"{shares.label[0].size:,} at each: {_window(shares)}"),
         ("computed", f"{shares.model.name}; at most {shares.max_cycles} periods"),
     ]
-    return Answer(f"{sentence}.", facts)
+    return Answer(f"{solved_text(sentence, shares.block)}.", facts)
 
 
 def _left(share: float) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import in_g
-from rocksteady.model.facts import AnyBlock, case_text
+from rocksteady.model.facts import AnyBlock, case_text, solved_text
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.answer import Answer, aligned, left_out
 from rocksteady.results.numbers import number, plural
@@ -75,7 +75,7 @@ def diagram_answer(diagram: Any) -> Answer:
         doublings = f"{plural(len(cascade.points), 'doubling')} to {limit}"
         if len(cascade.points) > 2:
             doublings += f"; last ratio {cascade.ratios[-1]:.2f} ({FEIGENBAUM})"
-    computed = diagram.model.name
+    computed = solved_text(diagram.model.name, diagram.block)
     if diagram.parameter != "restitution":
         computed += f"; {case_text(diagram.block)}"
     facts = [
@@ -229,12 +229,13 @@ def curves_answer(curves: Any) -> Answer:
     kinds = ", ".join(f"{number_of} {kind}" for kind, number_of in left.items())
     types = Counter(curve.type.value.replace("-", " ") for curve in curves.curves)
     listed = ", ".join(f"{number_of} {kind}" for kind, number_of in types.most_common())
+    solved = solved_text(curves.model.name, curves.block)
     facts = [
         ("unfinished", "" if curves.complete else "stopped at --max-curves or --max-branches"),
         *aligned(rows),
         left_out(sum(left.values()), kinds),
         ("curves", listed),
         ("missed", "curves off every line across the plane: more lines find more"),
-        ("computed", f"{curves.model.name}; up to {plural(curves.search.longest, 'period')}"),
+        ("computed", f"{solved}; up to {plural(curves.search.longest, 'period')}"),
     ]
     return Answer(sentence, facts)

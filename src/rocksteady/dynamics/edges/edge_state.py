@@ -17,6 +17,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
+from rocksteady.model.facts import solved_text
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import in_units
 from rocksteady.results.answer import Answer
@@ -203,7 +204,7 @@ class EdgeState(Result):
             [
                 self._other_way,
                 self._searched,
-                ("on the edge", meaning),
+                ("on the edge", solved_text(meaning, self.block)),
                 ("leaves the edge", f"{leaves} (multipliers {pair})" if pair else leaves),
                 ("between", f"{first} and {second}"),
                 ("computed", f"{self.model.name}; {self.bisections} outcomes over {periods}"),

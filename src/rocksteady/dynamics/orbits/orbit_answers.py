@@ -11,7 +11,7 @@ from rocksteady.dynamics.orbits.return_map import has_mirror_images
 from rocksteady.dynamics.steady.steady_answers import BEYOND
 from rocksteady.dynamics.steady.verdicts import multipliers_text
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.facts import AnyBlock, case_text, tilt_text
+from rocksteady.model.facts import AnyBlock, case_text, solved_text, tilt_text
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.answer import Answer, aligned, left_out
 from rocksteady.results.numbers import angle, number, plural, quantity
@@ -130,7 +130,7 @@ def orbits_answer(
     motions = sum(orbit.admissible for orbit in orbits)
     stable = sum(orbit.stable for orbit in orbits)
     reach = f"{plural(limits['max_period'], 'period')} and "
-    reach += plural(limits["max_impacts"], "impact")
+    reach += solved_text(plural(limits["max_impacts"], "impact"), block)
     if not motions:
         sentence = f"No steady motion was found up to {reach}."
     else:

@@ -36,7 +36,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import rising
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
-from rocksteady.model.facts import case_text
+from rocksteady.model.facts import case_text, solved_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
@@ -233,7 +233,7 @@ class FatalKicks(WindowLists):
             return f"pt {number(time)}"
 
         searched = f"both ways, up to {write(self.within[1])}{self._missing}"
-        facts = [self._undecided, ("searched", searched), self._computed]
+        facts = [self._undecided, ("searched", solved_text(searched, self.block)), self._computed]
         if math.isnan(self._smallest):
             return Answer("It stands after every kick searched.", facts)
         if self._smallest == 0.0:

@@ -15,7 +15,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Model
-from rocksteady.model.facts import block_text, block_values, case_text
+from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import number, plural
@@ -155,9 +155,7 @@ class WindowLists(Result):
     @property
     def _computed(self) -> tuple[str, str]:
         """Model and block, as a fact of an answer."""
-        parts = isinstance(self.block, Block) and self.block.parts  # whose headline is too long
-        words = case_text(self.block) if parts else self.block.describe().headline
-        return "computed", f"{self.model.name}, {words}"
+        return "computed", f"{self.model.name}, {self.block.describe().headline}"
 
     @property
     def _undecided(self) -> tuple[str, str]:
@@ -195,8 +193,8 @@ class WindowLists(Result):
         words = f"falls first at {write(int(np.nanargmin(self.opposite)), float(least))}"
         if least >= np.fmin.reduce(self.first):
             return replace(answer, facts=[("the other way", words), *answer.facts])
-        sentence = f"{answer.sentence} The other way governs: it {words}."
-        return replace(answer, sentence=sentence)
+        given = answer.sentence.replace("It ", "As given it ", 1)
+        return replace(answer, sentence=f"The other way it {words}, which governs. {given}")
 
     def _verdict(self, row: int, write: Callable[[float], str]) -> str:
         """Return from which size on a block of one row falls, and what it does up to the end."""

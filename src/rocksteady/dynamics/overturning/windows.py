@@ -26,7 +26,7 @@ from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, is_pair, rising
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
-from rocksteady.model.facts import amplitude_text, case_text, restitution_values
+from rocksteady.model.facts import amplitude_text, case_text, restitution_values, solved_text
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.results.answer import Answer
@@ -198,7 +198,7 @@ class OverturningWindows(WindowLists):
         facts = [
             ("stands on", self._floor_text),
             self._undecided,
-            ("searched", searched),
+            ("searched", solved_text(searched, self.block)),
             self._computed,
         ]
         if not shown:

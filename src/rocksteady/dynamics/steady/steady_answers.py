@@ -8,7 +8,7 @@ import numpy as np
 
 from rocksteady.dynamics.steady.verdicts import multipliers_text, verdict
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.facts import AnyBlock, peak_unit, tilt_text
+from rocksteady.model.facts import AnyBlock, peak_unit, solved_text, tilt_text
 from rocksteady.results.answer import Answer
 from rocksteady.results.numbers import angle, number, plural, quantity
 
@@ -31,7 +31,7 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
     name = "" if order == 1 else f" in a period-{order} motion"
     if not values["solutions"]:
         sentence = f"It cannot rock steadily{name}: that needs {limits['existence']} or more."
-        return Answer(sentence, [("computed", "linear (exact)")])
+        return Answer(sentence, [("computed", solved_text("linear (exact)", block))])
     ordered = sorted(
         values["solutions"], key=lambda each: (not each["stable"], not each["admissible"])
     )
@@ -50,6 +50,7 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
     if isinstance(block, Block):
         impacts += f" ({quantity(order / values['freq_hz'], 's')})"
         speed = f"{angle(abs(best['velocity']) * block.alpha * block.p)}/s after each"
+    solved = solved_text("linear (exact)", block)
     beyond = BEYOND if best["admissible"] and best["peak"] > 1.0 else ""
     exists = f"from {limits['existence']} up; a second branch up to {limits['sign']} at most"
     return Answer(
@@ -59,7 +60,7 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
             ("impacts", f"{impacts}, {speed}" if best["admissible"] else ""),
             ("other branch", _other(second, block)),
             ("exists", "" if beyond else exists),
-            ("computed", f"linear (exact); multipliers {multipliers_text(best['multipliers'])}"),
+            ("computed", f"{solved}; multipliers {multipliers_text(best['multipliers'])}"),
         ],
     )
 
@@ -113,7 +114,7 @@ def grid_answer(states: Any, points: Sequence[dict[str, Any]]) -> Answer:
             ("unstable", unstable if motions else ""),
             ("no motion", f"at {plural(nowhere, 'point')}" if nowhere else ""),
             ("over", over),
-            ("computed", "linear (exact)"),
+            ("computed", solved_text("linear (exact)", block)),
         ],
     )
 

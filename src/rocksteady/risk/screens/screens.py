@@ -180,6 +180,7 @@ class Screens(Result):
         outside = [row.name for row in judged if row.status == "approximate"]
         facts = [
             self.scope,
+            ("as one body", self.block.parts),
             ("no verdict", "; ".join(needed)),
             ("give next", following),
             ("approximate", ", ".join(outside) + ": made for other blocks" * bool(outside)),

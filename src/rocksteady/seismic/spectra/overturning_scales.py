@@ -32,7 +32,7 @@ from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, rising
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
-from rocksteady.model.facts import case_text
+from rocksteady.model.facts import case_text, solved_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.answer import Answer
@@ -249,7 +249,7 @@ class OverturningScales(WindowLists):
         searched = f"{low} to {high} x{self._missing}"
         if short := int((self.top < self.within[1]).sum()):
             searched += f"; {plural(short, 'record')} up to -g, from {number(self.top.min())} x on"
-        facts = [self._undecided, ("searched", searched), self._computed]
+        facts = [self._undecided, ("searched", solved_text(searched, self.block)), self._computed]
 
         def write(row: int, scale: float) -> str:
             pga = quantity(scale * self.pga_g[row], "g")
