@@ -25,10 +25,12 @@ from rocksteady.model.blocks.sides import (
     Side,
     body_p,
     check_one_body,
+    gyration_of,
     housner_restitution,
     rectangle_p,
     refuse_no_rocking,
     sides_of_body,
+    under,
     wall_ratio,
     with_point_mass,
 )
@@ -136,7 +138,7 @@ class Block(Measured):
     def __post_init__(self) -> None:
         """Validate."""
         for name in ("positive", "negative"):
-            object.__setattr__(self, name, getattr(self, name).under(self.gravity))
+            object.__setattr__(self, name, under(getattr(self, name), self.gravity))
         check_one_body(self.positive, self.negative, self.gravity)
         factor = self.housner_factor
         if factor is not None:
@@ -618,7 +620,7 @@ class Block(Measured):
             )
         if COLUMNS("columns", columns) == 1:
             share, side = CAP_MASS("cap_mass_ratio", cap_mass_ratio), self.positive
-            b, h, k = side.distance, side.centre_height, side.gyration(self.gravity)
+            b, h, k = side.distance, side.centre_height, gyration_of(side, self.gravity)
             h, k = with_point_mass(h, k, share=share, at_height=self.height)
             pier = self._asymmetric(b, b, 2.0 * h, k, restitution, self.gravity)
             parts = f"pier with a point cap of {share:.4g} times its mass"

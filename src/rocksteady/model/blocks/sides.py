@@ -65,29 +65,6 @@ class Side:
         """Height of the mass centre [m]."""
         return self.radius * cos(self.alpha)
 
-    def gyration_squared(self, gravity: float) -> float:
-        """Return ``I_c/M`` about the mass centre [m^2], negative where no body has it."""
-        return self.radius * (gravity / (self.p * self.p) - self.radius)
-
-    def gyration(self, gravity: float) -> float:
-        """Return the radius of gyration about the mass centre [m]."""
-        return math.sqrt(max(self.gyration_squared(gravity), 0.0))
-
-    def under(self, gravity: float) -> "Side":
-        """Return the side of the same body under a gravity [m/s^2]: p^2 is proportional to it.
-
-        A rectangle, and Housner's restitution, are computed again, to the last bit.
-        """
-        before, p, ratio = self.gravity, self.p, self.restitution
-        if before == gravity:
-            return self
-        if before is not None:
-            rectangle = p == rectangle_p(self.radius, before)
-            p = rectangle_p(self.radius, gravity) if rectangle else p * math.sqrt(gravity / before)
-            if ratio == housner_ratio(self.alpha, p=self.p, radius=self.radius, gravity=before):
-                ratio = housner_ratio(self.alpha, p=p, radius=self.radius, gravity=gravity)
-        return replace(self, p=p, restitution=ratio, gravity=gravity)
-
     def to_dict(self) -> dict[str, float]:
         """Return its measures under the names of the commands' JSON."""
         return {
@@ -96,6 +73,32 @@ class Side:
             "p_rad_s": self.p,
             "restitution": self.restitution,
         }
+
+
+def gyration_squared(side: Side, gravity: float) -> float:
+    """Return ``I_c/M`` about the mass centre [m^2], negative where no body has it."""
+    return side.radius * (gravity / (side.p * side.p) - side.radius)
+
+
+def gyration_of(side: Side, gravity: float) -> float:
+    """Return the radius of gyration about the mass centre [m]."""
+    return math.sqrt(max(gyration_squared(side, gravity), 0.0))
+
+
+def under(side: Side, gravity: float) -> Side:
+    """Return the side of the same body under a gravity [m/s^2]: p^2 is proportional to it.
+
+    A rectangle, and Housner's restitution, are computed again, to the last bit.
+    """
+    before, p, radius, ratio = side.gravity, side.p, side.radius, side.restitution
+    if before == gravity:
+        return side
+    if before is not None:
+        rectangle = p == rectangle_p(radius, before)
+        p = rectangle_p(radius, gravity) if rectangle else p * math.sqrt(gravity / before)
+        if ratio == housner_ratio(side.alpha, p=side.p, radius=radius, gravity=before):
+            ratio = housner_ratio(side.alpha, p=p, radius=radius, gravity=gravity)
+    return replace(side, p=p, restitution=ratio, gravity=gravity)
 
 
 def rectangle_p(radius: float, gravity: float) -> float:
@@ -143,7 +146,7 @@ def check_one_body(one: Side, other: Side, gravity: float) -> None:
         their mass centres have different heights.
     """
     # I_c/M about the mass centre is that of one body seen from either pivot.
-    centre = one.gyration_squared(gravity), other.gyration_squared(gravity)
+    centre = gyration_squared(one, gravity), gyration_squared(other, gravity)
     for side, square in zip((one, other), centre, strict=True):
         if square < -SAME_BODY * side.radius * side.radius:
             raise ModelError(
@@ -400,7 +403,7 @@ def housner_pair(positive: Side, negative: Side, gravity: float) -> tuple[float,
         )
         return ratios, ratios
     alphas, radii = (positive.alpha, negative.alpha), (positive.radius, negative.radius)
-    gyration = positive.gyration(gravity)
+    gyration = gyration_of(positive, gravity)
     return impact_ratio(alphas, radii, gyration), impact_ratio(alphas[::-1], radii[::-1], gyration)
 
 
