@@ -17,7 +17,7 @@ HELP = (
     "Each row prints its equation and edition, and implements that equation alone: the engineer "
     "verifies. A row whose input is missing names it. Peaks and spectra may be those of a floor."
 )
-MAIN = "width_m height_m kind pga_g pgv_m_s friction vertical_g record spectrum check csv"
+MAIN = "width_m height_m kind pga_g pgv_m_s friction vertical_g record spectrum check"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
