@@ -25,6 +25,8 @@ def block_values(block: Block) -> dict[str, Any]:
     if not block.fills_outline:
         centre = block.positive.centre_height
         positive |= {"height_m": block.height, "mass_centre_height_m": centre}
+        if any(block.overhangs):
+            positive["overhangs_m"] = list(block.overhangs)
     if block.symmetric:
         return positive
     if block.one_sided:

@@ -331,6 +331,13 @@ def test_a_refined_map_says_how_much_was_computed() -> None:
         ("map -A ٣ -W 1:2:3 -r 0.8", "--amplitude/-A = '٣' is not valid: it must be a number"),
         (f"map -A 1:2:{'9' * 5000} -W 1 -r 0.8", "an axis has from 2 to 1000000 points"),
         ("map -A log:1e300:1e-300:3 -W 1 -r 0.8", "must not lie so far apart"),
+        *(
+            (f"map --accel-g 0.4 --freq-hz 1 --width-m 0.5 --height-m 1:3:3 {flag}", words)
+            for flag, words in (  # a rectangle in the first cell, none in the others
+                ("--mass-centre-height-m 0.5", "--mass-centre-height-m = 0.5 is not accepted"),
+                ("--offset-m 0", "--offset-m = 0.0 is not accepted: sizes along an axis are those"),
+            )
+        ),
         (
             "map -A 1:2:13 -W 1:2:13 -r 0.7:0.8:13 --plot a.png",
             "--plot has 13 values of restitution: the axis with the fewest",

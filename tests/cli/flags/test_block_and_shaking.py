@@ -335,6 +335,8 @@ def test_sizes_above_50_m_are_refused_by_their_flags_in_the_words_of_object_file
         "overturn --kick --start 0.5,0",
         "attractor --accel-g 0.5 --freq-hz 2",
         "orbits --accel-g 0.4 --freq-hz 2",
+        "bifurcate --accel-g 0.3:0.4:3 --freq-hz 2",
+        "map --accel-g 0.1:0.5:3 --freq-hz 1:4:3",
         "edge --accel-g 0.4 --freq-hz 2",
         "basins --accel-g 0.4 --freq-hz 2 --angles=-1:1:5",
         "screens --pga-g 0.3",

@@ -13,6 +13,8 @@ from hypothesis import strategies as st
 from rocksteady import Block
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.caps import Cap
+from rocksteady.model.blocks.outlines import Outline
+from rocksteady.model.blocks.sides import Side
 from rocksteady.model.facts import block_values
 
 SIZES = {"width": 1.6, "height": 9.6}
@@ -216,3 +218,19 @@ def test_columns_are_single_symmetric_blocks(column: Block) -> None:
     """Others are refused."""
     with pytest.raises(ModelError, match="single blocks whose sides are alike; give such a block"):
         column.capped(columns=2, cap_mass_ratio=1.0)
+
+
+def test_a_frame_is_made_of_a_column_and_not_of_parts_of_another() -> None:
+    """A cap sets the p of its columns: a replaced one, or an outline, would make no body."""
+    column = Block.rectangle(width=1.6, height=9.6)
+    frame = column.capped(columns=4, cap_mass_ratio=2.0)
+    more = Cap(columns=6, cap_mass_ratio=2.0)
+    assert replace(frame, cap=more) == column.capped(columns=6, cap_mass_ratio=2.0)
+    for block, cap in ((frame, None), (frame, Cap(columns=4, cap_mass_ratio=5.0)), (column, more)):
+        with pytest.raises(ModelError, match="cap is another than its sides have their p from"):
+            replace(block, cap=cap)
+    with pytest.raises(ModelError, match="columns have their mass in mid-height"):
+        replace(frame, outline=Outline(height=12.0))
+    bare = Side(alpha=0.165, radius=4.87, p=1.229, restitution=0.9)
+    with pytest.raises(ModelError, match=r"p = 1\.229 .* whose columns have an inertia"):
+        Block(positive=bare, negative=bare, cap=more)

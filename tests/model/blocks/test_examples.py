@@ -97,3 +97,11 @@ def test_the_gas_cylinder_has_the_inertia_of_points_on_a_thin_tube() -> None:
     side = cylinder.positive
     found = cylinder.gravity * side.radius / side.p**2 - side.radius**2
     assert found == pytest.approx(from_middle.mean(), rel=2e-6)
+
+
+@every("name", sorted(SOURCES))
+def test_a_named_body_is_the_same_body_under_another_gravity(name: str) -> None:
+    here, there = Block.named(name), Block.named(name, gravity=1.62)
+    assert (there.width, there.height) == (here.width, here.height)
+    assert there.p == pytest.approx(here.p * math.sqrt(1.62 / 9.80665), rel=1e-14)
+    assert there == replace(here, gravity=1.62)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import FlagError, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.parsing import axis
@@ -215,6 +215,9 @@ def map_case(shaking: ShakingFlags, block: BlockFlags, start: MapStartFlags) -> 
         first.check(shaken=True)
     resized = any(len(values) > 1 for values in block.sizes.values())
     if resized:  # else the block has them
+        moved = ("offset_m", "mass_centre_height_m", "gyration_m")
+        flags = {"--" + name.replace("_", "-"): getattr(block, name) for name in moved}
+        refuse(flags, "sizes along an axis are those of homogeneous rectangles")
         given |= block.sizes
     if block.restitutions:
         given["restitution"] = block.restitutions

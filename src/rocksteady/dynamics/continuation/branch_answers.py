@@ -75,7 +75,7 @@ def diagram_answer(diagram: Any) -> Answer:
         doublings = f"{plural(len(cascade.points), 'doubling')} to {limit}"
         if len(cascade.points) > 2:
             doublings += f"; last ratio {cascade.ratios[-1]:.2f} ({FEIGENBAUM})"
-    computed = solved_text(diagram.model.name, diagram.block)
+    computed = diagram.model.name
     if diagram.parameter != "restitution":
         computed += f"; {case_text(diagram.block)}"
     facts = [
@@ -87,8 +87,8 @@ def diagram_answer(diagram: Any) -> Answer:
         ("found", counts_of(diagram)),
         ("computed", computed),
     ]
-    sentence = _stability(_joined(ranges), diagram.within, place)
-    return Answer(sentence, facts)
+    sentence = _stability(_joined(ranges), diagram.within, place).removesuffix(".")
+    return Answer(f"{solved_text(sentence, diagram.block)}.", facts)
 
 
 def counts_of(diagram: Any, reach: str = "") -> str:

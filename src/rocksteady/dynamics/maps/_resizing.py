@@ -82,12 +82,12 @@ def check_sizes(block: Block | DimensionlessBlock, names: Sequence[str]) -> None
                 "move its restitution or the shaking, or call once for each block",
             )
         ratio = block.p * block.p * block.radius / block.gravity
-        if abs(ratio - 0.75) > HOMOGENEOUS:
+        if abs(ratio - 0.75) > HOMOGENEOUS or not block.fills_outline:
             raise ModelError(
                 "block",
                 block,
-                "sizes are moved of homogeneous rectangles, whose p^2 R/g is 3/4; of this "
-                f"block it is {ratio:.6g}",
+                "sizes are moved of homogeneous rectangles, with the mass centre in the middle, "
+                f"whose p^2 R/g is 3/4; of this block it is {ratio:.6g}",
                 "move its restitution or the shaking, or call once for each block",
             )
 

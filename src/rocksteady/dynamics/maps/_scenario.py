@@ -196,6 +196,8 @@ class Scenario:
                 attributes.update(
                     {name: getattr(self.block, name) for name in ("alpha", "radius", "p")}
                 )
+            if self.block.parts:
+                attributes["parts"] = self.block.parts
         if self.block.one_sided:
             attributes["one_sided"] = 1
         elif not self.block.symmetric:

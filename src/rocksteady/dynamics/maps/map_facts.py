@@ -85,7 +85,8 @@ def _answer(
     start = str(given.get("start", "")).replace("state", "") or "its starts"
     if {"angle", "velocity"} <= given.keys():
         start = f"{given['angle']:g},{given['velocity']:g}"
-    sentence = f"from {start} it {words}."
+    one_body = ", as one body" * ("parts" in given)
+    sentence = f"from {start} it {words}{one_body}."
     late = undecided > FEW * cells
     sentence = f"Undecided in {share(undecided, cells)}; {sentence}" if late else sentence
     subharmonic = f"period 2 or more {share(moving['subharmonic'], cells)}" if longer else ""

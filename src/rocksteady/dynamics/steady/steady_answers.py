@@ -43,14 +43,14 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
         joined = "and that is" if words == "stable" else "but that is"
         joined = "but that" if words == "grazes" else joined
         tilt = tilt_text(block, best["peak"])
-        sentence = f"It can rock steadily{name} at {tilt}, {kind}, {joined} {words}."
+        shown = solved_text(f"at {tilt}, {kind}", block)
+        sentence = f"It can rock steadily{name} {shown}, {joined} {words}."
     period = plural(order, "period") if order > 1 else "a period"
     impacts = f"2 in {period}" if order > 1 else f"2 {period}"
     speed = f"du/d(pt) {number(best['velocity'])} after each"
     if isinstance(block, Block):
         impacts += f" ({quantity(order / values['freq_hz'], 's')})"
         speed = f"{angle(abs(best['velocity']) * block.alpha * block.p)}/s after each"
-    solved = solved_text("linear (exact)", block)
     beyond = BEYOND if best["admissible"] and best["peak"] > 1.0 else ""
     exists = f"from {limits['existence']} up; a second branch up to {limits['sign']} at most"
     return Answer(
@@ -60,7 +60,7 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
             ("impacts", f"{impacts}, {speed}" if best["admissible"] else ""),
             ("other branch", _other(second, block)),
             ("exists", "" if beyond else exists),
-            ("computed", f"{solved}; multipliers {multipliers_text(best['multipliers'])}"),
+            ("computed", f"linear (exact); multipliers {multipliers_text(best['multipliers'])}"),
         ],
     )
 

@@ -29,6 +29,7 @@ from rocksteady.model.blocks.sides import (
     housner_restitution,
     rectangle_p,
     refuse_no_rocking,
+    same_shape,
     sides_of_body,
     under,
     wall_ratio,
@@ -95,9 +96,8 @@ class Block(Measured):
         Cap of a rocking frame (`capped`); None (default) of a single block.  Width, height, alpha
         and radius of a frame are those of one column.
     outline
-        The rectangle around the block, for its top, clearances, pictures and the wall behind it;
-        default (None) that of its edges, twice as high as the mass centre, as of a homogeneous
-        rectangle.
+        The rectangle around the block, for its top, clearances and pictures; default (None) that
+        of its edges, twice as high as the mass centre, as of a homogeneous rectangle.
     parts
         Parts that are fixed to each other and computed as one body, for descriptions, as "statue
         and plinth"; empty (default) of a single part.
@@ -137,8 +137,9 @@ class Block(Measured):
 
     def __post_init__(self) -> None:
         """Validate."""
+        share = 0.0 if self.cap is None else self.cap.cap_mass_ratio
         for name in ("positive", "negative"):
-            object.__setattr__(self, name, under(getattr(self, name), self.gravity))
+            object.__setattr__(self, name, under(getattr(self, name), self.gravity, share))
         check_one_body(self.positive, self.negative, self.gravity)
         factor = self.housner_factor
         if factor is not None:
@@ -146,10 +147,11 @@ class Block(Measured):
         # Kept where none was given, so that another mass centre leaves the block as high.
         outline = outline_around(self.positive.centre_height, self.outline)
         object.__setattr__(self, "outline", outline)
+        if self.cap is not None:
+            alike = same_shape(self.positive, self.negative) and self.fills_outline
+            self.cap.check_column(self.positive, self.gravity, alike=alike)
         sides = self.positive, self.negative, self.gravity
-        if factor is not None and not has_factor(
-            factor, *sides, wall=self.wall_restitution, cap=self.cap, outline=outline
-        ):
+        if factor is not None and not has_factor(factor, *sides, self.wall_restitution, self.cap):
             object.__setattr__(self, "housner_factor", None)
 
     @property
@@ -206,8 +208,8 @@ class Block(Measured):
         """
         constructor, sizes = constructor_of(name)
         given = {} if restitution is None else {"restitution": restitution}
-        made: Block = getattr(cls, constructor)(**(sizes | given), gravity=gravity)
-        return replace(made, parts=PARTS.get(name, ""))
+        made: Block = getattr(cls, constructor)(**(sizes | given))  # of which p is on Earth
+        return replace(made, gravity=gravity, parts=PARTS.get(name, ""))
 
     @classmethod
     def rectangle(
@@ -610,12 +612,11 @@ class Block(Measured):
         >>> print(f"mass centre at {pier.positive.centre_height:.3f} m, p {pier.p:.4f} rad/s")
         mass centre at 8.000 m, p 1.0436 rad/s
         """
-        if not self.symmetric or self.cap is not None or self.parts or not self.fills_outline:
+        if not self.symmetric or self.cap is not None or self.parts:
             raise ModelError(
                 "block",
                 self,
-                "the columns of a frame have their mass in mid-height, are as wide as their base, "
-                "and are single blocks whose sides are alike",
+                "the columns of a frame are single blocks whose sides are alike",
                 "give such a block, as Block.rectangle(width=..., height=...)",
             )
         if COLUMNS("columns", columns) == 1:
@@ -668,8 +669,7 @@ class Block(Measured):
                 "give the restitution as a number in [0, 1]",
             )
         else:
-            sides = self.positive, self.negative, self.gravity
-            ratio = impacts.times(wall_ratio(*sides, self.outline))
+            ratio = impacts.times(wall_ratio(self.positive, self.negative, self.gravity))
         return replace(self, wall_restitution=ratio, housner_factor=impacts.noted)
 
     def with_restitution(self, restitution: Restitutions) -> "Block":

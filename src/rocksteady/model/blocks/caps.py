@@ -17,9 +17,8 @@ import math
 from dataclasses import dataclass, replace
 from typing import Annotated
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import sin
-from rocksteady.model.blocks.outlines import Outline
 from rocksteady.model.blocks.sides import SAME_BODY, Side, housner_pair, wall_ratio
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
@@ -67,7 +66,39 @@ class Cap:
         """Return the side of the frame of a column, with the column's restitution."""
         share = gravity / (column.p * column.p * column.radius) + 4.0 * self.cap_mass_ratio
         p = math.sqrt(gravity * (1.0 + 2.0 * self.cap_mass_ratio) / (column.radius * share))
-        return replace(column, p=p)
+        return replace(column, p=p, cap_mass_ratio=self.cap_mass_ratio)
+
+    def check_column(self, side: Side, gravity: float, *, alike: bool) -> None:
+        """Refuse a side of a frame that no column of it has.
+
+        Parameters
+        ----------
+        side, gravity
+            Of the frame.
+        alike
+            Whether its sides are alike, in their default outline.
+
+        Raises
+        ------
+        ModelError
+            If they are not, or would have a negative moment of inertia.
+        """
+        if not alike:
+            raise ModelError(
+                "cap",
+                self,
+                "columns have their mass in mid-height, are as wide as their base, and have sides "
+                "that are alike",
+                "give such a column, and take its capped(...)",
+            )
+        inertia = (1.0 + 2.0 * self.cap_mass_ratio) * gravity / (side.p * side.p * side.radius)
+        if inertia < (1.0 + 4.0 * self.cap_mass_ratio) * (1.0 - SAME_BODY):
+            raise ModelError(
+                "p",
+                side.p,
+                "it is that of a frame, whose columns have an inertia",
+                "give the column, and take its capped(...)",
+            )
 
     def housner_ratio(self, side: Side, gravity: float) -> float:
         """Return the restitution of a side that conserves angular momentum, positive or not."""
@@ -90,10 +121,8 @@ def has_factor(
     positive: Side,
     negative: Side,
     gravity: float,
-    *,
     wall: float | None,
     cap: Cap | None,
-    outline: Outline,
 ) -> bool:
     """Return whether the restitutions of a block are a factor of Housner's.
 
@@ -107,15 +136,13 @@ def has_factor(
         Restitution of the wall that it stands against; None of none.
     cap
         Cap of a frame; None of a single block.
-    outline
-        Its outline.
     """
     if wall is None:
         given = [positive.restitution, negative.restitution]
         values = [*conserving_pair(positive, negative, gravity, cap)]
     else:
         try:
-            given, values = [wall], [wall_ratio(positive, negative, gravity, outline)]
+            given, values = [wall], [wall_ratio(positive, negative, gravity)]
         except InputError:  # so stocky that it has none
             return False
     pairs = zip(given, values, strict=True)

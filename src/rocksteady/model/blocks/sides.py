@@ -8,10 +8,9 @@ import math
 from dataclasses import dataclass, field, replace
 from typing import Annotated
 
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
 from rocksteady.model.blocks.housner_forms import Impacts, Restitutions
-from rocksteady.model.blocks.outlines import Outline
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import ALPHA, GRAVITY, GYRATION, RADIUS, RESTITUTION, P, length
 
@@ -41,6 +40,8 @@ class Side:
         (eq 9).
     gravity
         Acceleration of gravity [m/s^2] that `p` is for; None (default) for that of the block.
+    cap_mass_ratio
+        That of the cap that `p` is for, of a column; 0 (default) of a single block.
 
     Raises
     ------
@@ -54,6 +55,7 @@ class Side:
     p: Annotated[float, P]
     restitution: Annotated[float, RESTITUTION]
     gravity: Annotated[float | None, GRAVITY] = field(default=None, compare=False, repr=False)
+    cap_mass_ratio: float = field(default=0.0, compare=False, repr=False)
 
     @property
     def distance(self) -> float:
@@ -85,12 +87,24 @@ def gyration_of(side: Side, gravity: float) -> float:
     return math.sqrt(max(gyration_squared(side, gravity), 0.0))
 
 
-def under(side: Side, gravity: float) -> Side:
+def under(side: Side, gravity: float, cap_mass_ratio: float) -> Side:
     """Return the side of the same body under a gravity [m/s^2]: p^2 is proportional to it.
 
     A rectangle, and Housner's restitution, are computed again, to the last bit.
+
+    Raises
+    ------
+    ModelError
+        If its p is that of a column under another cap, or under none.
     """
     before, p, radius, ratio = side.gravity, side.p, side.radius, side.restitution
+    if before is not None and side.cap_mass_ratio != cap_mass_ratio:
+        raise ModelError(
+            "cap",
+            Words("is another than its sides have their p from"),
+            "a cap sets the p and the restitution of its columns",
+            "give the column, as Block.rectangle(...), and take its capped(...)",
+        )
     if before == gravity:
         return side
     if before is not None:
@@ -98,7 +112,7 @@ def under(side: Side, gravity: float) -> Side:
         p = rectangle_p(radius, gravity) if rectangle else p * math.sqrt(gravity / before)
         if ratio == housner_ratio(side.alpha, p=side.p, radius=radius, gravity=before):
             ratio = housner_ratio(side.alpha, p=p, radius=radius, gravity=gravity)
-    return replace(side, p=p, restitution=ratio, gravity=gravity)
+    return replace(side, p=p, restitution=ratio, gravity=gravity, cap_mass_ratio=cap_mass_ratio)
 
 
 def rectangle_p(radius: float, gravity: float) -> float:
@@ -341,24 +355,20 @@ def refuse_no_rocking(name: str, value: object, ratio: float, words: str) -> Non
         raise InputError(name, value, valid, hint)
 
 
-def wall_ratio(
-    positive: Side, negative: Side, gravity: float, outline: Outline | None = None
-) -> float:
+def wall_ratio(positive: Side, negative: Side, gravity: float) -> float:
     """Return the restitution of a block against a wall by conservation of angular momentum.
 
-    A block that falls back strikes its base at the other edge, then the wall at the upper right
-    corner of its outline, then its base at the first edge.  Each impact conserves angular momentum
-    about the point that is struck, and passes its angular velocity on to the next.  For a symmetric
-    block, twice as high as its mass centre (the default outline)::
+    A block that falls back strikes its base at the other edge, then the wall at its top, twice as
+    high as the mass centre and above that edge, then its base at the first edge.  Each impact
+    conserves angular momentum about the point that is struck, and passes its angular velocity on to
+    the next.  For a symmetric block::
 
         (1 - 2 k sin^2 alpha)^2 (2 k cos^2 alpha - 1),    k = p^2 R/g
 
     with k = 3/4 of a rectangle (Sorrentino, Kunnath, Monti and Scalora 2008; Sorrentino, AlShawa
     and Decanini 2011).  It tends to 1/2 of a slender rectangle.  In general the two impacts on the
     base have their own values of `impact_restitution`, and alpha and k of the wall's factor are
-    those of the edge beneath it; with a corner H up and d beyond that edge the factor is ``(H h - d
-    b - I_0)/I_W``, for unit mass, I_0 and I_W about edge and corner, b and h from the edge to the
-    mass centre.
+    those of the edge beneath it.
 
     Raises
     ------
@@ -366,13 +376,8 @@ def wall_ratio(
         If the block is so stocky that the base or the wall does not turn it back.
     """
     share = negative.p * negative.p * negative.radius / gravity
-    cosine, sine = float(cos(negative.alpha)), float(sin(negative.alpha))
-    up, out = 1.0, 0.0  # of the corner, over twice the height of the mass centre and over R
-    if outline is not None:
-        up = outline.height / (2.0 * positive.centre_height)
-        out = outline.right_overhang / negative.radius
-    about = 1.0 + share * (4.0 * cosine * cosine * up * (up - 1.0) + out * (2.0 * sine + out))
-    wall = (2.0 * share * cosine * cosine * up - share * sine * out - 1.0) / about
+    cosine = float(cos(negative.alpha))
+    wall = 2.0 * share * cosine * cosine - 1.0
     first, second = housner_pair(positive, negative, gravity)
     if min(first, second) <= 0.0 or wall < 0.0:
         raise InputError(

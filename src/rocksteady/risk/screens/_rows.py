@@ -258,8 +258,7 @@ def _wall_row(case: Case) -> Screen:
         unknown = "no answer: angular momentum gives none for a frame against a wall"
     else:
         with suppress(InputError):  # of a stocky block
-            block = case.block
-            value = wall_ratio(block.positive, block.negative, block.gravity, block.outline)
+            value = wall_ratio(case.block.positive, case.block.negative, case.block.gravity)
     return Screen(
         name="restitution",
         equation="momentum at wall",

@@ -166,11 +166,11 @@ def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
         body = _of_slenderness(numbers, given.gravity_m_s2)
     else:
         body = _of_sizes(numbers, source) if form == 0 else _of_edges(numbers)
-    if body.centre_height >= body.height:
+    if body.centre_height > body.height:
         raise InputError(
             named(source, "geometry", "mass_centre_height_m"),
             body.centre_height,
-            f"it is below height_m, {body.height:g}",
+            f"it is at most height_m, {body.height:g}",
             "measure it again",
         )
     if shape.columns is not None:
