@@ -1,12 +1,14 @@
 """Demand spectra: interpolation, damping, files and refusals."""
 
 import math
+import time
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from rocksteady import Record
+from rocksteady import Block, Demand, Record, screen_block
 from rocksteady.errors import InputError
 from rocksteady.measures import compute_response_spectrum
 from rocksteady.risk.screens import spectra
@@ -192,6 +194,97 @@ def test_several_dampings_are_stated_in_the_order_of_the_columns(tmp_path: Path)
     rows, found = read_table(file)
     assert rows.shape == (2, 4)
     assert found == (0.02, 0.05, 0.1)
+    file.write_text("# damping 2, 5 and 10 % of critical\n0.1 3 2 1\n", encoding="utf-8")
+    assert read_table(file)[1] == found
+
+
+@every(
+    ("line", "damping"),
+    [
+        ("UHS, 5 % damping, 2 % in 50 years", 0.05),
+        ("2 % in 50 years, 5 % damping", 0.05),
+        ("damping 5 %, 2 % in 50 years", 0.05),
+        ("5 % damping, PGA 0.4 g", 0.05),
+        ("5 % damping 0.4 g PGA", 0.05),
+        ("5% damping, 4% slope", 0.05),
+        ("5 % damping; soil factor 0.9", 0.05),
+        ("damping 0.05 soil factor 0.9", 0.05),
+        ("5% damping", 0.05),
+        ("5 %-damped", 0.05),
+        ("5 per cent of critical damping", 0.05),
+        ("damping 5 %", 0.05),
+        ("damping 5", 0.05),
+        ("damping 1", 0.01),
+        ("damping 0.5 %", 0.005),
+        ("damping ratio 0.05", 0.05),
+        ("0.05 damping", 0.05),
+        ("damping = 0.05", 0.05),
+        ("damping: 5 percent", 0.05),
+        ("Damping (%): 5", 0.05),
+        ("damping ratio of 5%, return period 475 years", 0.05),
+        ("5 % damping = 0.05", 0.05),
+        ("zeta = .05", 0.05),
+        ("ξ=5 %", 0.05),
+        ("xi=5%", 0.05),
+        ("smorzamento 5 %", 0.05),
+        ("undamped oscillators at 5 %", None),
+        ("soil factor 0.9, 2 % in 50 years", None),
+        ("damping of the structure 0.9", "no number beside"),
+        ("damping, soil factor 0.9", "no number beside"),
+        ("zeta = -0.05", "no number beside"),
+        ("2 % damping 5 %", "a second damping"),
+        ("damping 5 % \n# damping 0.02", "line 2 states a second damping"),
+        ("site A\n# of some damping", "line 2 names a damping"),
+        ("of some damping\n# damping 5 %", 0.05),
+    ],
+)
+def test_only_a_number_beside_the_word_is_the_damping(
+    tmp_path: Path, line: str, damping: float | str | None
+) -> None:
+    file = tmp_path / "spectrum.txt"
+    file.write_text(f"# {line}\n0.1 0.3\n0.2 0.4\n", encoding="utf-8")
+    if isinstance(damping, str):
+        with pytest.raises(InputError, match=damping):
+            read_table(file)
+        assert read_table(file, 0.05)[1] == 0.05  # what a caller states needs no header
+    else:
+        assert read_table(file)[1] == (None if damping is None else (damping,))
+
+
+@every("filling", [" ", "of ", "5 % ", "5 ", "_(", "damping ", "0", "5,"])
+def test_a_long_comment_is_read_at_once(tmp_path: Path, filling: str) -> None:
+    file = tmp_path / "spectrum.txt"
+    file.write_text(f"# damping {filling * 500}x\n0.1 0.3\n0.2 0.4\n", encoding="utf-8")
+    began = time.process_time()
+    with suppress(InputError):
+        read_table(file)
+    assert time.process_time() - began < 1.0
+
+
+@every(
+    ("given", "damping", "words"),
+    [
+        (0.0189, 0.018903, "spectrum as given at 1.89 % damping"),
+        (0.3, 0.4, "spectrum as given at 30 %, for 40 % damping"),
+        (0.05, 0.1, "spectrum scaled from 5 % to 10 % damping by 0.816, eta of EN 1998-1 eq. 3.6"),
+    ],
+)
+def test_a_factor_of_1_is_not_shown(given: float, damping: float, words: str) -> None:
+    table = tabulated(TABLE, given)
+    assert table is not None
+    assert table.at_damping(damping, 4.0)[1] == words
+
+
+def test_the_row_says_that_the_damping_is_of_the_header(tmp_path: Path) -> None:
+    file = tmp_path / "spectrum.txt"
+    rows = "\n".join(f"{t} {sa}" for t, sa in [*TABLE, [9.0, 0.01]])
+    file.write_text(f"# 5 % damping, 2 % in 50 years\n{rows}\n", encoding="utf-8")
+    block = Block.rectangle(width=2.4, height=4.3)
+    verdicts = [
+        screen_block(block, Demand(spectrum=file, **given), object_kind="cask").rows[0].verdict
+        for given in ({}, {"spectrum_damping": 0.05})
+    ]
+    assert verdicts[0] == f"{verdicts[1]}; 5 % by its header"
 
 
 @every(

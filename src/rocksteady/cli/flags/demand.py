@@ -90,7 +90,7 @@ class SpectrumFlags:
     spectrum: Path | None = demand_flag(
         "--spectrum FILE",
         "Take a response spectrum: rows of period \\[s] and Sa \\[g], one column of Sa for "
-        "each damping; a comment '# damping 0.05' states it.",
+        "each damping; a comment '# 5 % damping' states it.",
     )
     damping: str | None = demand_flag(
         "--damping X",

@@ -7,7 +7,7 @@ from rocksteady.results.numbers import number, quantity
 from rocksteady.risk.screens._asce import RockingBody, Rotations, find_rotations, rotations_text
 from rocksteady.risk.screens._rows import Case
 from rocksteady.risk.screens.screen import Screen
-from rocksteady.risk.screens.spectra import spectrum_of
+from rocksteady.risk.screens.spectra import HeaderDamping, spectrum_of
 
 SOURCE = "ASCE/SEI 43-05, Appendix A.2, approximate method for rocking of an unanchored rigid body"
 
@@ -36,6 +36,9 @@ def asce_row(case: Case) -> Screen:
         return _row(case, None, verdict=f"needs {what}", needs=key, details=constants)
     constants += [("SA_V/SA_H", ratio, ""), ("F_v", body.vertical_factor, "")]
     chain, how = spectrum.at_damping(body.damping, longest)
+    if isinstance(demand.spectrum_damping, HeaderDamping):
+        given = " and ".join(f"{100.0 * each:.3g} %" for each in demand.spectrum_damping)
+        how += f"; {given} by its header"
     rotations = find_rotations(body, chain)
     for root in rotations.roots_rad:
         constants += [

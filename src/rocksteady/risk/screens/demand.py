@@ -50,7 +50,7 @@ class Demand:
         is exact at any damping.  None by default.
     spectrum_damping
         Damping of the table, 1 being critical, or one for each of its columns.  Without, what a
-        file states in a comment ``# damping 0.05``.
+        file states in a comment, as ``# 5 % damping``.
     sa_v_per_sa_h
         Ratio of vertical to horizontal spectral acceleration; None (default) for the ratio of the
         peaks, `vertical_g` over `pga_g`.
@@ -87,10 +87,9 @@ class Demand:
         else:
             given = self.spectrum
             if isinstance(self.spectrum, str | PathLike):
-                table, stated = read_table(Path(self.spectrum))
+                table, damping = read_table(Path(self.spectrum), self.spectrum_damping)
                 object.__setattr__(self, "spectrum", table)
-                if self.spectrum_damping is None:
-                    object.__setattr__(self, "spectrum_damping", stated)
+                object.__setattr__(self, "spectrum_damping", damping)
             tabulated(self.spectrum, self.spectrum_damping, shown=given)
 
     def with_peak(self) -> "Demand":

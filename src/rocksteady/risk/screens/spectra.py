@@ -6,7 +6,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -136,10 +136,11 @@ class TabulatedSpectrum:
         nearest = 0 if i == 0 else len(given) - 1
         factor = damping_factor(damping) / damping_factor(given[nearest])
         values = self.values_g[:, nearest] * np.where(self.periods_s == 0.0, 1.0, factor)
-        return values, (
-            f"spectrum scaled from {100.0 * given[nearest]:.3g} % to {percent} damping by "
-            f"{factor:.3g}, eta of EN 1998-1 eq. 3.6"
-        )
+        start, by = f"{100.0 * given[nearest]:.3g} %", f"{factor:.3g}"
+        words = f"scaled from {start} to {percent} damping by {by}, eta of EN 1998-1 eq. 3.6"
+        if by == "1":  # near a given damping, or where eta is at its least
+            words = f"as given at {start}" + f", for {percent}" * (start != percent) + " damping"
+        return values, f"spectrum {words}"
 
 
 def damping_factor(damping: float) -> float:
@@ -232,22 +233,47 @@ def spectrum_of(spectrum: object, damping: object) -> Spectrum | None:
     return tabulated(spectrum, damping)
 
 
-DAMPING_LINE = re.compile(r"damping\D*?((?:\d*\.?\d+\s*%?[\s,;]*)+)", re.IGNORECASE)
-"""What a comment or a header states of the damping, as ``# damping 0.02 0.05`` or ``5 %``."""
+_NUMBER = r"(?:\d+\.?\d*|\.\d+)"
+_WORD = r"(?<![a-z])(?:damping|damped|smorzamento|zeta|xi|ζ|ξ)(?![a-z])"
+_KIND = r"[\s_]|\b(?:of|critical|viscous|equivalent|structural|di|del|al|ratio|is)\b"
+_END = r"(?!\.?[a-z\d]|\s*(?:g|s|m|cm|hz|in|years?)\b)"
+_JOIN = r"(?:\s*[,;/]\s*|\s+and\s+|\s+)"
+_NEXT = rf"{_JOIN}(?>{_NUMBER}(?:\s*%)?){_END}(?!\s*(?!of\b|and\b|critical)[a-z])"
+_PARTS = rf"(?<![a-z\d.])(?:{_NUMBER}\s*%{_JOIN})*(?:{_NUMBER}\s*%|0?\.\d+)"
+STATEMENTS = (
+    rf"{_WORD}(?>(?:[=:()\[\]%]|{_KIND})*)(?>{_NUMBER}(?:\s*%)?){_END}(?:{_NEXT})*",
+    rf"{_PARTS}-?(?>(?:{_KIND})*){_WORD}",
+)
+"""A comment's dampings with numbers beside the word: ``damping 2 %, 5 %``, or ``5 %-damped``."""
 WHOLE_NUMBERS = re.compile(r"\d+(,\d+){2,},?")
 """A row whose commas may separate numbers, or be decimal ones."""
 
 
-def read_table(path: Path) -> tuple[Floats, tuple[float, ...] | None]:
-    """Read a spectrum from a text file: rows of period [s] and Sa [g], and the damping it states.
+class HeaderDamping(tuple[float, ...]):
+    """Dampings that the header of a file states."""
 
-    Lines that begin with # and one line of names at the top are comments; ``damping 0.05``, or ``5
-    %``, in one of them is the damping, or those of the columns in turn.
+    __slots__ = ()
+
+
+def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
+    """Read a spectrum from a text file: rows of period [s] and Sa [g], and its damping.
+
+    Lines that begin with # and lines of names at the top are comments.  A number beside the word
+    in one of them, as ``damping 0.05``, ``zeta = 5 %`` or ``5 %-damped``, is the damping; several
+    are those of the columns in turn.  1 and above are per cent.
+
+    Parameters
+    ----------
+    path
+        The file.
+    damping
+        What is returned as the damping; None (default) for the `HeaderDamping` of the file, or
+        None where it states none.
 
     Raises
     ------
     InputError
-        If the file cannot be read, or holds no such table.
+        If the file cannot be read, holds no such table, or its header is not clear.
     """
     try:
         size = path.stat().st_size
@@ -259,7 +285,7 @@ def read_table(path: Path) -> tuple[Floats, tuple[float, ...] | None]:
         raise InputError("spectrum", path, "it is too large for a spectrum", SHAPE_HINT)
     rows: list[list[float]] = []
     _refuse_commas(path, lines)
-    dampings: tuple[float, ...] | None = None
+    comments: dict[int, str] = {}
     for number, line in enumerate(lines, 1):
         text = line.strip()
         try:
@@ -268,7 +294,7 @@ def read_table(path: Path) -> tuple[Floats, tuple[float, ...] | None]:
             if rows and not text.startswith("#"):
                 valid = f"line {number} is no row of numbers"
                 raise InputError("spectrum", path, valid, SHAPE_HINT) from None
-            dampings = _dampings_in(text) or dampings
+            comments[number] = re.sub(r"per\s?cent\w?", "%", text.lower())
             continue
         if "." not in text and re.search(r"\d,\d", text) and re.search(r"\d[;\s]+\d", text):
             valid = f"line {number} has decimal commas"
@@ -281,7 +307,7 @@ def read_table(path: Path) -> tuple[Floats, tuple[float, ...] | None]:
             rows.append(row)
     if not rows:
         raise InputError("spectrum", path, "it has no rows of numbers", SHAPE_HINT)
-    return np.array(rows), dampings
+    return np.array(rows), _header_damping(path, comments) if damping is None else damping
 
 
 def _refuse_commas(path: Path, lines: list[str]) -> None:
@@ -294,11 +320,29 @@ def _refuse_commas(path: Path, lines: list[str]) -> None:
         raise InputError("spectrum", path, valid, hint)
 
 
-def _dampings_in(text: str) -> tuple[float, ...] | None:
-    """Return the dampings that a comment states; None where it states none."""
-    match = DAMPING_LINE.search(text)
-    if match is None:
-        return None
-    words = re.findall(r"(\d*\.?\d+)\s*(%?)", match[1])
-    percent = any(sign for _, sign in words)
-    return tuple(float(word) / (100.0 if percent else 1.0) for word, _ in words)
+def _header_damping(path: Path, comments: dict[int, str]) -> HeaderDamping | None:
+    """Return the dampings that comments state by their lines; None where they name none.
+
+    Raises
+    ------
+    InputError
+        If they state two different ones, or name a damping without a number beside it.
+    """
+    found: dict[tuple[float, ...], int] = {}
+    unclear = 0
+    for number, text in comments.items():
+        statements = [each[0] for form in STATEMENTS for each in re.finditer(form, text)]
+        for words in statements:
+            values = [float(each) for each in re.findall(_NUMBER, words)]
+            share = 0.01 if "%" in words or max(values) >= 1.0 else 1.0
+            found[tuple(round(share * each, 12) for each in values)] = number
+        if not statements and re.search(_WORD, text):
+            unclear = number
+    if len(found) > 1 or (unclear and not found):
+        number = max(found.values(), default=unclear)
+        valid = f"line {number} names a damping and has no number beside the word"
+        if found:
+            valid = f"line {number} states a second damping"
+        hint = "write one, as # damping 5 %, or state it apart from the file"
+        raise InputError("spectrum", path, valid, hint)
+    return HeaderDamping(*found) if found else None
