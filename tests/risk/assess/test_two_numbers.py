@@ -148,7 +148,9 @@ def test_vertical_motion_lowers_uplift_and_is_printed() -> None:
     shaken = assess_by_formula(BLOCK, 0.17, 0.4, vertical_g=0.5, vertical_share=0.4)
     assert shaken.uplift_pga_g == pytest.approx(0.8 * 0.32 / 1.8)
     assert shaken.probability == assess_by_formula(BLOCK, 0.35, 0.4).probability
-    assert shaken.sentence.endswith("with 0.4 of 0.5 g of vertical motion downwards at the peak.")
+    assert shaken.sentence.endswith(
+        "with 0.2 g of vertical motion downwards at the peak (0.4 of 0.5 g)."
+    )
     assert "vertical" not in plain.sentence
     for wrong in ({"vertical_g": -0.1}, {"vertical_share": 1.5}, {"vertical_g": 1.0}):
         with pytest.raises(InputError, match="vertical"):

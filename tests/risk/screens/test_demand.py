@@ -55,7 +55,9 @@ def test_vertical_motion_acts_with_its_share_at_the_peak() -> None:
     part = Demand.from_record(record, vertical_g=0.3, vertical_share=0.4)
     assert [whole.vertical_at_peak_g, part.vertical_at_peak_g] == pytest.approx([0.3, 0.12])
     assert whole.vertical_words.startswith("0.3 g of vertical motion")
-    assert part.vertical_words.startswith("0.4 of 0.3 g of vertical motion")
+    assert part.vertical_words.startswith(
+        "0.12 g of vertical motion downwards at the peak (0.4 of 0.3 g)"
+    )
     for none in (Demand(pga_g=0.3), Demand(vertical_g=0.3, vertical_share=0.0)):
         assert none.vertical_words == ""
 

@@ -8,7 +8,7 @@ from rocksteady import Block, Demand, assess_object, screen_block
 from rocksteady.codes import Screens
 from rocksteady.errors import InputError
 from rocksteady.motions import make_synthetic_suite
-from rocksteady.risk import DescribedObject
+from rocksteady.risk import Assessment, DescribedObject
 from rocksteady.risk.screens.screen import Kind
 from tests.cli.program import refused, rocksteady
 from tests.descriptions import as_json, fits
@@ -24,6 +24,7 @@ OWN = {
     "statue": None,
 }
 """The row made for each kind."""
+OWN_ROW = "The screen made for a {}, {}"
 GENERAL = [
     *("uplift", "friction to rock", "restitution"),
     *("Ishiyama bound", "Kaneko-Hayashi 50 %", "p PGV/(g tan alpha)"),
@@ -33,6 +34,19 @@ GENERAL = [
 def screened(kind: Kind | None, block: Block = CASK, **given: Any) -> Screens:
     peaks = {"pga_g": 0.3, "pgv_m_s": 0.4, "spectrum": TABLE, "spectrum_damping": 0.1}
     return screen_block(block, Demand(**{**peaks, **given}), object_kind=kind)
+
+
+def _of_kind(written: str) -> Assessment:
+    described = DescribedObject(
+        values={
+            "name": "thing",
+            "kind": written,
+            "friction": 0.1,
+            "geometry": {"width_m": 0.4, "height_m": 1.8},
+            "demand": {"pga_g": 0.4, "pgv_m_s": 0.4},
+        }
+    )
+    return assess_object(described, make_synthetic_suite(2))
 
 
 def said(found: Screens) -> str:
@@ -79,7 +93,9 @@ def test_only_rows_that_apply_are_counted(kind: Kind | None) -> None:
     who = f"a {kind}" if kind else "any block"
     begin = f"It passes {count} published screens for {who} at 0.3 g"
     if kind == "cabinet":  # 4.3 m high: none is like it
-        begin = f"{OWN[kind]} governs a cabinet: no cabinet is near to this size. It passes {count}"
+        begin = (
+            f"{OWN_ROW.format('cabinet', OWN[kind])}: no cabinet is near to this size. It passes"
+        )
     assert said(found).startswith(begin)
     passed = {row.name for row in found.rows if row.passes}
     assert passed - {"Ishiyama bound", "p PGV/(g tan alpha)"} <= {OWN.get(kind or "")}
@@ -144,9 +160,9 @@ def test_rows_made_for_other_blocks_are_named_beside_the_count() -> None:
     facts = screened("statue", RACK.against_wall()).describe().answer
     assert facts is not None
     words = dict(facts.facts)["approximate"]
-    assert (
-        words == "Ishiyama bound, Kaneko-Hayashi 50 %, p PGV/(g tan alpha): made for other blocks"
-    )
+    names, _, reason = words.partition(": ")
+    assert names == "Ishiyama bound, Kaneko-Hayashi 50 %, p PGV/(g tan alpha)"
+    assert reason == "the block is outside its range"
     plain = screened("statue", RACK).describe().answer
     assert plain is not None
     assert not dict(plain.facts)["approximate"]
@@ -155,16 +171,36 @@ def test_rows_made_for_other_blocks_are_named_beside_the_count() -> None:
 @every(
     ("kind", "peaks", "begin", "code"),
     [
-        ("cask", {}, f"{OWN['cask']} governs a cask: needs a spectrum with its damping. It", 3),
-        ("cask", {"spectrum": TABLE}, f"{OWN['cask']} governs a cask: needs its damping. It", 3),
+        (
+            "cask",
+            {},
+            f"{OWN_ROW.format('cask', OWN['cask'])}: needs a spectrum with its damping. It",
+            3,
+        ),
+        (
+            "cask",
+            {"spectrum": TABLE},
+            f"{OWN_ROW.format('cask', OWN['cask'])}: needs its damping. It",
+            3,
+        ),
         (
             "wall",
             {"pga_g": None},
-            f"{OWN['wall']} governs a wall: needs a PGA. It passes 2 of 2",
+            f"{OWN_ROW.format('wall', OWN['wall'])}: needs a PGA. It passes 2 of 2",
             3,
         ),
-        ("cabinet", {"pgv_m_s": None}, f"{OWN['cabinet']} governs a cabinet: needs a peak", 3),
-        ("cabinet", {"pgv_m_s": 0.2}, f"{OWN['cabinet']} governs a cabinet: 2.7 % of such", 0),
+        (
+            "cabinet",
+            {"pgv_m_s": None},
+            f"{OWN_ROW.format('cabinet', OWN['cabinet'])}: needs a peak",
+            3,
+        ),
+        (
+            "cabinet",
+            {"pgv_m_s": 0.2},
+            f"{OWN_ROW.format('cabinet', OWN['cabinet'])}: 2.7 % of such",
+            3,
+        ),
         ("statue", {}, "It passes 2 of 2 published screens for a statue", 0),
         (None, {}, "It passes 2 of 2 published screens for any block", 0),
     ],
@@ -202,18 +238,55 @@ def test_the_command_takes_the_kind_and_exits_by_what_counts() -> None:
     assert (values["kind"], values["screens"][0]["name"]) == ("wall", "Circolare rectangle")
 
 
+@every(
+    ("flags", "code"),
+    [
+        # "46 % of such cabinets fall": below a median no bound is kept
+        ("--width-m 0.45 --height-m 1.7 --kind cabinet --pga-g 0.01 --pgv-m-s 0.5", 3),
+        ("--width-m 0.45 --height-m 1.7 --kind cabinet --pga-g 0.01 --pgv-m-s 0.6", 1),
+        # none is near to this size
+        ("--width-m 2.4 --height-m 4.3 --kind cabinet --pga-g 0.01 --pgv-m-s 0.05", 3),
+        ("--width-m 2.4 --height-m 4.3 --kind cabinet --pga-g 0.01", 3),
+        # no answer: angular momentum turns it round
+        ("--width-m 2.4 --height-m 1.2 -r 0.8 --kind cask --pga-g 0.01 --pgv-m-s 0.05", 3),
+        ("--width-m 2.4 --height-m 4.3 --kind statue --pga-g 0.01 --pgv-m-s 0.05", 0),
+    ],
+)
+def test_check_is_open_where_the_row_of_the_kind_has_no_verdict(flags: str, code: int) -> None:
+    ran = rocksteady(f"screens {flags} --check")
+    assert ran.code == code, ran.out
+
+
+def test_where_no_cabinet_is_near_the_row_has_no_number() -> None:
+    for given in ({}, {"pgv_m_s": None}, {"pgv_m_s": 9.0}):
+        row = screened("cabinet", **given).rows[0]
+        assert (row.value, row.passes, row.status, row.needs) == (None, None, "refused", "")
+        assert row.verdict == "no cabinet is near to this size"
+        assert "at a distance of" in row.remark
+
+
+@every("written", ["Statue", " statue ", "STATUE\t"])
+def test_blanks_and_case_of_a_kind_do_not_count(written: str) -> None:
+    assert _of_kind(written).screens.kind == "statue"
+
+
+@every("written", ["parapet", "statues", "nuclear part", "vase", "other"])
+def test_a_kind_that_chooses_no_formulas_is_named(written: str) -> None:
+    found = _of_kind(written)
+    assert found.screens.kind is None
+    text = " ".join(found.summary(more=True).split())
+    words = f"Kind {written!r} chooses no formulas; cask, cabinet, wall, statue do."
+    assert (words in text) is (written != "other")
+
+
+def test_the_help_of_the_kind_lists_what_is_accepted() -> None:
+    line = " ".join(rocksteady("screens --help").out.split())
+    assert "Set the kind of object: cask, cabinet, wall or statue." in line
+
+
 @every(("written", "kind"), [("Statue", "statue"), ("cabinet", "cabinet"), ("vase", None)])
 def test_an_object_file_states_its_kind(written: str, kind: str | None) -> None:
-    described = DescribedObject(
-        values={
-            "name": "thing",
-            "kind": written,
-            "friction": 0.1,
-            "geometry": {"width_m": 0.4, "height_m": 1.8},
-            "demand": {"pga_g": 0.4, "pgv_m_s": 0.4},
-        }
-    )
-    assessment = assess_object(described, make_synthetic_suite(2))
+    assessment = _of_kind(written)
     assert assessment.screens.kind == kind
     words = "not for a statue: ASCE" if kind == "statue" else "Published formulas, "
     assert words in " ".join(assessment.summary(more=True).split())

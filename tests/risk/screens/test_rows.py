@@ -1,12 +1,16 @@
 """Rows at their own thresholds, at the edges of their ranges, and with one peak alone."""
 
 import math
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from rocksteady import Block, Demand, screen_block
+from rocksteady import Block, Demand, check_facade, screen_block
+from rocksteady.codes import ElasticSpectrum, Facade, FacadeDemand
+from rocksteady.results.numbers import number
 from rocksteady.risk.screens._cabinets import CABINETS, INCH_M
+from rocksteady.risk.screens._rows import LEAST_NUMBER
 from rocksteady.risk.screens.friction import uplift_acceleration_g
 from rocksteady.risk.screens.screen import Kind, Screen
 from rocksteady.risk.screens.thresholds import (
@@ -19,6 +23,7 @@ from tests.every import every
 
 BLOCK = Block.rectangle(width=0.32, height=1.8)
 G = 9.80665
+GUIDE = Path(__file__).parents[3] / "docs/guides/screens.md"
 ASCE = "ASCE 43-05 rocking"
 NUMBER, CABINET = "p PGV/(g tan alpha)", "FEMA P-58 cabinets"
 KINDS: dict[str, Kind] = {"Circolare rectangle": "wall", CABINET: "cabinet", ASCE: "cask"}
@@ -87,10 +92,10 @@ def test_a_peak_at_a_bound_reaches_it() -> None:
 
 def test_the_velocity_number_passes_below_a_fifth() -> None:
     per_number = G * math.tan(BLOCK.alpha) / BLOCK.p
-    for number, passes in ((0.19, True), (0.1999999, True), (0.2000001, False), (0.3, False)):
-        found = row(NUMBER, pgv_m_s=number * per_number)
+    for level, passes in ((0.19, True), (0.1999999, True), (0.2000001, False), (0.3, False)):
+        found = row(NUMBER, pgv_m_s=level * per_number)
         assert found.passes is passes
-        assert found.value == pytest.approx(number)
+        assert found.value == pytest.approx(level)
         shown = details(found)
         assert (shown["published"][0], shown["this package"][0]) == shares_at(found.value or 0.0)
     assert "below 0.2 only" in row(NUMBER, pgv_m_s=1.0).remark
@@ -127,7 +132,8 @@ def test_a_cabinet_has_a_verdict_up_to_a_quarter_away(
         height=INCH_M * last.height_in * math.exp(distance * math.sin(way)),
     )
     found = row(CABINET, block, pgv_m_s=9.0)
-    assert details(found)["distance"][0] == pytest.approx(distance)
+    assert f"at a distance of {number(distance)} in" in found.remark
+    assert (found.value is not None) is near
     assert found.passes is (False if near else None)
     assert ("no cabinet is near" in found.verdict) is not near
     assert ("probability" in [name for name, _, _ in found.details]) is near
@@ -155,9 +161,36 @@ def test_the_circolares_details_are_those_of_both_confidence_factors() -> None:
     assert found["d0"] == (pytest.approx(2.0 / 3.0 * 0.32), "m")
     assert found["0.4 d0 (SLV)"][0] / 0.4 == pytest.approx(found["0.6 d0 (SLC)"][0] / 0.6)
     verdicts = [row(name, pga_g=part * slope).verdict for part in (0.7, 0.9, 1.1)]
-    assert "is below a0 with FC 1.35" in verdicts[0]
-    assert "passes with FC 1, not with FC 1.35" in verdicts[1]
-    assert "is above a0 with FC 1.35" in verdicts[2]
+    assert verdicts == [
+        "S_e(0) below a0 with FC 1.35, without q",
+        "S_e(0) below a0 with FC 1, above it with FC 1.35, without q",
+        "S_e(0) above a0 with FC 1.35, without q",
+    ]
+    assert "q = 2 that SLV's linear check allows: `facade` makes the checks" in row(name).remark
+
+
+def test_the_wall_that_its_row_does_not_pass_satisfies_slv_by_its_linear_check() -> None:
+    """By hand: tan(alpha)/1.35 = 0.132 g lies between S_e(0)/2 and S_e(0)."""
+    pga = 1.5 * 0.32 / 1.8 / 1.35
+    wall = Facade(name="wall", thickness_m=0.32, height_m=1.8, confidence_factor=1.35)
+    site = ElasticSpectrum(ag_g=pga, f0=2.5, tc_star_s=0.35, soil="A")
+    found = check_facade(wall, FacadeDemand(slv=site))
+    linear = next(each for each in found.checks if each.name == "SLV linear")
+    assert row("Circolare rectangle", pga_g=pga).verdict.startswith("S_e(0) above a0")
+    assert linear.satisfied
+
+
+def test_the_asce_row_says_that_its_angle_has_no_margin() -> None:
+    flat = [[0.01, 0.3], [50.0, 0.3]]
+    found = row("ASCE 43-05 rocking", spectrum=flat, spectrum_damping=0.05, pga_g=0.3)
+    assert "a best estimate" in found.remark
+    assert "no margin" in found.remark
+
+
+def test_the_guide_has_the_bar_of_the_velocity_row() -> None:
+    guide = " ".join(GUIDE.read_text(encoding="utf-8").split())
+    assert f"passes below {LEAST_NUMBER:g}," in guide
+    assert f"Passed below {LEAST_NUMBER:g} only" in row(NUMBER).remark
 
 
 def test_friction_that_governs_leaves_a_row_without_input_as_it_is() -> None:

@@ -277,7 +277,7 @@ def test_rows_for_rectangles_say_so_of_other_blocks() -> None:
     heavy = Block.asymmetric(left=0.16, right=0.16, height=1.2, gyration=0.5)
     for block in (asymmetric, heavy):
         found = full(block=block, friction=0.5)
-        for name in ROCKING:
+        for name in ROCKING[: 4 if block is heavy else 5]:  # no cabinet is near to the heavy one
             assert found.row(name).status == "approximate", name
             assert "homogeneous rectangles" in found.row(name).remark
         assert found.row("uplift").status == "computed"
@@ -368,12 +368,12 @@ def test_what_a_spectrum_alone_decides_and_what_to_give_next() -> None:
         (
             None,
             (
-                f"{ASCE} governs a cask: needs its damping. No answer yet: none of the other "
-                "published screens has a verdict."
+                f"The screen made for a cask, {ASCE}: needs its damping. No answer yet: none of "
+                "the other published screens has a verdict."
             ),
             f"its damping, as 0.05; {rest}",
         ),
-        (0.05, "It passes 1 of 1 published screens for a cask.", rest),
+        (0.05, "It passes the one published screen for a cask that has a verdict.", rest),
     ):
         demand = Demand(spectrum=table, spectrum_damping=damping)
         answer = screen_block(BLOCK, demand, object_kind="cask").describe().answer
@@ -488,11 +488,15 @@ def test_what_screens_say_at_once() -> None:
         (Demand(), None, "none of the other published screens has a verdict."),
         (Demand(pga_g=0.05, pgv_m_s=0.02), None, "other published screens at 0.05 g and 0.02 m/s."),
         (Demand(pga_g=0.35), 0.05, "It slides at 0.35 g: no screen of rocking is an answer."),
-        (Demand(pgv_m_s=9.0), None, "It passes none of "),
+        (
+            Demand(pgv_m_s=9.0),
+            None,
+            "It does not pass the one other published screen that has a verdict at 9 m/s.",
+        ),
         (
             Demand(spectrum=table[1:]),
             None,
-            "ASCE 43-05 rocking governs a cask: needs its damping. No answer yet: none of",
+            "ASCE 43-05 rocking: needs its damping. No answer yet: none of",
         ),
     ):
         result = screen_block(block, demand, friction=friction, object_kind="cask")

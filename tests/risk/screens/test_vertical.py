@@ -8,7 +8,7 @@ import pytest
 
 from rocksteady import Block, Demand, Record, screen_block
 from rocksteady.codes import Screens
-from rocksteady.risk.screens.screen import Screen
+from rocksteady.risk.screens.screen import Kind, Screen
 from tests.every import every
 
 WIDTH, HEIGHT, G = 2.4, 4.3, 9.80665
@@ -16,6 +16,7 @@ CASK = Block.rectangle(width=WIDTH, height=HEIGHT)
 SLOPE = WIDTH / HEIGHT
 FLAT = [[0.01, 0.7], [50.0, 0.7]]
 """0.7 g at every period: no damping but the factor moves it."""
+ROW: dict[str, Any] = {"spectrum": FLAT, "spectrum_damping": 0.1}
 ASCE, NUMBER = "ASCE 43-05 rocking", "p PGV/(g tan alpha)"
 
 
@@ -121,7 +122,7 @@ def test_what_reverses_in_a_swing_and_medians_leave_it_out_and_say_why() -> None
         "restitution": "no duration",
         "Ishiyama bound": "reverses in a swing",
         "Kaneko-Hayashi 50 %": "horizontal motion alone",
-        NUMBER: "little effect",
+        NUMBER: "the formula of the shares has none",
         "FEMA P-58 cabinets": "peak floor velocity alone",
     }
     for name, why in unmoved.items():
@@ -146,6 +147,44 @@ def test_every_row_with_an_answer_states_its_use_of_vertical_motion(
         assert alone is ("vertical_g" not in given and (uses or row.name == NUMBER)), row.name
     for row in screened(spectrum_damping=0.05).rows:
         assert "ertical" not in row.remark, row.name
+
+
+@every(
+    ("kind", "given", "counts"),
+    [
+        ("statue", {"pga_g": 0.1, "pgv_m_s": 0.1, "vertical_g": 0.3}, True),  # Ishiyama's PGA
+        ("statue", {"pga_g": 0.1, "pgv_m_s": 0.1, "vertical_g": 0.3, "vertical_share": 0.0}, False),
+        ("statue", {"pga_g": 0.9, "pgv_m_s": 0.1, "vertical_g": 0.3}, False),  # bound of PGV
+        ("statue", {"pga_g": 0.9, "pgv_m_s": 9.0, "vertical_g": 0.3}, True),
+        ("statue", {"pgv_m_s": 9.0, "vertical_g": 0.3}, False),  # shares alone
+        ("statue", {"pga_g": 0.9, "vertical_g": 0.3}, False),  # uplift and friction alone
+        ("wall", {"pga_g": 0.9, "vertical_g": 0.3}, True),
+        ("cask", {"pga_g": 0.9, "vertical_g": 0.3, "vertical_share": 0.0, **ROW}, True),
+        ("cask", {"pga_g": 0.9, "vertical_g": 0.3, "sa_v_per_sa_h": 0.5, **ROW}, False),
+    ],
+)
+def test_the_first_line_has_the_vertical_peak_where_a_verdict_counts_it(
+    kind: Kind, given: dict[str, Any], counts: bool
+) -> None:
+    found = screen_block(CASK, Demand(**given), object_kind=kind)
+    answer = found.describe().answer
+    assert answer is not None
+    assert ("with a vertical peak of 0.3 g" in answer.sentence) is counts, answer.sentence
+    fact = "" if counts else "0.3 g enters no row that has a verdict"
+    assert dict(answer.facts)["vertical motion"] == fact
+
+
+def test_a_slide_under_vertical_motion_names_it() -> None:
+    demand = Demand(pga_g=0.3, vertical_g=0.5)
+    found = screen_block(CASK, demand, friction=0.5)
+    assert found.motion == "slides"
+    assert "It slides at 0.3 g with a vertical peak of 0.5 g" in found.summary()
+
+
+def test_of_a_share_of_0_nothing_is_taken_from_gravity() -> None:
+    found = screened(vertical_g=0.3, vertical_share=0.0)
+    for name in ("uplift", "friction to rock", "Ishiyama bound", "Circolare rectangle", NUMBER):
+        assert "Vertical motion: none at the horizontal peak" in found.row(name).remark, name
 
 
 def test_a_record_brings_the_ratio_of_its_peak() -> None:

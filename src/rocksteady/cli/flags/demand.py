@@ -50,7 +50,15 @@ class PeakFlags:
 
     @property
     def vertical(self) -> dict[str, float]:
-        """Vertical motion and its share, as the demand takes them."""
+        """Vertical motion and its share, as the demand takes them.
+
+        Raises
+        ------
+        FlagError
+            If there is a share alone.
+        """
+        for flag, value in [*self.vertical_flags.items()][1:]:
+            needs(flag, value, "--vertical-g", "0.3", beside=self.vertical_g or None)
         return {"vertical_g": self.vertical_g, "vertical_share": self.vertical_share}
 
     @property

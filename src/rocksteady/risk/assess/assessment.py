@@ -260,6 +260,14 @@ class Assessment(Result):
         return 100.0 * float((ratios * demand.pga_g < demand.pgv_m_s).mean())
 
     @property
+    def scope_words(self) -> str:
+        """Which published formulas stand beside the answer, and a kind that chooses none."""
+        kind, words = self.described.given.kind, self.screens.scope_words
+        if self.screens.kind is not None or kind == "other":
+            return words
+        return f"Kind {kind!r} chooses no formulas; {', '.join(KINDS)} do. {words}"
+
+    @property
     def percentile_words(self) -> str:
         """The same in words; empty without."""
         if self.pgv_percentile is None:
@@ -295,7 +303,7 @@ class Assessment(Result):
             tables=tables_of(
                 self.screens, self.cases, self.basis, self.remedies, self.risks, self.motions
             ),
-            notes=[*self.facts.warnings, *self._warnings(), *CAVEATS, self.screens.scope_words],
+            notes=[*self.facts.warnings, *self._warnings(), *CAVEATS, self.scope_words],
             answer=answer_of_object(self),
         )
 
@@ -467,7 +475,7 @@ def assess_object(
     intensity = Measure(given.assessment.intensity_measure, given.assessment.period_s)
     level = demand_level(intensity, given.demand, suite, block, described.source)
     friction = None if given.friction is None else bounds_of(given.friction)[0]
-    kind = KINDS.get(given.kind.lower())
+    kind = KINDS.get(given.kind.strip().lower())
     screens = screen_block(block, described.demand, friction=friction, object_kind=kind)
     onset = onset_of(described)
     findings = Findings(

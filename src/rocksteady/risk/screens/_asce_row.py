@@ -18,7 +18,7 @@ def asce_row(case: Case) -> Screen:
     ratio = demand.spectral_ratio
     body = RockingBody.of_side(case.side, case.block.gravity, ratio or 0.0)
     if body.restitution <= 0.0:
-        return _row(case, None, verdict="no answer: restitution below 0", answered=True)
+        return _row(case, None, verdict="", no_answer="no answer: restitution below 0")
     longest = 1.0 / body.frequency_hz(body.alpha)
     constants = [
         ("C_I", body.inertia, ""),
@@ -48,7 +48,10 @@ def asce_row(case: Case) -> Screen:
         ]
     verdict, passes, needs = _verdict(body, rotations, longest)
     value = rotations.roots_rad[-1] if rotations.roots_rad else None
-    remark = "The spectrum is a power law between its points."
+    remark = (
+        "A.2 calls its angle a best estimate: it has no margin, and the row passes up to alpha."
+    )
+    remark += " The spectrum is a power law between its points."
     if value is not None:
         remark += f" Roots at {rotations_text(rotations.roots_rad)}; the largest is shown."
     if rotations.examined_rad < body.alpha:
@@ -63,6 +66,7 @@ def asce_row(case: Case) -> Screen:
         value,
         verdict=verdict if needs else f"{verdict}; {how}",
         passes=passes,
+        counts_vertical=demand.vertical_g > 0.0 and demand.sa_v_per_sa_h is None,
         needs=needs,
         details=constants,
         remark=remark,

@@ -81,12 +81,24 @@ class Case:
         """Gravity less the vertical acceleration at the horizontal peak, over gravity."""
         return 1.0 - self.demand.vertical_at_peak_g * STANDARD_GRAVITY / self.block.gravity
 
+    @property
+    def shaken_up(self) -> bool:
+        """Whether vertical motion acts at the horizontal peak."""
+        return self.demand.vertical_at_peak_g > 0.0
+
     def vertical(self, words: str) -> str:
         """Return a remark on a row's use of vertical motion; empty where none is stated."""
         demand = self.demand
-        if not demand.vertical_g and not words.startswith("left out"):
+        if not self.shaken_up and not words.startswith("left out"):
             words = "left out, as SA_V/SA_H is stated alone; give vertical_g too"
+            if demand.vertical_g:
+                words = "none at the horizontal peak, as its share is 0"
         return f" Vertical motion: {words}." if demand.vertical_g or demand.sa_v_per_sa_h else ""
+
+    @property
+    def of_earth(self) -> str:
+        """Why a formula with fixed units has no answer in the block's gravity; empty on Earth."""
+        return "" if self.on_earth else "no answer: made for 9.81 m/s^2"
 
     @cached_property
     def on_earth(self) -> bool:
@@ -112,19 +124,19 @@ class Case:
         remark: str = "",
         answered: bool | None = None,
         approximate: bool = False,
-        of_earth: bool = False,
+        no_answer: str = "",
         **fields: Any,
     ) -> Screen:
         """Return a row that takes rocking for granted: refused where the block slides.
 
         Its formula was made for rectangles, and, unless it is one of walls, for rocking to both
         sides.  It is answered where it has a value, or as given, and `approximate` where stated;
-        one `of_earth` is refused without a value in another gravity.
+        with words in `no_answer` it is refused without a value.
         """
-        if of_earth and not self.on_earth:
+        if no_answer:
             fields |= {"value": None, "passes": None, "needs": "", "details": ()}
-            fields["verdict"] = "no answer: made for 9.81 m/s^2"
-            return Screen(status="refused", **fields)
+            fields["verdict"] = no_answer
+            return Screen(status="refused", remark=remark * self.on_earth, **fields)
         known = fields["value"] is not None if answered is None else answered
         status: Standing = "approximate" if approximate else "computed"
         status = status if known else "needs input"
@@ -304,6 +316,7 @@ def ishiyama_row(case: Case) -> Screen:
         verdict=verdict,
         passes=passes,
         needs=needs,
+        counts_vertical=case.shaken_up and (passes is False or unit == "g"),
         details=(
             ("PGA bound", least, "g"),
             ("PGV bound", bounds.pgv_m_s, "m/s"),
@@ -343,7 +356,7 @@ def kaneko_hayashi_row(case: Case) -> Screen:
     else:
         verdict, needs = _missing_peaks(case.demand)
     return case.rocking(
-        of_earth=True,
+        no_answer=case.of_earth,
         name="Kaneko-Hayashi 50 %",
         equation="A50, V50, Fe",
         edition="13WCEE 2004",
@@ -385,9 +398,9 @@ def circolare_row(case: Case) -> Screen:
         verdict, needs = "needs a PGA", "pga_g"
     else:
         passes = pga <= value
-        verdict = f"{number(pga)} g is {'below' if passes else 'above'} a0 with FC 1.35"
+        verdict = f"S_e(0) {'below' if passes else 'above'} a0 with FC 1.35, without q"
         if not passes and pga <= share * full.a0_lumped_g:
-            verdict = f"{number(pga)} g passes with FC 1, not with FC 1.35"
+            verdict = "S_e(0) below a0 with FC 1, above it with FC 1.35, without q"
     return case.rocking(
         made_for=WALLS,
         name="Circolare rectangle",
@@ -399,10 +412,13 @@ def circolare_row(case: Case) -> Screen:
         unit="g",
         verdict=verdict,
         passes=passes,
+        counts_vertical=case.shaken_up,
         needs=needs,
         details=tuple(details),
-        remark="With the mass at its centre, e* = 1, which decides; with the mass spread, e* = "
-        f"0.75, a0 is {quantity(share * poor.a0_g, 'g')}. d0 {quantity(full.d0_m, 'm')}, T_SLV "
+        remark="S_e(0), the PGA, is compared without the behaviour factor q = 2 that SLV's linear "
+        "check allows: `facade` makes the checks. With the mass at its centre, e* = 1, which "
+        "decides; with the mass spread, e* = 0.75, a0 is "
+        f"{quantity(share * poor.a0_g, 'g')}. d0 {quantity(full.d0_m, 'm')}, T_SLV "
         f"{quantity(full.t_slv_s, 's')} with FC 1."
         + case.vertical("downwards in a0; left out of d0 and periods, as it reverses in a swing"),
     )
@@ -419,9 +435,10 @@ def velocity_row(case: Case) -> Screen:
     )
     middle = MEDIAN * gravity * tan(case.side.alpha) / case.side.p
     details = [(f"PGV at {MEDIAN:g}", middle, "m/s")]
+    lifted = pga is None or lifts(case.block, pga, case.demand.vertical_at_peak_g)
     if pgv is not None:
         value, needs = velocity_number(case.side, gravity, pgv), ""
-        if pga is not None and not lifts(case.block, pga, case.demand.vertical_at_peak_g):
+        if not lifted:
             verdict, passes = "stays down: PGA below uplift", True
         else:
             shares = shares_at(value)
@@ -441,13 +458,14 @@ def velocity_row(case: Case) -> Screen:
         unit="",
         verdict=verdict,
         passes=passes,
+        counts_vertical=case.shaken_up and pga is not None and (passes is False or not lifted),
         needs=needs,
         details=tuple(details),
         approximate=outside,
         remark="Of blocks that lift, the same as of rocksteady assess: theirs, and that "
         f"of this package. Passed below {LEAST_NUMBER:g} only."
         + (" The block lies outside the latter: alpha 0.1 to 0.3 rad, p 1 to 3 rad/s." * outside)
-        + case.vertical("downwards in uplift; left out of the shares, as it has little effect"),
+        + case.vertical("downwards in uplift; the formula of the shares has none"),
     )
 
 
@@ -464,8 +482,6 @@ def cabinets_row(case: Case) -> Screen:
     ]
     if pgv is None:
         verdict, needs = "needs a peak floor velocity", "pgv_m_s"
-    elif distance > NEAR:
-        verdict = "no cabinet is near to this size"
     else:
         share = cabinet.probability(pgv)
         details.append(("probability", share, ""))
@@ -473,7 +489,7 @@ def cabinets_row(case: Case) -> Screen:
         verdict = f"{chance(share)} of such cabinets fall"
     size = f"{cabinet.depth_in:g} x {cabinet.height_in:g} in"
     return case.rocking(
-        of_earth=True,
+        no_answer=case.of_earth or "no cabinet is near to this size" * (distance > NEAR),
         made_for="cabinets",
         name="FEMA P-58 cabinets",
         equation=cabinet.row,

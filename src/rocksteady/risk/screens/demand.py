@@ -150,8 +150,9 @@ class Demand:
         """That acceleration in words; empty where there is none."""
         if not self.vertical_at_peak_g:
             return ""
-        share = "" if self.vertical_share == 1.0 else f"{number(self.vertical_share)} of "
-        return f"{share}{quantity(self.vertical_g, 'g')} of vertical motion downwards at the peak"
+        share = f" ({number(self.vertical_share)} of {quantity(self.vertical_g, 'g')})"
+        words = f"{quantity(self.vertical_at_peak_g, 'g')} of vertical motion downwards at the peak"
+        return words if self.vertical_share == 1.0 else words + share
 
     def _refuse_damping(self) -> None:
         """Refuse a damping that belongs to no table."""

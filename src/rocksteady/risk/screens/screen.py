@@ -38,16 +38,17 @@ class Screen(Result):
         Number or form of the equation, edition of the document, and the full reference.
     status
         "computed"; "approximate" where the block is outside what the row was made for; "needs
-        input"; "refused" where friction governs, or where a formula with fixed units meets another
-        gravity.
+        input"; "refused" where friction governs, or where a formula has no answer for the block.
     value, unit
-        The threshold or capacity; None where an input is missing.
+        The threshold or capacity; None where an input is missing or there is no answer.
     verdict
         In a few words.
     passes
         Whether the demand is below a value that bounds falling; None where there is no verdict, as
         of uplift and friction, below a median, and where a row is made for one kind of object and
         that of the block is not stated.
+    counts_vertical
+        Whether the verdict depends on the vertical peak.
     needs
         What is missing; empty where nothing is.
     made_for
@@ -67,6 +68,7 @@ class Screen(Result):
     unit: str
     verdict: str
     passes: bool | None = None
+    counts_vertical: bool = False
     needs: str = ""
     made_for: str = ANY_BLOCK
     details: tuple[Detail, ...] = ()

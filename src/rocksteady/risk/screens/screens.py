@@ -75,8 +75,8 @@ class Screens(Result):
 
     @property
     def undecided(self) -> bool:
-        """Whether the row that governs lacks an input, or no row has a verdict."""
-        lacks = self.governing is not None and bool(self.governing.needs)
+        """Whether the row that governs neither passes nor fails, or no row does."""
+        lacks = self.governing is not None and self.governing.passes is None
         return lacks or all(row.passes is None for row in self.rows)
 
     @property
@@ -122,7 +122,7 @@ class Screens(Result):
             if value is not None
         ]
         shaking = f" at {' and '.join(peaks)}" if peaks else ""
-        shaking += f" with {demand.vertical_words}" if demand.vertical_words else ""
+        shaking += f" with a vertical peak of {self._vertical}" if self._counts_vertical else ""
         friction = "not known" if self.friction is None else number(self.friction)
         shown = [row.values() for row in self.rows]
         words = [{**row.values(), "value": row.words} for row in self.rows]
@@ -159,16 +159,31 @@ class Screens(Result):
             answer=self._answer(shaking, passed, judged),
         )
 
+    @property
+    def _vertical(self) -> str:
+        """The vertical peak in words."""
+        return quantity(self.demand.vertical_g, "g")
+
+    @property
+    def _counts_vertical(self) -> bool:
+        """Whether the vertical peak enters a verdict, or the block slides under it."""
+        sliding = self.motion in SLIDES and self.demand.vertical_at_peak_g > 0.0
+        return sliding or any(r.counts_vertical for r in self.rows if r.passes is not None)
+
     def _answer(self, at: str, passed: int, judged: list[Screen]) -> Answer:
         """Return how many formulas it passes, and the formulas, those not passed first."""
-        made_for = f"a {self.kind}" if self.kind else ANY_BLOCK
-        published, governs = f"published screens for {made_for}", ""
+        count, made_for = len(judged), f" for {f'a {self.kind}' if self.kind else ANY_BLOCK}"
+        other = governs = ""
         if (first := self.governing) and first.passes is None:
-            governs = f"{first.name} governs a {self.kind}: {first.verdict}. "
-            published = "other published screens"
-        sentence = f"{governs}No answer yet: none of the {published} has a verdict{at}."
+            governs = f"The screen made for a {self.kind}, {first.name}: {first.verdict}. "
+            other, made_for = "other ", ""
+        screens = f"{other}published screen{'s' * (count != 1)}{made_for}"
+        sentence = f"{governs}No answer yet: none of the {screens} has a verdict{at}."
         if judged:
-            sentence = f"{governs}It passes {passed or 'none'} of {len(judged)} {published}{at}."
+            sentence = f"{governs}It passes {passed or 'none'} of {count} {screens}{at}."
+        if count == 1:
+            verb = "passes" if passed else "does not pass"
+            sentence = f"{governs}It {verb} the one {screens} that has a verdict{at}."
         if self.motion in SLIDES:
             sentence = f"It slides{at}: no screen of rocking is an answer."
         shown = [row for row in self.rows if not row.needs and row.name != "restitution"]
@@ -178,12 +193,18 @@ class Screens(Result):
         needs = [row for row in self.rows[bool(governs) :] if row.needs][: 0 if following else 2]
         needed = [f"{row.name} {row.verdict.partition(';')[0]}" for row in needs]
         outside = [row.name for row in judged if row.status == "approximate"]
+        unused = f"{self._vertical} enters no row that has a verdict"
+        unused *= self.demand.vertical_g > 0.0 and not self._counts_vertical
         facts = [
             self.scope,
             ("as one body", self.block.parts),
             ("no verdict", "; ".join(needed)),
             ("give next", following),
-            ("approximate", ", ".join(outside) + ": made for other blocks" * bool(outside)),
+            (
+                "approximate",
+                ", ".join(outside) + ": the block is outside its range" * bool(outside),
+            ),
+            ("vertical motion", unused),
         ]
         rows = [(row.name, f"{row.verdict} ({row.words})".removesuffix(" (—)")) for row in shown]
         return Answer(sentence, facts, rows)

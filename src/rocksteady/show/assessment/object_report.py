@@ -145,7 +145,7 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
         "risks": risk_rows(assessment),
         "risk_notes": _risk_notes(assessment),
         "running": plain_name(described.name),
-        "scope": greek(assessment.screens.scope_words),
+        "scope": greek(assessment.scope_words),
         "screens": screen_rows(assessment),
         "sides": side_rows(assessment),
         "sources": " ".join(greek(f"{row.name}: {row.source}.") for row in assessment.screens.rows),

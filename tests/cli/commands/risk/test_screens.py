@@ -71,8 +71,8 @@ def test_vertical_flags_reach_uplift_and_the_spectrum_row(table: Path) -> None:
     values = rocksteady(f"{BLOCK} {more}", table).json
     assert values["screens"][0]["value"] == pytest.approx(0.8 * 0.32 / 1.8)
     assert values["sa_v_per_sa_h"] == 0.67
-    words = rocksteady(f"{BLOCK} --vertical-g 0.5 --vertical-share 0.4 --pga-g 0.3").out
-    assert "0.4 of 0.5 g of vertical motion downwards at the peak" in " ".join(words.split())
+    words = rocksteady(f"{BLOCK} --vertical-g 0.5 --vertical-share 0.4 --pga-g 0.1 --pgv-m-s 1").out
+    assert "with a vertical peak of 0.5 g" in " ".join(words.split())
 
 
 def test_the_table_is_written_whole_and_not_over_another(tmp_path: Path) -> None:
@@ -105,6 +105,8 @@ def test_check_leaves_with_1_where_a_row_does_not_pass() -> None:
         (f"{BLOCK} --spectrum gone.txt", ["--spectrum", "No such file"]),
         (f"{BLOCK} --record gone.AT2 --pgv-m-s 1", ["--record and --pgv-m-s", "both"]),
         (f"{BLOCK} --units g", ["--units", "--record"]),
+        (f"{BLOCK} --vertical-share 0.4", ["--vertical-share", "without --vertical-g"]),
+        (f"assess{BLOCK[7:]} {PEAKS} --vertical-share 0", ["--vertical-share", "--vertical-g"]),
         (f"{BLOCK} --vertical-g -2", ["--vertical-g", "-2.0", "without a sign"]),
         (f"{BLOCK} --vertical-per-horizontal -1", ["--vertical-per-horizontal", "-1.0"]),
     ],

@@ -37,11 +37,12 @@ def screens(
     output: RowFlags,
     kind: str | None = options.block_flag(
         "--kind KIND",
-        "Set the kind of object: cask (or other nuclear part), cabinet, wall, statue.",
+        "Set the kind of object: cask, cabinet, wall or statue.",
     ),
     check: bool = options.output_flag(
         "--check",
-        "Leave with exit code 1 where a row does not pass or the block slides, 3 without verdicts.",
+        "Leave with exit code 1 where a row does not pass or the block slides, 3 where no row, or "
+        "not that of --kind, has a verdict.",
         default=False,
     ),
 ) -> None:
