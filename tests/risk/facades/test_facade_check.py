@@ -18,6 +18,7 @@ from rocksteady.risk.facades.facade_check import FacadeCheck
 from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
+from tests.descriptions import as_json
 from tests.every import every
 
 WALL = Facade(name="front", thickness_m=0.3, height_m=3.0)
@@ -59,7 +60,10 @@ def test_what_is_not_satisfied_comes_first_and_then_what_is_nearest_to_it() -> N
     found = checked(0.15, [[0.1, 0.2]] * 7)
     answer = found.describe().answer
     assert answer is not None
-    assert answer.sentence == "front does not satisfy SLD and SLV, by 2 of 5 checks."
+    assert answer.sentence == (
+        "front: SLD not satisfied; SLV satisfied (nonlinear static, dynamic), not satisfied "
+        "(linear); SLC satisfied."
+    )
     by_name = {each.name: each for each in found.checks}
     order = [(by_name[name].satisfied, -(by_name[name].ratio or 0.0)) for name, _ in answer.rows]
     assert len(order) == 5
@@ -69,7 +73,22 @@ def test_what_is_not_satisfied_comes_first_and_then_what_is_nearest_to_it() -> N
     assert answer.rows[2][1].endswith("(0.6)")
     weak = checked(0.01).describe().answer
     assert weak is not None
-    assert weak.sentence == "front satisfies all 4 checks that have a demand."
+    assert weak.sentence == "front: SLD, SLV and SLC satisfied."
+
+
+@every("ag", [0.01, 0.1, 0.15, 0.2, 0.9])
+def test_text_more_and_json_give_one_verdict(ag: float) -> None:
+    found = checked(ag)
+    first = " ".join(found.summary().split()).partition(". ")[0] + "."
+    assert first.startswith(f"{found.verdict}.")
+    assert found.verdict in " ".join(found.summary(more=True).split())
+    assert str(as_json(found.to_dict())["verdict"]).startswith(found.verdict)
+
+
+def test_without_records_the_text_has_d0_and_its_share_for_slv() -> None:
+    """Of 0.3 x 3 m: 2 t/3, and 0.4 of it."""
+    for check in (checked(), check_facade(WALL)):
+        assert told(check)["d0"] == "200 mm, and d_SLV = 0.4 d0 = 80 mm"
 
 
 def test_the_largest_displacement_of_a_record_is_that_of_the_worse_sign() -> None:
@@ -239,7 +258,7 @@ def test_few_records_are_refused_in_the_answer(count: int, words: str) -> None:
     assert words in told(found)["runs"]
     answer = found.describe().answer
     assert answer is not None
-    assert answer.sentence.endswith("; no verdict by runs.")
+    assert answer.sentence.endswith("; no verdict by dynamic, which needs 7 records or more.")
     alone = check_facade(WALL, runs=runs([[0.1, 0.1]] * count)).describe().answer
     assert alone is not None
     assert alone.sentence == "No answer yet: no check has a demand, capacity alone is known."

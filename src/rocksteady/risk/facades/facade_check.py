@@ -13,7 +13,7 @@ from rocksteady.results.result import Result
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_demand import FacadeDemand, LimitState
 from rocksteady.risk.facades.facade_runs import FacadeRuns
-from rocksteady.risk.facades.mechanism import Mechanism
+from rocksteady.risk.facades.mechanism import SHARE_SLV, Mechanism
 from rocksteady.risk.facades.remark import Remark
 
 Method = Literal["linear", "nonlinear static", "dynamic"]
@@ -251,15 +251,10 @@ class FacadeCheck(Result):
         )
 
     def _answer(self) -> Answer:
-        """Return what is not satisfied, the checks, and runs beyond d0."""
+        """Return the verdict, the checks, and runs beyond d0."""
         decided = [check for check in self.checks if check.satisfied is not None]
         decided.sort(key=lambda check: (check.satisfied is True, -_ratio(check)))
-        failed = [check for check in decided if not check.satisfied]
-        names = _joined(list(dict.fromkeys(each.limit_state for each in failed)))
-        sentence = f"{self.facade.name} satisfies all {len(decided)} checks that have a demand"
-        if failed:
-            sentence = f"{self.facade.name} does not satisfy {names}, "
-            sentence += f"by {len(failed)} of {plural(len(decided), 'check')}"
+        sentence = self.verdict
         if not decided:
             sentence = "No answer yet: no check has a demand, capacity alone is known"
         refused = [
@@ -268,13 +263,16 @@ class FacadeCheck(Result):
             for remark in check.remarks
             if check.satisfied is None and remark.key == "weak_records"
         ]
+        sentence += "; no verdict by runs" if refused and decided else ""
         if self.runs is not None and self.runs.refusal is not None:
             refused = [self.runs.refusal]
-        sentence += "; no verdict by runs" if refused and decided else ""
         facts = [("runs", " ".join(refused))]
         if self.runs is not None and self.runs.beyond:
             records = plural(len(self.runs.records), "record")
             facts.append(("beyond d0", f"runs under {len(self.runs.beyond)} of {records}"))
+        if self.runs is None:
+            d0, slv = length(self.mechanism.d0_m), length(self.mechanism.d_slv_m)
+            facts.append(("d0", f"{d0}, and d_SLV = {SHARE_SLV:g} d0 = {slv}"))
         open_states = {each.limit_state: None for each in self.checks if each.satisfied is None}
         missing = _joined([each for each in open_states if each not in self.states])
         facts.append(("no demand", f"for {missing}" if missing else ""))

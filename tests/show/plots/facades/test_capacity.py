@@ -13,6 +13,7 @@ from rocksteady.errors import InputError
 from rocksteady.risk.facades.actions import Tie
 from rocksteady.risk.facades.check_facade import check_facade
 from rocksteady.risk.facades.facade import Facade
+from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.plots.facades._lettering import symbol
 from rocksteady.show.plots.facades.capacity import plot_facade_capacity
@@ -64,7 +65,27 @@ def test_limits_and_d0_stand_at_their_places_under_their_names() -> None:
     }
     assert uprights == {80.0, 120.0, 200.0}
     names = {text.get_text(): text.xy[0] for text in drawn().texts if isinstance(text, Annotation)}
-    assert names == pytest.approx({symbol(f"d_{name}"): d for name, d in limits})
+    expected = {symbol(f"d_{name}"): d for name, d in limits}
+    assert names == pytest.approx({**expected, symbol("a_0"): 0.0})
+
+
+def test_accelerations_stand_at_their_places_under_their_names() -> None:
+    """Of 0.3 x 3 m, FC 1.35: a0 = 4/3 t/h/FC; the smaller, t/h/FC, decides the linear checks."""
+    (named,) = (each for each in drawn().texts if each.get_text() == symbol("a_0"))
+    assert isinstance(named, Annotation)
+    assert named.xy == pytest.approx((0.0, 0.4 / 3.0 / 1.35))
+    label = f"capacity of the linear checks, min {symbol('a_0')}"
+    assert points_of(drawn(), label) == pytest.approx((0.0, 0.1 / 1.35))
+    free = Facade(
+        name="top", kind="parapet", thickness_m=0.3, height_m=2.0, confidence_factor=1.0,
+        elastic_modulus_mpa=750.0, base_height_m=0.0,
+    )  # fmt: skip
+    axes = plot_facade_capacity(
+        check_facade(free, FacadeDemand(slv=site(0.06))), Figure().add_subplot()
+    )
+    label = rf"capacity of the linear checks, {symbol(chr(92) + 'alpha_0')} g/FC"
+    assert points_of(axes, label) == pytest.approx((0.0, 0.15))
+    assert symbol("a_0") not in [each.get_text() for each in axes.texts]
 
 
 def test_the_static_demand_is_that_of_the_spectrum_at_the_secant_period() -> None:

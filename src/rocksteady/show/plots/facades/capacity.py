@@ -91,6 +91,11 @@ def plot_facade_capacity(
         MM * curved[:, 0], curved[:, 1], color=inks.motion, lw=2.0 * scale,
         label=words["capacity_curve"], zorder=3.0,
     )  # fmt: skip
+    if not mechanism.free:  # its curve begins with the line of the own period
+        axes.annotate(
+            symbol("a_0"), (0.0, mechanism.a0_g), (6.0, 2.0), textcoords="offset points",
+            color=inks.motion, fontsize=text_size(axes, 8.0), zorder=4.0,
+        )  # fmt: skip
     handles: list[Any] = [curve]
     limits = {"SLV": MM * mechanism.d_slv_m, "SLC": MM * mechanism.d_slc_m}
     periods = {"SLV": mechanism.t_slv_s, "SLC": mechanism.t_slc_s}
@@ -104,9 +109,11 @@ def plot_facade_capacity(
     handles += _draw_demands(axes, demands, words, inks, periods)
     handles += _draw_accelerations(axes, at_zero, words, inks)
     if at_zero:
+        name = mechanism.linear_name.replace("alpha_0", symbol(r"\alpha_0"))
+        name = name.replace("a0", symbol("a_0"))
         handles += axes.plot(
             [0.0], [mechanism.linear_g], "o", mfc=inks.paper, mec=inks.motion, ms=6.0 * scale,
-            ls="none", zorder=4.0, clip_on=False, label=words["capacity_linear"],
+            ls="none", zorder=4.0, clip_on=False, label=f"{words['capacity_linear']}, {name}",
         )  # fmt: skip
     axes.set(xlabel=words["axis_displacement"], ylabel=words["axis_acceleration"])
     decimal_marks(axes, words)
