@@ -159,7 +159,7 @@ def test_a_damping_is_changed_in_words(damping: Any, words: str) -> None:
 def test_rows_made_for_other_blocks_are_named_beside_the_count() -> None:
     facts = screened("statue", RACK.against_wall()).describe().answer
     assert facts is not None
-    words = dict(facts.facts)["approximate"]
+    words = str(dict(facts.facts)["approximate"])
     names, _, reason = words.partition(": ")
     assert names == "Ishiyama bound, Kaneko-Hayashi 50 %, p PGV/(g tan alpha)"
     assert reason == "the block is outside its range"

@@ -491,7 +491,7 @@ def test_what_screens_say_at_once() -> None:
         (
             Demand(pgv_m_s=9.0),
             None,
-            "It does not pass the one other published screen that has a verdict at 9 m/s.",
+            "It fails the one other published screen that has a verdict at 9 m/s.",
         ),
         (
             Demand(spectrum=table[1:]),

@@ -57,8 +57,8 @@ class PeakFlags:
         FlagError
             If there is a share alone.
         """
-        for flag, value in [*self.vertical_flags.items()][1:]:
-            needs(flag, value, "--vertical-g", "0.3", beside=self.vertical_g or None)
+        share = self.vertical_flags["--vertical-share"]
+        needs("--vertical-share", share, "--vertical-g", "0.3", beside=self.vertical_g or None)
         return {"vertical_g": self.vertical_g, "vertical_share": self.vertical_share}
 
     @property
@@ -77,15 +77,11 @@ class PeakFlags:
         FlagError
             If one is missing.
         """
-        for flag, value in (("--pga-g", self.pga_g), ("--pgv-m-s", self.pgv_m_s)):
+        flags = (("--pga-g", self.pga_g, "0.3"), ("--pgv-m-s", self.pgv_m_s, "0.4"))
+        for flag, value, usual in flags:
             if value is None:
-                raise missing(
-                    flag,
-                    valid="PGA and PGV are both needed",
-                    hint="give it, as --pga-g 0.3"
-                    if flag == "--pga-g"
-                    else "give it, as --pgv-m-s 0.4",
-                )
+                hint = f"give it, as {flag} {usual}"
+                raise missing(flag, valid="PGA and PGV are both needed", hint=hint)
         assert self.pga_g is not None
         assert self.pgv_m_s is not None
         return self.pga_g, self.pgv_m_s

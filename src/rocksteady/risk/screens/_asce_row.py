@@ -48,9 +48,7 @@ def asce_row(case: Case) -> Screen:
         ]
     verdict, passes, needs = _verdict(body, rotations, longest)
     value = rotations.roots_rad[-1] if rotations.roots_rad else None
-    remark = (
-        "A.2 calls its angle a best estimate: it has no margin, and the row passes up to alpha."
-    )
+    remark = "A.2 calls its angle a best estimate: the row passes up to alpha, with no margin."
     remark += " The spectrum is a power law between its points."
     if value is not None:
         remark += f" Roots at {rotations_text(rotations.roots_rad)}; the largest is shown."

@@ -95,15 +95,11 @@ class Case:
                 words = "none at the horizontal peak, as its share is 0"
         return f" Vertical motion: {words}." if demand.vertical_g or demand.sa_v_per_sa_h else ""
 
-    @property
-    def of_earth(self) -> str:
-        """Why a formula with fixed units has no answer in the block's gravity; empty on Earth."""
-        return "" if self.on_earth else "no answer: made for 9.81 m/s^2"
-
     @cached_property
-    def on_earth(self) -> bool:
-        """Whether its gravity is that of formulas with fixed units."""
-        return abs(self.block.gravity / STANDARD_GRAVITY - 1.0) <= LIKE_EARTH
+    def off_earth(self) -> str:
+        """Verdict of a formula with fixed units in another gravity; empty on Earth."""
+        alike = abs(self.block.gravity / STANDARD_GRAVITY - 1.0) <= LIKE_EARTH
+        return "" if alike else "no answer: made for 9.81 m/s^2"
 
     @cached_property
     def rectangular(self) -> bool:
@@ -136,7 +132,7 @@ class Case:
         if no_answer:
             fields |= {"value": None, "passes": None, "needs": "", "details": ()}
             fields["verdict"] = no_answer
-            return Screen(status="refused", remark=remark * self.on_earth, **fields)
+            return Screen(status="refused", remark=remark * (not self.off_earth), **fields)
         known = fields["value"] is not None if answered is None else answered
         status: Standing = "approximate" if approximate else "computed"
         status = status if known else "needs input"
@@ -321,12 +317,12 @@ def ishiyama_row(case: Case) -> Screen:
             ("PGA bound", least, "g"),
             ("PGV bound", bounds.pgv_m_s, "m/s"),
             ("V_i", impulse_velocity_m_s(case.side, case.block.gravity), "m/s"),
-            *((("10 B/sqrt(H)", bounds.simple_m_s, "m/s"),) if case.on_earth else ()),
+            *((("10 B/sqrt(H)", bounds.simple_m_s, "m/s"),) if not case.off_earth else ()),
         ),
         remark=f"Both must be reached, PGA {quantity(least, 'g')} and PGV "
         f"{quantity(bounds.pgv_m_s, 'm/s')}."
         + f" His simple rule 10 B/sqrt(H) [cm, s] gives {quantity(bounds.simple_m_s, 'm/s')}."
-        * case.on_earth
+        * (not case.off_earth)
         + case.vertical("downwards in the PGA bound; left out of PGV's, as it reverses in a swing"),
     )
 
@@ -356,7 +352,7 @@ def kaneko_hayashi_row(case: Case) -> Screen:
     else:
         verdict, needs = _missing_peaks(case.demand)
     return case.rocking(
-        no_answer=case.of_earth,
+        no_answer=case.off_earth,
         name="Kaneko-Hayashi 50 %",
         equation="A50, V50, Fe",
         edition="13WCEE 2004",
@@ -380,19 +376,13 @@ def circolare_row(case: Case) -> Screen:
     full, poor = (circolare_rectangle(case.side, gravity, factor) for factor in (1.0, 1.35))
     pga, share = case.demand.pga_g, case.gravity_share
     value = share * poor.a0_lumped_g
-    details = [
-        ("a0, e* 1, FC 1", share * full.a0_lumped_g, "g"),
-        ("a0, e* 1, FC 1.35", value, "g"),
-        ("a0, e* 0.75, FC 1", share * full.a0_g, "g"),
-        ("a0, e* 0.75, FC 1.35", share * poor.a0_g, "g"),
-        ("d0", full.d0_m, "m"),
-        ("0.4 d0 (SLV)", full.d_slv_m, "m"),
-        ("0.6 d0 (SLC)", full.d_slc_m, "m"),
-        ("T_SLV, FC 1", full.t_slv_s, "s"),
-        ("T_SLC, FC 1", full.t_slc_s, "s"),
-        ("T_SLV, FC 1.35", poor.t_slv_s, "s"),
-        ("T_SLC, FC 1.35", poor.t_slc_s, "s"),
-    ]
+    both = (("FC 1", full), ("FC 1.35", poor))
+    details = [(f"a0, e* 1, {name}", share * each.a0_lumped_g, "g") for name, each in both]
+    details += [(f"a0, e* 0.75, {name}", share * each.a0_g, "g") for name, each in both]
+    details += [("d0", full.d0_m, "m"), ("0.4 d0 (SLV)", full.d_slv_m, "m")]
+    details += [("0.6 d0 (SLC)", full.d_slc_m, "m")]
+    for name, each in both:
+        details += [(f"T_SLV, {name}", each.t_slv_s, "s"), (f"T_SLC, {name}", each.t_slc_s, "s")]
     needs, passes = "", None
     if pga is None:
         verdict, needs = "needs a PGA", "pga_g"
@@ -429,10 +419,8 @@ def velocity_row(case: Case) -> Screen:
     gravity, pgv, pga = case.block.gravity, case.demand.pgv_m_s, case.demand.pga_g
     value, needs, passes = None, "pgv_m_s", None
     verdict = "needs a PGV"
-    outside = not all(
-        low <= each <= high
-        for each, (low, high) in zip((case.side.alpha, case.side.p), RUNS, strict=True)
-    )
+    sizes = zip((case.side.alpha, case.side.p), RUNS, strict=True)
+    outside = not all(low <= each <= high for each, (low, high) in sizes)
     middle = MEDIAN * gravity * tan(case.side.alpha) / case.side.p
     details = [(f"PGV at {MEDIAN:g}", middle, "m/s")]
     lifted = pga is None or lifts(case.block, pga, case.demand.vertical_at_peak_g)
@@ -489,7 +477,7 @@ def cabinets_row(case: Case) -> Screen:
         verdict = f"{chance(share)} of such cabinets fall"
     size = f"{cabinet.depth_in:g} x {cabinet.height_in:g} in"
     return case.rocking(
-        no_answer=case.of_earth or "no cabinet is near to this size" * (distance > NEAR),
+        no_answer=case.off_earth or "no cabinet is near to this size" * (distance > NEAR),
         made_for="cabinets",
         name="FEMA P-58 cabinets",
         equation=cabinet.row,

@@ -22,6 +22,7 @@ DISCLAIMER = (
     "Each row implements the equation that it names, not checked against the printed standard; the "
     "engineer verifies. The rows stand side by side and are not averaged."
 )
+PEAKS = ("pga_g", "pgv_m_s", "vertical_g", "vertical_share")
 RESULTS = (
     Column("name", "screen", left=True),
     Column("value", "value", str),
@@ -122,7 +123,8 @@ class Screens(Result):
             if value is not None
         ]
         shaking = f" at {' and '.join(peaks)}" if peaks else ""
-        shaking += f" with a vertical peak of {self._vertical}" if self._counts_vertical else ""
+        vertical = quantity(demand.vertical_g, "g")
+        shaking += f" with a vertical peak of {vertical}" if self._counts_vertical else ""
         friction = "not known" if self.friction is None else number(self.friction)
         shown = [row.values() for row in self.rows]
         words = [{**row.values(), "value": row.words} for row in self.rows]
@@ -139,10 +141,7 @@ class Screens(Result):
             facts=[
                 Fact("block", block_values(self.block), "block", block_text(self.block)),
                 Fact("kind", self.kind, *self.scope),
-                Fact("pga_g", demand.pga_g),
-                Fact("pgv_m_s", demand.pgv_m_s),
-                Fact("vertical_g", demand.vertical_g),
-                Fact("vertical_share", demand.vertical_share),
+                *(Fact(key, getattr(demand, key)) for key in PEAKS),
                 Fact("sa_v_per_sa_h", demand.spectral_ratio),
                 Fact("friction", self.friction, "friction", friction),
                 Fact("motion", self.motion, "motion", self.motion or "needs PGA and friction"),
@@ -160,11 +159,6 @@ class Screens(Result):
         )
 
     @property
-    def _vertical(self) -> str:
-        """The vertical peak in words."""
-        return quantity(self.demand.vertical_g, "g")
-
-    @property
     def _counts_vertical(self) -> bool:
         """Whether the vertical peak enters a verdict, or the block slides under it."""
         sliding = self.motion in SLIDES and self.demand.vertical_at_peak_g > 0.0
@@ -178,12 +172,11 @@ class Screens(Result):
             governs = f"The screen made for a {self.kind}, {first.name}: {first.verdict}. "
             other, made_for = "other ", ""
         screens = f"{other}published screen{'s' * (count != 1)}{made_for}"
-        sentence = f"{governs}No answer yet: none of the {screens} has a verdict{at}."
-        if judged:
-            sentence = f"{governs}It passes {passed or 'none'} of {count} {screens}{at}."
+        passes = f"passes {passed or 'none'} of {count} {screens}"
         if count == 1:
-            verb = "passes" if passed else "does not pass"
-            sentence = f"{governs}It {verb} the one {screens} that has a verdict{at}."
+            passes = f"{'passes' if passed else 'fails'} the one {screens} that has a verdict"
+        sentence = f"{governs}No answer yet: none of the {screens} has a verdict{at}."
+        sentence = f"{governs}It {passes}{at}." if judged else sentence
         if self.motion in SLIDES:
             sentence = f"It slides{at}: no screen of rocking is an answer."
         shown = [row for row in self.rows if not row.needs and row.name != "restitution"]
@@ -192,18 +185,15 @@ class Screens(Result):
         following = self._next()
         needs = [row for row in self.rows[bool(governs) :] if row.needs][: 0 if following else 2]
         needed = [f"{row.name} {row.verdict.partition(';')[0]}" for row in needs]
-        outside = [row.name for row in judged if row.status == "approximate"]
-        unused = f"{self._vertical} enters no row that has a verdict"
+        outside = ", ".join(row.name for row in judged if row.status == "approximate")
+        unused = f"{quantity(self.demand.vertical_g, 'g')} enters no row that has a verdict"
         unused *= self.demand.vertical_g > 0.0 and not self._counts_vertical
         facts = [
             self.scope,
             ("as one body", self.block.parts),
             ("no verdict", "; ".join(needed)),
             ("give next", following),
-            (
-                "approximate",
-                ", ".join(outside) + ": the block is outside its range" * bool(outside),
-            ),
+            ("approximate", outside and f"{outside}: the block is outside its range"),
             ("vertical motion", unused),
         ]
         rows = [(row.name, f"{row.verdict} ({row.words})".removesuffix(" (—)")) for row in shown]

@@ -128,9 +128,8 @@ class TabulatedSpectrum:
         if 0 < i < len(given):
             low, high = given[i - 1], given[i]
             part = math.log(damping / low) / math.log(high / low)
-            logs = (1.0 - part) * np.log(self.values_g[:, i - 1]) + part * np.log(
-                self.values_g[:, i]
-            )
+            logs = np.log(self.values_g)
+            logs = (1.0 - part) * logs[:, i - 1] + part * logs[:, i]
             ends = f"{100.0 * low:.3g} and {100.0 * high:.3g} %"
             return np.exp(logs), f"spectrum interpolated from {ends} to {percent} damping"
         nearest = 0 if i == 0 else len(given) - 1
@@ -154,7 +153,7 @@ def damping_factor(damping: float) -> float:
     return max(0.55, math.sqrt(10.0 / (5.0 + 100.0 * damping)))
 
 
-def tabulated(table: object, damping: object, *, shown: object = None) -> TabulatedSpectrum | None:
+def tabulated(table: object, damping: Any, *, shown: object = None) -> TabulatedSpectrum | None:
     """Return a validated table; None where its damping is not known.
 
     Parameters
@@ -198,11 +197,8 @@ def tabulated(table: object, damping: object, *, shown: object = None) -> Tabula
     if damping is None:
         return None
     columns = rows.shape[1] - 1
-    dampings = (
-        list(damping)
-        if isinstance(damping, Sequence) and not isinstance(damping, str)
-        else [damping]
-    )
+    several = isinstance(damping, Sequence) and not isinstance(damping, str)
+    dampings = list(damping) if several else [damping]
     if len(dampings) != columns:
         raise InputError(
             "spectrum_damping",
@@ -340,9 +336,9 @@ def _header_damping(path: Path, comments: dict[int, str]) -> HeaderDamping | Non
             unclear = number
     if len(found) > 1 or (unclear and not found):
         number = max(found.values(), default=unclear)
-        valid = f"line {number} names a damping and has no number beside the word"
-        if found:
-            valid = f"line {number} states a second damping"
+        reason = "states a second damping"
+        if not found:
+            reason = "names a damping and has no number beside the word"
         hint = "write one, as # damping 5 %, or state it apart from the file"
-        raise InputError("spectrum", path, valid, hint)
+        raise InputError("spectrum", path, f"line {number} {reason}", hint)
     return HeaderDamping(*found) if found else None

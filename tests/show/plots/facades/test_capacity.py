@@ -74,7 +74,7 @@ def test_accelerations_stand_at_their_places_under_their_names() -> None:
     (named,) = (each for each in drawn().texts if each.get_text() == symbol("a_0"))
     assert isinstance(named, Annotation)
     assert named.xy == pytest.approx((0.0, 0.4 / 3.0 / 1.35))
-    label = f"capacity of the linear checks, min {symbol('a_0')}"
+    label = "capacity of the linear checks, min $a_0$"
     assert points_of(drawn(), label) == pytest.approx((0.0, 0.1 / 1.35))
     free = Facade(
         name="top", kind="parapet", thickness_m=0.3, height_m=2.0, confidence_factor=1.0,
@@ -83,7 +83,7 @@ def test_accelerations_stand_at_their_places_under_their_names() -> None:
     axes = plot_facade_capacity(
         check_facade(free, FacadeDemand(slv=site(0.06))), Figure().add_subplot()
     )
-    label = rf"capacity of the linear checks, {symbol(chr(92) + 'alpha_0')} g/FC"
+    label = r"capacity of the linear checks, $\alpha_0$ g/FC"
     assert points_of(axes, label) == pytest.approx((0.0, 0.15))
     assert symbol("a_0") not in [each.get_text() for each in axes.texts]
 

@@ -7,11 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console.outputs import (
-    NEGATIVE,
-    announce_file,
-    report_command,
-)
+from rocksteady.cli.console.outputs import NEGATIVE, announce_file, report_command
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, missing, refuse, require
 from rocksteady.cli.console.shell import command_of
@@ -140,11 +136,10 @@ def assess(
     description = answer.describe()
     output.files.write_csv(lambda: description.tables[0] if table else _one_row(description))
     notes = _notes(description.notes, out, example=example)
-    after = {"synthetic": example}
     output.files.leave(
         "assess",
         replace(description, notes=notes),
-        after=after,
+        after={"synthetic": example},
         suite=suite,
         follow_up=_next_command(context, block, peaks, out, quick=file is None and not example),
     )
@@ -384,16 +379,12 @@ def _refuse_idle(
     flags = [*columns, "--pga-g", "--pgv-m-s"]
     if file is None and not example:
         idle = [flag for flag in given if flag not in flags]
-        reason, hint = (
-            "a block and two peaks need no motions",
-            "name an object FILE, or leave it out",
-        )
+        reason = "a block and two peaks need no motions"
+        hint = "name an object FILE, or leave it out"
     elif file is not None and file.suffix.lower() == ".csv":
         idle = [*columns, "--hazard"]
-        reason, hint = (
-            "a table of objects does not take it",
-            "leave it out; sizes, friction and vertical motion are columns of the table",
-        )
+        reason = "a table of objects does not take it"
+        hint = "leave it out; sizes, friction and vertical motion are columns of the table"
     else:
         idle = [flag for flag in given if flag not in MEANT] if example else flags
         reason = "the object's file states it" if not example else "--example reads no files"

@@ -6,11 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 
 import typer
 
-from rocksteady.cli.console.outputs import (
-    NEGATIVE,
-    announce_file,
-    report_command,
-)
+from rocksteady.cli.console.outputs import NEGATIVE, announce_file, report_command
 from rocksteady.cli.console.refusals import FlagError, needs, refuse
 from rocksteady.cli.console.shell import command_of
 from rocksteady.cli.flags import options
@@ -174,10 +170,7 @@ def facade(
     if check:
         _refuse_open(facade_check)
     _write(context, facade_check, output, out, (suite.motions, files), language=tongue)
-    after = {
-        "synthetic": example,
-        "files": [str(each) for each in files],
-    }
+    after = {"synthetic": example, "files": [str(each) for each in files]}
     text, values = _in_text(facade_check, example=example), facade_check.to_dict()
     more = report_command(context, out)
     output.leave("facade", text, values=values, after=after, follow_up=more, suite=suite)

@@ -109,8 +109,7 @@ def plot_facade_capacity(
     handles += _draw_demands(axes, demands, words, inks, periods)
     handles += _draw_accelerations(axes, at_zero, words, inks)
     if at_zero:
-        name = mechanism.linear_name.replace("alpha_0", symbol(r"\alpha_0"))
-        name = name.replace("a0", symbol("a_0"))
+        name = mechanism.linear_name.replace("alpha_0", r"$\alpha_0$").replace("a0", "$a_0$")
         handles += axes.plot(
             [0.0], [mechanism.linear_g], "o", mfc=inks.paper, mec=inks.motion, ms=6.0 * scale,
             ls="none", zorder=4.0, clip_on=False, label=f"{words['capacity_linear']}, {name}",
@@ -209,10 +208,7 @@ def _draw_demands(
         handles += axes.plot(
             [at[0]], [at[1]], mark, color=inks.paper if dynamic else colour, mec=colour, mew=1.4,
             ms=7.0 * line_scale(axes), ls="none", zorder=4.0, clip_on=False,
-            label=words(
-                "demand_dynamic" if dynamic else "demand_static",
-                state=state,
-            ),
+            label=words("demand_dynamic" if dynamic else "demand_static", state=state),
         )  # fmt: skip
     return handles
 
