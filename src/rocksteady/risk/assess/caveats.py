@@ -9,8 +9,8 @@ fall into survival and back. Rely on the share of many records.
 An object may fall at one level and survive a higher one. Outcomes are reported as computed; none \
 is sorted or smoothed.
 The curve belongs to these records: a suite with another ratio of PGV to PGA gives another curve.
-Vertical motion changes single outcomes a lot and the share of many records a little. In runs it \
-has the sign of its file; a peak that is stated counts in the worse direction.
+Vertical motion can change single outcomes and shares: run the records with and without it. In \
+runs it has the sign of its file; a peak that is stated counts in the worse direction.
 Restitution in tests is often above Housner's value e; by default a band from e to min(0.98, sqrt \
 e) is run.
 Where friction is near width over height the object slides: rocking alone is then no answer, and \
