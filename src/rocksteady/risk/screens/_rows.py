@@ -376,12 +376,12 @@ def circolare_row(case: Case) -> Screen:
     full, poor = (circolare_rectangle(case.side, gravity, factor) for factor in (1.0, 1.35))
     pga, share = case.demand.pga_g, case.gravity_share
     value = share * poor.a0_lumped_g
-    both = (("FC 1", full), ("FC 1.35", poor))
-    details = [(f"a0, e* 1, {name}", share * each.a0_lumped_g, "g") for name, each in both]
-    details += [(f"a0, e* 0.75, {name}", share * each.a0_g, "g") for name, each in both]
+    factors = (("FC 1", full), ("FC 1.35", poor))
+    details = [(f"a0, e* 1, {name}", share * each.a0_lumped_g, "g") for name, each in factors]
+    details += [(f"a0, e* 0.75, {name}", share * each.a0_g, "g") for name, each in factors]
     details += [("d0", full.d0_m, "m"), ("0.4 d0 (SLV)", full.d_slv_m, "m")]
     details += [("0.6 d0 (SLC)", full.d_slc_m, "m")]
-    for name, each in both:
+    for name, each in factors:
         details += [(f"T_SLV, {name}", each.t_slv_s, "s"), (f"T_SLC, {name}", each.t_slc_s, "s")]
     needs, passes = "", None
     if pga is None:

@@ -167,16 +167,16 @@ class Screens(Result):
     def _answer(self, at: str, passed: int, judged: list[Screen]) -> Answer:
         """Return how many formulas it passes, and the formulas, those not passed first."""
         count, made_for = len(judged), f" for {f'a {self.kind}' if self.kind else ANY_BLOCK}"
-        other = governs = ""
+        prefix = governs = ""
         if (first := self.governing) and first.passes is None:
             governs = f"The screen made for a {self.kind}, {first.name}: {first.verdict}. "
-            other, made_for = "other ", ""
-        screens = f"{other}published screen{'s' * (count != 1)}{made_for}"
+            prefix, made_for = "other ", ""
+        screens = f"{prefix}published screen{'s' * (count != 1)}{made_for}"
         passes = f"passes {passed or 'none'} of {count} {screens}"
         if count == 1:
             passes = f"{'passes' if passed else 'fails'} the one {screens} that has a verdict"
-        sentence = f"{governs}No answer yet: none of the {screens} has a verdict{at}."
-        sentence = f"{governs}It {passes}{at}." if judged else sentence
+        none = f"No answer yet: none of the {screens} has a verdict"
+        sentence = f"{governs}{f'It {passes}' if judged else none}{at}."
         if self.motion in SLIDES:
             sentence = f"It slides{at}: no screen of rocking is an answer."
         shown = [row for row in self.rows if not row.needs and row.name != "restitution"]

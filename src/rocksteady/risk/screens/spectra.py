@@ -324,21 +324,21 @@ def _header_damping(path: Path, comments: dict[int, str]) -> HeaderDamping | Non
     InputError
         If they state two different ones, or name a damping without a number beside it.
     """
-    found: dict[tuple[float, ...], int] = {}
+    lines: dict[tuple[float, ...], int] = {}
     unclear = 0
     for number, text in comments.items():
         statements = [each[0] for form in STATEMENTS for each in re.finditer(form, text)]
         for words in statements:
             values = [float(each) for each in re.findall(_NUMBER, words)]
             share = 0.01 if "%" in words or max(values) >= 1.0 else 1.0
-            found[tuple(round(share * each, 12) for each in values)] = number
+            lines[tuple(round(share * each, 12) for each in values)] = number
         if not statements and re.search(_WORD, text):
             unclear = number
-    if len(found) > 1 or (unclear and not found):
-        number = max(found.values(), default=unclear)
+    if len(lines) > 1 or (unclear and not lines):
+        number = max(lines.values(), default=unclear)
         reason = "states a second damping"
-        if not found:
+        if not lines:
             reason = "names a damping and has no number beside the word"
         hint = "write one, as # damping 5 %, or state it apart from the file"
         raise InputError("spectrum", path, f"line {number} {reason}", hint)
-    return HeaderDamping(*found) if found else None
+    return HeaderDamping(*lines) if lines else None
