@@ -1,6 +1,7 @@
 """`rocksteady overturn`: its contract, its text, its files and what it refuses."""
 
 import csv
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -142,6 +143,26 @@ def test_the_answer_of_an_asymmetric_block_has_the_direction_that_governs(motion
     assert "other way" not in rocksteady(symmetric).out
     (even,) = rocksteady(f"{symmetric} --json").json["windows"]
     assert even["opposite"] == even["first"]
+
+
+@every(
+    ("motion", "begin"),
+    [
+        ("--pulse one-sine --freq-hz 1 --accel-g 0.3:0.5", "0.3 g"),
+        ("--record example:near-fault --scales 0.7:1", "0.7 x"),
+        ("--pulse one-sine --freq-hz 1:1.1:2 --accel-g 0.3:0.5", "0.3 g"),
+        ("--record example:near-fault --record example:firm-ground --scales 0.7:1", "0.7 x"),
+    ],
+)
+@every("way", ["", " --reverse"])
+def test_a_fall_at_the_begin_of_the_range_is_called_the_least_searched(
+    motion: str, begin: str, way: str
+) -> None:
+    block = "--left-m .22 --right-m .16 --height-m 1.5 --model linear"
+    lines = rocksteady(f"overturn {block} {motion}{way}").out.split("next:")[0]
+    said = re.findall(rf"first at {begin}[^,]*,? ?(.{{18}})", " ".join(lines.split()))
+    assert said
+    assert set(said) == {"the least searched"}
 
 
 def test_a_reversed_pulse_is_the_same_pulse_for_the_mirrored_block() -> None:

@@ -1,6 +1,7 @@
 """Windows of the reversed motion: simulations one by one, and searches of what is reversed."""
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 
 from rocksteady import (
     Block,
+    DimensionlessBlock,
     Linear,
     Nonlinear,
     Pulse,
@@ -34,6 +36,8 @@ SINE = Pulse(shape="one-sine", amplitude=1.0, frequency_ratio=1.0)
 SHOCKS = Record(
     acceleration_m_s2=3.0 * np.sin(np.linspace(0.0, 9.0, 91)) * np.linspace(1.0, 0.3, 91), dt_s=0.03
 )
+
+SHORT = Record(acceleration_m_s2=[0.0, 4.0, -3.0, 0.0], dt_s=0.3)
 
 
 def drawn(seed: int) -> tuple[Block, float]:
@@ -79,6 +83,58 @@ def test_the_opposite_of_a_pulse_is_the_first_of_the_reversed(
     assert ahead.opposite == pytest.approx(back.first, rel=1e-9, nan_ok=True)
     assert back.opposite == pytest.approx(ahead.first, rel=1e-9, nan_ok=True)
     assert (ahead.opposite == ahead.first).all() == (block is EVEN)
+
+
+def test_every_frequency_has_the_amplitude_of_the_direction_that_governs() -> None:
+    block, ratios = DimensionlessBlock(restitution=0.8, negative_restitution=0.95), [2, 3, 4, 5, 6]
+    pulses = [replace(SINE, reverse=reverse) for reverse in (False, True)]
+    for within in ((1.0, 3.0), (1.5, 2.3)):  # in the second some stand as given
+        ahead, back = (
+            find_overturning_windows(block, pulse, ratios, within=within) for pulse in pulses
+        )
+        least = np.fmin(ahead.first, back.first)
+        rows = ahead.to_dataframe().drop_duplicates("frequency_ratio")
+        falls = ~np.isnan(least)
+        assert rows.frequency_ratio.tolist() == np.array(ratios)[falls].tolist()
+        assert rows.governing.to_numpy() == pytest.approx(least[falls], rel=1e-9)
+        pairs = np.nan_to_num(np.stack([ahead.first, back.first]), nan=99.0).T[falls].tolist()
+        words = {-1: "as given", 0: "either way", 1: "the other way"}
+        assert rows.governs.tolist() == [words[int(np.sign(a - b))] for a, b in pairs]
+        answer = " ".join(ahead.summary().split())
+        assert f"It falls at {falls.sum()} of 5 frequencies" in answer
+        order = np.argsort(least, kind="stable")[:3].tolist()
+        shown = re.findall(r"W = (\d) falls (?:the other way )?(?:first )?at A = ([\d.]+)", answer)
+        assert shown == [(str(ratios[row]), f"{least[row]:.3g}") for row in order]
+
+
+def test_every_record_has_the_scale_of_the_direction_that_governs() -> None:
+    records = [SHORT, SHORT.reversed(), SHOCKS.scaled(0.1)]
+    ahead, back = (
+        find_overturning_scales(UNEVEN, each, within=(0.2, 2.0), model=Linear())
+        for each in (records, [record.reversed() for record in records])
+    )
+    least = np.fmin(ahead.first, back.first)
+    rows = ahead.to_dict()["records"]
+    falls = [row["governing"] for row in rows if row["governing"] is not None]
+    assert falls == pytest.approx(least[~np.isnan(least)], rel=1e-9)
+    assert sorted(row["governs"] for row in rows) == ["", "as given", "the other way"]
+    answer = " ".join(ahead.summary().split())
+    assert "It falls in 2 of 3 records" in answer
+    assert "falls the other way first at" in answer
+
+
+def test_the_doubts_of_both_directions_count() -> None:
+    """Neither a search nor that of what is reversed knows more than the other."""
+    block = DimensionlessBlock(restitution=1.0, negative_restitution=0.99, alpha_ratio=0.7)
+    ahead, back = (
+        find_overturning_windows(
+            block, replace(SINE, shape="type-c2", reverse=reverse), [0.7], within=(0.6, 1.2)
+        )
+        for reverse in (False, True)
+    )
+    assert (ahead.undecided, ahead.unsettled) == (back.undecided, back.unsettled)
+    assert min(ahead.undecided[0], ahead.unsettled[0]) > 0
+    assert "may be missing" in ahead.summary()
 
 
 @every("block", [UNEVEN, EVEN, UNEVEN.against_wall(0.6)])

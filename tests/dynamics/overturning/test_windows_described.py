@@ -115,6 +115,8 @@ def test_windows_of_any_kind_have_their_words() -> None:
         left_out=np.array([2, 1, 0]),
         left_out_width=np.array([1e-6, 3e-5, 0.0]),
         unsettled=np.array([1, 0, 0]),
+        first=np.array([2.5, np.nan, np.nan]),
+        opposite=np.array([2.5, np.nan, np.nan]),
     )
     text = changed.summary(more=True)
     lines = [line.split() for line in text.splitlines()]

@@ -17,7 +17,15 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.path import Path
 
-from rocksteady import Block, DimensionlessBlock, find_overturning_windows, plots
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Pulse,
+    Record,
+    find_overturning_scales,
+    find_overturning_windows,
+    plots,
+)
 from rocksteady.errors import InputError
 from rocksteady.formulas import free_rocking_period, overturning_amplitude
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
@@ -238,6 +246,8 @@ def drawn(*ends: tuple[float, float, int, float, float, int]) -> Axes:
         high=rows[..., 1],
         impacts=rows[..., 2].astype(int),
         side=np.ones(rows.shape[:2], dtype=int),
+        first=rows[:, 0, 0],
+        opposite=rows[:, 0, 0],
     )
     return plots.overturning(windows, Figure().add_subplot())
 
@@ -278,3 +288,37 @@ def test_a_window_that_ends_comes_to_a_point_at_the_middle_of_its_amplitudes(
         for vertex in np.round(np.asarray(path.vertices), 12).tolist()
     ]
     assert (2.5, point) in vertices
+
+
+def test_no_spectrum_says_stands_where_the_reversed_pulse_fells_the_block() -> None:
+    block, ratios = DimensionlessBlock(restitution=0.8, negative_restitution=0.95), [2, 3, 4, 5, 6]
+    windows = find_overturning_windows(block, "one-sine", ratios)
+    back = Pulse(shape="one-sine", amplitude=1.0, frequency_ratio=1.0, reverse=True)
+    least = find_overturning_windows(block, back, ratios).first
+    axes = plots.overturning(windows, Figure().add_subplot())
+    paths = [line.get_xydata() for line in axes.get_lines()]
+    assert any(
+        path.shape == (5, 2) and np.allclose(path, np.column_stack([ratios, least]))
+        for path in map(np.asarray, paths)
+    )
+    texts = {text.get_text(): text for text in axes.texts}
+    assert "falls the other way" in texts
+    place = axes.transAxes.transform(texts["stands"].get_position())
+    ratio, amplitude = axes.transData.inverted().transform(place)
+    assert amplitude < np.interp(ratio, ratios, least)
+
+
+def test_scales_of_a_record_show_the_least_of_the_reversed() -> None:
+    block = Block.asymmetric(left=0.22, right=0.16, height=1.5)
+    record = Record(acceleration_m_s2=[0.0, 4.0, -3.0, 0.0], dt_s=0.3)
+    scales, back = (
+        find_overturning_scales(block, each, within=(0.2, 2.0))
+        for each in (record, record.reversed())
+    )
+    axes = plots.overturning_scales(scales, Figure().add_subplot())
+    marked = {float(np.asarray(line.get_xdata())[0]) for line in axes.get_lines()}
+    assert any(abs(mark / back.first[0] - 1.0) < 1e-9 for mark in marked)
+    assert "falls the other way" in [text.get_text() for text in axes.texts]
+    legend = axes.get_legend()
+    assert legend is not None
+    assert "stands, left of the line" in [text.get_text() for text in legend.get_texts()]

@@ -229,7 +229,7 @@ def standing(scales: "OverturningScales") -> str:
     block, motion = scales.block, scales.motions[0]
     base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
     scale = float(scales.governing[0])
-    if scale != scales.first[0]:  # the reversed record governs
+    if scales.opposite_governs[0]:
         base = base.reversed()
     case = simulate(block, base.scaled(scale), model=scales.model)
     part = check_neighbours(case).stands_at

@@ -150,14 +150,16 @@ def search_both_ways(
 ) -> dict[str, NDArray[Any]]:
     """Return the outputs of a search, with the first amplitude of the reversed motion.
 
-    That is the first of the mirrored block.  A block whose sides are alike is searched once.
+    That is the first of the mirrored block; the doubts of both searches are added.  A block whose
+    sides are alike is searched once.
     """
     sides = sides_of(block, model)
     ahead = search(block=block, model=model, sides=sides, **how)
-    mirrored = ahead
-    if (sides[0] != sides[1]).any():
-        mirrored = search(block=block, model=model, sides=sides[::-1].copy(), **how)
-    return ahead | {"opposite": mirrored["first"]}
+    if (sides[0] == sides[1]).all():
+        return ahead | {"opposite": ahead["first"]}
+    mirrored = search(block=block, model=model, sides=sides[::-1].copy(), **how)
+    doubts = {name: ahead[name] + mirrored[name] for name in ("undecided", "unsettled")}
+    return ahead | doubts | {"opposite": mirrored["first"]}
 
 
 def rows_of(data: "Labelled", name: str, most: int) -> NDArray[Any]:

@@ -6,10 +6,12 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import side_attributes
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
@@ -35,6 +37,10 @@ EXACT = ("frequency_ratio", "freq_hz", "pga_g", "pgv_m_s", "top")
 """Keys of a row whose values are given, not searched."""
 LEFT = ("left_out", "left_out_width", "undecided", "unsettled")
 """Fields on amplitudes that a search leaves out, undecided or unsettled."""
+OTHER_WAY = "the other way"
+"""Mark of an amplitude of the reversed motion."""
+NO_WINDOW = {"interval": [math.nan, math.nan], "impacts": -1, "side": 0, "endless": False}
+"""Row of a table where only the reversed motion overturns the block."""
 
 
 class OverturningWindow(NamedTuple):
@@ -70,7 +76,7 @@ class WindowLists(Result):
     opposite
         The same of the reversed motion; that of a block whose sides are alike is `first`.
     left_out, left_out_width, undecided, unsettled
-        What the search has left, shape (rows,).
+        What the search has left, shape (rows,); the last two count both directions.
     left_out_low, left_out_high
         Ends of the stretches in which the windows left out lie, or narrower ones may hide, shape
         (rows, stretches); nan beyond the last.
@@ -102,6 +108,20 @@ class WindowLists(Result):
         """The smallest amplitude that overturns the block either way, shape (rows,)."""
         least: Floats = np.fmin(self.first, self.opposite)
         return least
+
+    @property
+    def opposite_governs(self) -> NDArray[np.bool_]:
+        """Whether the reversed motion overturns the block at less, shape (rows,)."""
+        smaller: NDArray[np.bool_] = (self.opposite == self.governing) & (
+            self.first != self.governing
+        )
+        return smaller
+
+    @property
+    def _two_ways(self) -> bool:
+        """Whether the reversed motion was searched too: the sides of the block differ."""
+        sides = sides_of(self.block, self.model)
+        return bool((sides[0] != sides[1]).any())
 
     @property
     def _ends(self) -> Floats:
@@ -147,9 +167,9 @@ class WindowLists(Result):
 
     @property
     def _by_first(self) -> list[int]:
-        """The rows that an answer shows, the smallest `first` at the beginning."""
-        falling = np.flatnonzero(~np.isnan(self.first))
-        order = falling[np.argsort(self.first[falling], kind="stable")]
+        """The rows that an answer shows, the smallest `governing` at the beginning."""
+        falling = np.flatnonzero(~np.isnan(self.governing))
+        order = falling[np.argsort(self.governing[falling], kind="stable")]
         return [int(row) for row in order[:SHOWN]]
 
     @property
@@ -167,7 +187,7 @@ class WindowLists(Result):
     @property
     def _rest(self) -> tuple[str, str]:
         """Number of rows that are left out, as a fact of an answer."""
-        stand = int(np.isnan(self.first).sum())
+        stand = int(np.isnan(self.governing).sum())
         fall = len(self.first) - stand - len(self._by_first)
         kinds = {"falling": fall, "standing": stand}
         words = ", ".join(f"{count} {kind}" for kind, count in kinds.items() if count)
@@ -176,42 +196,58 @@ class WindowLists(Result):
     @property
     def _missing(self) -> str:
         """What the list of windows lacks, after the words on what was searched."""
-        words, count = "", int(self.left_out.sum())
+        words, count = ", both ways" * self._two_ways, int(self.left_out.sum())
         if count:
             width = number(self.left_out_width.sum(), 2)
-            words = f"; {plural(count, 'narrower window')}, {width} in width, left out"
+            words += f"; {plural(count, 'narrower window')}, {width} in width, left out"
         narrow = f"; ones narrower than {number(100.0 * self.resolution)} % may be missing"
         return words + narrow * bool(self.unsettled.any())
 
-    def _both_ways(self, write: Callable[[int, float], str], answer: Answer) -> Answer:
-        """Return an answer with the least of the reversed motion, in its sentence if it governs."""
-        if np.array_equal(self.first, self.opposite, equal_nan=True):
+    def _with_other_way(self, write: Callable[[float], str], answer: Answer) -> Answer:
+        """Return the answer of a single row with the least of the reversed motion."""
+        if not self._two_ways or math.isnan(self.governing[0]):
             return answer
-        least = np.fmin.reduce(self.opposite)
-        if math.isnan(least):
-            return replace(answer, facts=[("the other way", "stands"), *answer.facts])
-        words = f"falls first at {write(int(np.nanargmin(self.opposite)), float(least))}"
-        if least >= np.fmin.reduce(self.first):
-            return replace(answer, facts=[("the other way", words), *answer.facts])
+        least = float(self.opposite[0])
+        words = "stands" if math.isnan(least) else f"falls {self._from(least, write)}"
+        if not self.opposite_governs[0]:
+            return replace(answer, facts=[(OTHER_WAY, words), *answer.facts])
         given = answer.sentence.replace("It ", "As given it ", 1)
         return replace(answer, sentence=f"The other way it {words}, which governs. {given}")
+
+    def _from(self, size: float, write: Callable[[float], str], word: str = "first at") -> str:
+        """Return the size from which the block falls, marked where the search begins there."""
+        return f"{word} {write(size)}" + ", the least searched" * (size <= self.within[0])
+
+    def _governing_verdict(self, row: int, write: Callable[[float], str]) -> str:
+        """Return from which size on the block of one row falls in the direction that governs."""
+        if self.opposite_governs[row]:
+            return f"falls {OTHER_WAY} {self._from(float(self.opposite[row]), write)}"
+        return f"falls {self._verdict(row, write)}"
 
     def _verdict(self, row: int, write: Callable[[float], str]) -> str:
         """Return from which size on a block of one row falls, and what it does up to the end."""
         first, end = float(self.first[row]), float(self._ends[row])
-        least = ", the least searched" if first <= self.within[0] else ""
+        begins = self._from(first, write)
         last = (self.intervals(row) or [(first, end)])[-1]
         turn = last[1] if last[1] < end else last[0]  # beyond it nothing changes
         if turn > first and number(turn) == number(end):
-            return f"first at {write(first)}{least}"
+            return begins
         to_end = f"to {write(end)}"  # where the search ends
         if last[1] < end and self.left_out[row]:
-            return f"first at {write(first)}{least}"
+            return begins
         if last[1] < end:
-            return f"first at {write(first)}{least}; it stands from {write(turn)} {to_end}"
+            return f"{begins}; it stands from {write(turn)} {to_end}"
         if turn == first:
-            return f"at {write(first)}{least}, and always up {to_end}"
-        return f"first at {write(first)}{least}; always from {write(turn)} {to_end}"
+            return f"{self._from(first, write, 'at')}, and always up {to_end}"
+        return f"{begins}; always from {write(turn)} {to_end}"
+
+    def _governs(self, row: int) -> str:
+        """Return the direction that governs a row in a word or two; empty where it stands."""
+        if math.isnan(self.governing[row]):
+            return ""
+        if self.opposite_governs[row]:
+            return OTHER_WAY
+        return "either way" if self.first[row] == self.opposite[row] else "as given"
 
     def _widest(self, row: int, unit: float = 1.0) -> str:
         """Return the widest windows of one row that end before the search does."""

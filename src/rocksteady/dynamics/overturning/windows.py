@@ -1,6 +1,7 @@
 """Overturning spectra: all windows of amplitude in which a pulse overturns a block."""
 
 import functools
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -18,7 +19,13 @@ from rocksteady.dynamics.overturning.window_cells import (
     search_both_ways,
     uplifts_of,
 )
-from rocksteady.dynamics.overturning.window_lists import WindowLists, floor_digits, listed
+from rocksteady.dynamics.overturning.window_lists import (
+    NO_WINDOW,
+    OTHER_WAY,
+    WindowLists,
+    floor_digits,
+    listed,
+)
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -92,10 +99,12 @@ class OverturningWindows(WindowLists):
         Ends of the stretches in which they lie, or narrower ones may hide, between and beside the
         windows listed, shape (frequencies, stretches); nan beyond the last.
     undecided
-        Amplitudes that were tried and whose fate could not be decided; they count as safe.
+        Amplitudes that were tried, either way, and whose fate could not be decided; they count as
+        safe.
     unsettled
-        Intervals in which a window might still hide when the search ended.  On the ground above 0
-        only after more than ten thousand amplitudes: where windows have no number, or nearly none.
+        Intervals, either way, in which a window might still hide when the search ended.  On the
+        ground above 0 only after more than ten thousand amplitudes: where windows have no number,
+        or nearly none.
     """
 
     pulse: Pulse
@@ -150,7 +159,7 @@ class OverturningWindows(WindowLists):
             severity=lambda row: -row["low"],
         )
         notes = [f"A is a/(alpha g){', of the ground' if floor else ''}."]
-        stands = [number(row["frequency_ratio"]) for row in rows if not row["modes"]]
+        stands = [number(ratio) for ratio in self.frequency_ratio[np.isnan(self.governing)]]
         if stands:
             notes.append(
                 f"The block stands throughout at omega/p = {', '.join(stands[:8])}"
@@ -190,9 +199,6 @@ class OverturningWindows(WindowLists):
             quantity(row["freq_hz"], "Hz") if sized else f"W = {number(row['frequency_ratio'])}"
             for row in rows
         ]
-        finish = functools.partial(
-            self._both_ways, lambda row, size: write(size) + f" ({names[row]})" * (len(rows) > 1)
-        )
         shown, pulse = self._by_first, f"{self._pulse_text} pulse"
         searched = f"{write(self.within[0])} to {write(self.within[1])}{self._missing}"
         facts = [
@@ -201,22 +207,26 @@ class OverturningWindows(WindowLists):
             ("searched", solved_text(searched, self.block)),
             self._computed,
         ]
+        at = names[0] if len(names) == 1 else f"all {len(names)} frequencies"
+        stand = Answer(f"It stands in the {pulse} at {at}, up to {write(self.within[1])}.", facts)
         if not shown:
-            at = names[0] if len(names) == 1 else f"all {len(names)} frequencies"
-            top = write(self.within[1])
-            return finish(Answer(f"It stands in the {pulse} at {at}, up to {top}.", facts))
+            return stand
         if len(rows) > 1:
-            stands = [names[row] for row in np.flatnonzero(np.isnan(self.first))]
+            stands = [names[row] for row in np.flatnonzero(np.isnan(self.governing))]
             facts[1:1] = [
-                *((names[row], "falls " + self._verdict(row, write)) for row in shown),
+                *((names[row], self._governing_verdict(row, write)) for row in shown),
                 self._rest,
                 ("stands at", listed(stands)),
             ]
+            least = float(self.governing[shown[0]])
+            way = f", {OTHER_WAY}" * bool(self.opposite_governs[shown[0]])
             sentence = (
-                f"It falls at {len(rows) - len(stands)} of {len(rows)} frequencies, first at "
-                f"{write(self.first[shown[0]])} ({names[shown[0]]}, {pulse})."
+                f"It falls at {len(rows) - len(stands)} of {len(rows)} frequencies, "
+                f"{self._from(least, write)} ({names[shown[0]]}, {pulse}{way})."
             )
-            return finish(Answer(sentence, facts))
+            return Answer(sentence, facts)
+        if math.isnan(self.first[0]):
+            return self._with_other_way(write, stand)
         first, last = self.at(0)[0], self.at(0)[-1]
         after = f"{plural(first.impacts, 'impact')} at {write(first.low)}"
         if last.low > first.low:
@@ -228,7 +238,8 @@ class OverturningWindows(WindowLists):
             ("falls after", after),
             ("without impact", "" if closed is None else f"from {write(closed)} on, closed form"),
         ]
-        return finish(Answer(f"It falls {self._verdict(0, write)} ({names[0]} {pulse}).", facts))
+        sentence = f"It falls {self._verdict(0, write)} ({names[0]} {pulse})."
+        return self._with_other_way(write, Answer(sentence, facts))
 
     @property
     def _pulse_text(self) -> str:
@@ -252,12 +263,15 @@ class OverturningWindows(WindowLists):
             "modes": self._modes(index),
             "first": float(self.first[index]),
             "opposite": float(self.opposite[index]),
+            "governing": float(self.governing[index]),
+            "governs": self._governs(index),
             "closed_form": closed,
             **self._left(index),
         }
         if isinstance(self.block, Block):
             unit = in_g(self.block.uplift_acceleration)
             row["freq_hz"] = replace(self.pulse, frequency_ratio=ratio).frequency_hz(self.block)
+            row["governing_g"] = row["governing"] * unit
             row["intervals_g"] = [[end * unit for end in ends] for ends in intervals]
         return row if self.floor is None else floor_digits(row)
 
@@ -265,9 +279,11 @@ class OverturningWindows(WindowLists):
         """Yield one row per window, as in tables and files."""
         for row in rows:
             head: dict[str, Any] = {
-                name: row[name] for name in ("frequency_ratio", "freq_hz") if name in row
+                name: row[name]
+                for name in ("frequency_ratio", "freq_hz", "governing", "governing_g", "governs")
+                if name in row
             }
-            for mode in row["modes"]:
+            for mode in row["modes"] or [NO_WINDOW] * bool(row["governs"]):
                 low, high = mode["interval"]
                 window: dict[str, Any] = {**head, "low": low, "high": high}
                 if isinstance(self.block, Block):
@@ -283,16 +299,17 @@ class OverturningWindows(WindowLists):
         def high(value: float) -> str:
             return "the end" if value >= self.within[1] else number(value, 6)
 
-        def side(value: int) -> str:
-            return "+" if value > 0 else "-"
-
         columns = [
             Column("frequency_ratio", "omega/p", lambda value: number(value, 5)),
             Column("low", "from A", lambda value: number(value, 6)),
             Column("high", "to A", high),
-            Column("impacts", "impacts"),
-            Column("side", "side", side),
+            Column("impacts", "impacts", lambda value: str(value) if value >= 0 else ""),
+            Column("side", "side", lambda value: ("", "+", "-")[value]),
         ]
+        if self._two_ways:
+            name, unit = ("_g", "g") if isinstance(self.block, Block) else ("", "A")
+            columns.append(Column(f"governing{name}", f"first {unit}"))
+            columns.append(Column("governs", "governs"))
         if isinstance(self.block, Block):
             columns[:0] = [
                 Column("freq_hz", "Hz"),

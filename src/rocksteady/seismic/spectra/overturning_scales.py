@@ -23,7 +23,12 @@ from rocksteady.dynamics.overturning.window_cells import (
     search_both_ways,
     uplifts_of,
 )
-from rocksteady.dynamics.overturning.window_lists import WindowLists, floor_digits
+from rocksteady.dynamics.overturning.window_lists import (
+    NO_WINDOW,
+    OTHER_WAY,
+    WindowLists,
+    floor_digits,
+)
 from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import CEILING, LIFT, LIFT_SLOPE
 from rocksteady.kernels.elementary.arrays import log
@@ -114,9 +119,9 @@ class OverturningScales(WindowLists):
         Ends of the stretches in which they lie, or narrower ones may hide, between and beside the
         windows listed, shape (records, stretches); nan beyond the last.  At most 64.
     undecided
-        Scales that were tried and whose fate could not be decided; they count as safe.
+        Scales that were tried, either way, and whose fate could not be decided; they count as safe.
     unsettled
-        Intervals in which a narrow window might still hide when the search ended.
+        Intervals, either way, in which a narrow window might still hide when the search ended.
     """
 
     motions: tuple[Record | BaseMotion, ...]
@@ -195,14 +200,16 @@ class OverturningScales(WindowLists):
         ]
         rows = [self._row(index) for index in range(len(self.names))]
         records = [
-            {name: row[name] for name in ("record", "first", "share")}
-            | {"first_g": row["first"] * row["pga_g"], "windows": len(row["intervals"])}
+            {name: row[name] for name in ("record", "first", "governing", "governs", "share")}
+            | {name: row[name] for name in ("first_g", "governing_g")}
+            | {"windows": len(row["intervals"])}
             for row in rows
         ]
         columns = [
             Column("record", "record"),
-            Column("first", "first scale", lambda value: _or_none(value, 6)),
-            Column("first_g", "PGA g", lambda value: _or_none(value, 4)),
+            Column("governing", "first scale", lambda value: number(value, 6)),
+            Column("governing_g", "PGA g", lambda value: number(value, 4)),
+            *([Column("governs", "governs")] if self._two_ways else []),
             Column("windows", "windows"),
         ]
         window_columns = [
@@ -213,7 +220,7 @@ class OverturningScales(WindowLists):
             Column("high_g", "to g", lambda value: number(value, 4)),
             Column("low_m_s", "from m/s"),
             Column("high_m_s", "to m/s"),
-            Column("side", "side", lambda value: "+" if value > 0 else "-"),
+            Column("side", "side", lambda value: ("", "+", "-")[value]),
         ]
         return Description(
             f"Overturning scales: {plural(len(rows), 'record')}, {case_text(self.block)}, "
@@ -232,8 +239,8 @@ class OverturningScales(WindowLists):
                     records,
                     columns,
                     most=MOST_ROWS,
-                    severity=lambda row: -row["first"] if row["windows"] else -math.inf,
-                    kind=lambda row: "falling" if row["windows"] else "standing",
+                    severity=lambda row: -row["governing"] if row["governs"] else -math.inf,
+                    kind=lambda row: "falling" if row["governs"] else "standing",
                 ),
                 Table("windows", rows),
             ],
@@ -244,7 +251,7 @@ class OverturningScales(WindowLists):
     def _answer(self) -> Answer:
         """Return at which scales it falls in the one record, or in each."""
         names, count = [shortened(name) for name in self.names], len(self.names)
-        shown, falls = self._by_first, int((~np.isnan(self.first)).sum())
+        shown, falls = self._by_first, int((~np.isnan(self.governing)).sum())
         low, high = (number(end) for end in self.within)
         searched = f"{low} to {high} x{self._missing}"
         if short := int((self.top < self.within[1]).sum()):
@@ -255,35 +262,34 @@ class OverturningScales(WindowLists):
             pga = quantity(scale * self.pga_g[row], "g")
             return f"{number(scale)} x ({pga})"
 
-        finish = functools.partial(
-            self._both_ways,
-            lambda row, scale: write(row, scale) + f" in {names[row]}" * (count > 1),
-        )
+        where = names[0] if count == 1 else f"all {count} records"
+        reached = quantity(self.pga_g.max() * self.within[1], "g")
+        stand = Answer(f"It stands in {where}, from {low} to {high} x ({reached}).", facts)
         if not shown:
-            where = names[0] if count == 1 else f"all {count} records"
-            reached = quantity(self.pga_g.max() * self.within[1], "g")
-            return finish(
-                Answer(f"It stands in {where}, from {low} to {high} x ({reached}).", facts)
-            )
+            return stand
         if count == 1:
-            name = names[0]
+            single, name = functools.partial(write, 0), names[0]
+            if math.isnan(self.first[0]):
+                return self._with_other_way(single, stand)
             windows = self._widest(0)
             facts[1:1] = [("falls", windows and f"{windows} x{self._narrower(0)}")]
-            verdict = self._verdict(0, functools.partial(write, 0))
-            sentence = f"It falls {verdict}.".replace(" x (", f" x {name} (", 1)
-            return finish(Answer(sentence, facts))
+            sentence = f"It falls {self._verdict(0, single)}.".replace(" x (", f" x {name} (", 1)
+            return self._with_other_way(single, Answer(sentence, facts))
         rows = [
-            (names[row], "falls " + self._verdict(row, functools.partial(write, row)))
+            (names[row], self._governing_verdict(row, functools.partial(write, row)))
             for row in shown
         ]
         facts[1:1] = [*rows, self._rest]
-        least = f"first at {write(shown[0], self.first[shown[0]])} in {names[shown[0]]}"
-        return finish(Answer(f"It falls in {falls} of {count} records, {least}.", facts))
+        row = shown[0]
+        least = self._from(float(self.governing[row]), functools.partial(write, row))
+        way = f", {OTHER_WAY}" * bool(self.opposite_governs[row])
+        sentence = f"It falls in {falls} of {count} records, {least} in {names[row]}{way}."
+        return Answer(sentence, facts)
 
     def _notes(self) -> list[str]:
         """Return what the search has left."""
         notes = []
-        if stands := int(np.isnan(self.first).sum()):
+        if stands := int(np.isnan(self.governing).sum()):
             notes.append(f"The block stands at all scales searched of {plural(stands, 'record')}.")
         if left_out := int(self.left_out.sum()):
             notes.append(
@@ -316,7 +322,11 @@ class OverturningScales(WindowLists):
             "intervals_m_s": [[end * pgv for end in ends] for ends in intervals],
             "modes": self._modes(index),
             "first": float(self.first[index]),
+            "first_g": float(self.first[index]) * pga,
             "opposite": float(self.opposite[index]),
+            "governing": float(self.governing[index]),
+            "governing_g": float(self.governing[index]) * pga,
+            "governs": self._governs(index),
             "top": float(self.top[index]),
             "share": float(self.share[index]),
             **self._left(index),
@@ -331,7 +341,7 @@ class OverturningScales(WindowLists):
     def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
         """Yield one row per window, as in tables and files."""
         for row, floor in zip(rows, self._floors, strict=True):
-            for mode in row["modes"]:
+            for mode in row["modes"] or [NO_WINDOW] * bool(row["governs"]):
                 low, high = mode["interval"]
                 window = {
                     "record": row["record"],
@@ -345,6 +355,7 @@ class OverturningScales(WindowLists):
                     "side": mode["side"],
                     "endless": mode["endless"],
                     "left_out": row["left_out"],
+                    **{name: row[name] for name in ("governing", "governing_g", "governs")},
                 }
                 yield floor_digits(window) if floor else window
 
@@ -521,8 +532,3 @@ def _range(within: tuple[float, float]) -> tuple[float, float]:
     """Return the ends of the range of scales."""
     hint = "give the lowest and the highest scale, as (0.1, 10.0)"
     return rising("within", within, SMALLEST, LARGEST_SCALE, hint=hint)
-
-
-def _or_none(value: float, digits: int) -> str:
-    """Return a number, or a dash for nan."""
-    return "-" if math.isnan(value) else number(value, digits)

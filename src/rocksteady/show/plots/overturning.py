@@ -16,6 +16,7 @@ from rocksteady.dynamics.overturning.window_lists import OverturningWindow
 from rocksteady.dynamics.overturning.windows import OverturningWindows, threshold_without_impact
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.show.plots._other_way import draw_other_way
 from rocksteady.show.style import palette
 from rocksteady.show.style.areas import LEAST_RIMMED, area_style, rim_style, swatch, write_words
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
@@ -41,6 +42,8 @@ STANDS = -1
 """Code of the area where the block stands, beside those numbers."""
 UNLISTED = -2
 """Code of the stretches in which windows lie that are not listed."""
+OTHER = -3
+"""Code of the area, without a word, above the first fall of the reversed pulse."""
 CLOSED_FORM = {
     "linear": "closed form, without an impact",
     "nonlinear": "closed form of the linear model",
@@ -72,7 +75,8 @@ def plot_overturning(
 
     The more impacts before the fall, the denser the pattern; where the block stands is paper, and
     where narrower windows are left out crosses are. What is not written upon its area is in the
-    legend.
+    legend.  Where the sides of the block differ, a line marks the least amplitude of the reversed
+    pulse.
     Where the pulse has one, the closed form of falling without an impact is drawn over it, dashed,
     which is that of the linear model.  On a floor impacts vary in a window, and there is none.
 
@@ -175,7 +179,8 @@ def plot_overturning(
     axes.grid(visible=False)
     plain_ticks(axes)
     gap = FAR_ROOM + GAP if draw_far_axes(axes, right, up) else GAP
-    handles[STANDS] = swatch(inks, "paper", "stands")
+    line_drawn = draw_other_way(axes, windows, w * right.factor, windows.opposite * up.factor)
+    handles[STANDS] = swatch(inks, "paper", "stands" + ", below the line" * line_drawn)
     written = _write_words(axes, windows, factors, by_ratio=by_ratio)
     draw_legend(
         axes,
@@ -238,6 +243,7 @@ def _write_words(
     rows = spread(low, high, ROWS + 1)
     middles = 0.5 * (rows[1:] + rows[:-1]) / factors[1]
     codes = np.full((ROWS, len(w)), STANDS)
+    codes[middles[:, np.newaxis] > windows.opposite] = OTHER
     for k in range(len(w)):
         for least, most in windows.unlisted(k):
             codes[(middles > least) & (middles < most), k] = UNLISTED

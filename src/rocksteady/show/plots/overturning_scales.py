@@ -10,6 +10,7 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.seismic.spectra.overturning_scales import OverturningScales
+from rocksteady.show.plots._other_way import draw_other_way
 from rocksteady.show.style import palette
 from rocksteady.show.style.areas import LEAST_RIMMED, area_style, rim_style, swatch
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
@@ -36,6 +37,8 @@ def plot_overturning_scales(
     scales: OverturningScales, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
     """Draw the scales at which a block falls under records, a bar for each record.
+
+    Where the sides of the block differ, a line marks the least scale of the reversed record.
 
     Parameters
     ----------
@@ -93,7 +96,6 @@ def plot_overturning_scales(
             handles.append(swatch(inks, "falls", words, pattern))
     if scales.left_out.any():
         handles.append(swatch(inks, "undecided", "narrower windows, not listed"))
-    handles.append(swatch(inks, "paper", "stands"))
     axes.set_xscale("log")
     axes.set(
         xlabel="scale of the record",
@@ -102,6 +104,10 @@ def plot_overturning_scales(
         yticks=range(len(scales.names)),
         yticklabels=[palette.shortened(name, LONGEST_NAME) for name in scales.names],
     )
+    across = np.add.outer(np.arange(len(scales.names)), [-0.5 * BAR, 0.5 * BAR, math.nan])
+    marks = np.repeat(scales.opposite, 3)
+    line_drawn = draw_other_way(axes, scales, marks, across.ravel())
+    handles.append(swatch(inks, "paper", "stands" + ", left of the line" * line_drawn))
     if low < 1.0 < high:
         axes.axvline(1.0, color=inks.paper, lw=2.4, zorder=2.9)  # seen on what falls
         draw_limit(axes, 1.0, "as recorded")
