@@ -8,7 +8,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.blocks.sides import same_shape
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
-from rocksteady.results.numbers import angle, length, number, quantity
+from rocksteady.results.numbers import DIGITS, angle, length, number, quantity
 
 AnyBlock = Block | DimensionlessBlock
 
@@ -101,6 +101,36 @@ def case_text(block: AnyBlock) -> str:
 def solved_text(words: str, block: AnyBlock | None) -> str:
     """Return words on what was solved, and that several parts were solved as one body."""
     return f"{words}, as one body" if isinstance(block, Block) and block.parts else words
+
+
+def kick_m_s(block: AnyBlock, kick: float | None) -> float:
+    """Return a kick [alpha g/p] in m/s; nan without a size or a kick."""
+    if kick is None or not isinstance(block, Block):
+        return math.nan
+    return kick * block.uplift_acceleration / block.p
+
+
+def kick_text(block: AnyBlock, kick: float, digits: int = DIGITS) -> str:
+    """Return a kick [alpha g/p] with its sign, in m/s first where the block has a size."""
+    text = quantity(kick, "alpha g/p", digits)
+    if not isinstance(block, Block):
+        return text
+    return f"{quantity(kick_m_s(block, kick), 'm/s', digits)} ({text})"
+
+
+def other_kick_text(
+    block: AnyBlock, kick: float, within: tuple[float, float], digits: int = DIGITS
+) -> str:
+    """Return the least kick of the other direction, or which kicks do not overturn the block."""
+    if not math.isnan(kick):
+        return kick_text(block, kick, digits)
+    return f"no kick {kicks_text(block, within)} makes it fall"
+
+
+def kicks_text(block: AnyBlock, within: tuple[float, float]) -> str:
+    """Return a range of kicks [alpha g/p] in words."""
+    low, high = (kick_text(block, end) for end in within)
+    return f"from {low} to {high}" if within[0] else f"up to {high}"
 
 
 def _alphas(block: Block) -> str:

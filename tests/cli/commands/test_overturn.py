@@ -11,7 +11,9 @@ import xarray
 
 from rocksteady import (
     Block,
+    DimensionlessBlock,
     Record,
+    find_fatal_kicks,
     find_overturning_scales,
 )
 from rocksteady.cli.commands import overturn
@@ -220,6 +222,11 @@ def test_a_kick_keeps_the_contract(tmp_path: Path) -> None:
         [overturning_impulse(block)] * 4
     )
     assert picture.stat().st_size > 5000
+    assert ran.json["sizes"] == [0.0, 4.0]
+    for row in ran.json["kicks"]:
+        assert [mode["interval"] for mode in row["modes"]] == row["windows"]
+        assert row["modes"][0]["side"] == row["direction"]
+        assert row["left_out"] == len(row["left_out_within"]) == 0
 
 
 @every(
@@ -284,6 +291,16 @@ def test_the_answer_of_a_kick_is_the_least_of_both_ways() -> None:
     assert lines[0] == f"The least kick that fells it is {values['least']:.3g} alpha g/p."
     other = max(row["first"] for row in values["kicks"])
     assert f"the other way -{other:.3g} alpha g/p" in lines
+
+
+def test_a_kick_at_the_begin_of_the_range_is_the_least_searched() -> None:
+    found = find_fatal_kicks(DimensionlessBlock(restitution=0.9), within=(1.5, 4.0))
+    text = " ".join(found.summary().split())
+    assert "The least kick that fells it is 1.5 alpha g/p, the least searched." in text
+    assert "the other way -1.5 alpha g/p, the least searched" in text
+    assert "both ways, from 1.5 alpha g/p to 4 alpha g/p" in text
+    wider = find_fatal_kicks(DimensionlessBlock(restitution=0.9), within=(0.9, 4.0))
+    assert "least searched" not in wider.summary()
 
 
 def test_the_answer_says_that_it_stands() -> None:

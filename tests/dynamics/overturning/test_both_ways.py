@@ -37,7 +37,7 @@ SHOCKS = Record(
     acceleration_m_s2=3.0 * np.sin(np.linspace(0.0, 9.0, 91)) * np.linspace(1.0, 0.3, 91), dt_s=0.03
 )
 
-SHORT = Record(acceleration_m_s2=[0.0, 4.0, -3.0, 0.0], dt_s=0.3)
+SHORT = Record(acceleration_m_s2=np.array([0.0, 4.0, -3.0, 0.0]), dt_s=0.3)
 
 
 def drawn(seed: int) -> tuple[Block, float]:

@@ -310,7 +310,7 @@ def test_no_spectrum_says_stands_where_the_reversed_pulse_fells_the_block() -> N
 
 def test_scales_of_a_record_show_the_least_of_the_reversed() -> None:
     block = Block.asymmetric(left=0.22, right=0.16, height=1.5)
-    record = Record(acceleration_m_s2=[0.0, 4.0, -3.0, 0.0], dt_s=0.3)
+    record = Record(acceleration_m_s2=np.array([0.0, 4.0, -3.0, 0.0]), dt_s=0.3)
     scales, back = (
         find_overturning_scales(block, each, within=(0.2, 2.0))
         for each in (record, record.reversed())

@@ -11,7 +11,7 @@ from rocksteady.cli.console.refusals import FlagError, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.parsing import axis
-from rocksteady.cli.flags.start import HINT, TAU, StartFlags
+from rocksteady.cli.flags.start import HINT, TAU, StartFlags, typed_error
 from rocksteady.dynamics.parameters import AXES, SIZES, shaking_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
@@ -109,7 +109,7 @@ class MapStartFlags:
             text = typed.get(error.name.removeprefix("--"))
             if text is None:
                 raise
-            raise FlagError(error.name, text, error.valid, error.hint) from error
+            raise typed_error(error.name, text, error) from error
 
     @property
     def _per_tau(self) -> bool:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rocksteady.cli.console.refusals import FlagError, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.parsing import decimal
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.validation import odd_order
 
 if TYPE_CHECKING:
@@ -119,7 +119,13 @@ class StartFlags:
         except ModelError as error:
             if error.name != "start":
                 raise
-            raise FlagError("start", self.start, error.valid, error.hint) from error
+            raise typed_error("start", self.start, error) from error
+
+
+def typed_error(name: str, text: object, error: ModelError) -> FlagError:
+    """Return an error with what was typed, and with the reason where the error has one."""
+    given = Words(f"= {text!r} {error.value}") if isinstance(error.value, Words) else text
+    return FlagError(name, given, error.valid, error.hint)
 
 
 def refuse_without_shaking(flag: str, value: object) -> None:

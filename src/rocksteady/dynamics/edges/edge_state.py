@@ -12,23 +12,26 @@ from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.orbits.attractor import Attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.dynamics.overturning.window_lists import OTHER_WAY
 from rocksteady.dynamics.steady.verdicts import multipliers_text, multipliers_value
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
-from rocksteady.model.facts import solved_text
+from rocksteady.model.facts import kick_m_s, kick_text, other_kick_text, solved_text
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import in_units
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number, number_or_none, plural
+from rocksteady.results.numbers import DIGITS, number, number_or_none, plural
 from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
     import pandas as pd
 
 
+MORE_DIGITS = 6
+"""Significant digits of a kick below an answer."""
 MOST_KICK = 4.0
 """Largest kick that is tried [alpha g/p]."""
 MEANING = {
@@ -115,12 +118,14 @@ class EdgeState(Result):
     @property
     def kick_m_s(self) -> float:
         """The least fatal kick [m/s]; nan of a dimensionless block, or where there is none."""
-        return self._in_m_s(self.kick)
+        return kick_m_s(self.block, self.kick)
 
-    def _in_m_s(self, kick: float | None) -> float:
-        if kick is None or not isinstance(self.block, Block):
-            return math.nan
-        return kick * self.block.uplift_acceleration / self.block.p
+    @property
+    def direction(self) -> str | None:
+        """Signs of kicks that were searched: "both", "+" or "-"; None where `other` is given."""
+        if self.kick is None or self.opposite is not None:
+            return None if self.kick is None else "both"
+        return "+" if self.kick > 0.0 else "-"
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per tracked state: periods since the boundary, angle and velocity."""
@@ -155,11 +160,12 @@ class EdgeState(Result):
                 "least_kick",
                 self.kick,
                 "" if self.kick is None else "least kick",
-                self._kick_text(self.kick),
+                "" if self.kick is None else kick_text(self.block, self.kick, MORE_DIGITS),
             ),
             Fact("least_kick_m_s", number_or_none(self.kick_m_s)),
-            Fact("opposite_kick", self.opposite, *self._other_way),
-            Fact("opposite_kick_m_s", number_or_none(self._in_m_s(self.opposite))),
+            Fact("opposite_kick", self.opposite, *self._other_way(MORE_DIGITS)),
+            Fact("opposite_kick_m_s", number_or_none(kick_m_s(self.block, self.opposite))),
+            Fact("direction", self.direction),
             Fact("fractal", self.fractal),
             Fact("resolution", self.resolution, *self._searched),
             Fact("start_state", _pair(self.start), "start", _text(self.start)),
@@ -189,7 +195,7 @@ class EdgeState(Result):
         else:
             sign = "negative " if self.kick < 0.0 else "positive "
             kind = sign * (self.opposite is None) + "kick" + " found" * bool(self.fractal)
-            size = self._kick_text(self.kick, 3)
+            size = kick_text(self.block, self.kick)
             words = f"from {start} the least {kind} that makes it fall is {size}"
         sentence = f"{words[0].upper()}{words[1:]}."
         if self.saddle is None:
@@ -202,7 +208,7 @@ class EdgeState(Result):
         return Answer(
             sentence,
             [
-                self._other_way,
+                self._other_way(),
                 self._searched,
                 ("on the edge", solved_text(meaning, self.block)),
                 ("leaves the edge", f"{leaves} (multipliers {pair})" if pair else leaves),
@@ -211,14 +217,11 @@ class EdgeState(Result):
             ],
         )
 
-    @property
-    def _other_way(self) -> tuple[str, str]:
-        """The least kick in the other direction, as a fact."""
+    def _other_way(self, digits: int = DIGITS) -> tuple[str, str]:
+        """Return the least kick in the other direction, as a fact."""
         if self.opposite is None:
             return "", ""
-        none = f"no kick up to {MOST_KICK:g} alpha g/p makes it fall"
-        text = none if math.isnan(self.opposite) else self._kick_text(self.opposite, 3)
-        return "the other way", text
+        return OTHER_WAY, other_kick_text(self.block, self.opposite, (0.0, MOST_KICK), digits)
 
     @property
     def _searched(self) -> tuple[str, str]:
@@ -226,14 +229,6 @@ class EdgeState(Result):
         step = number(self.resolution or 0.0)
         text = f"in steps of {step} alpha g/p; fractal: a smaller one may fell it"
         return "searched", text * bool(self.fractal)
-
-    def _kick_text(self, kick: float | None, digits: int = 6) -> str:
-        if kick is None:
-            return ""
-        text = f"{number(kick, digits)} alpha g/p"
-        if isinstance(self.block, Block):
-            text = f"{number(self._in_m_s(kick), digits)} m/s ({text})"
-        return text
 
 
 def _pair(state: State) -> list[float]:

@@ -200,7 +200,9 @@ def find_edge_state(
         kicks.sort(key=lambda each: each.high)
         least = kicks[0]
         if not math.isfinite(least.high):
-            raise _no_edge(f"stands under every kick up to {MOST_KICK:g} alpha g/p")
+            sign = "" if kick is None else "positive " if signs[0] > 0 else "negative "
+            also = "" if kick is None else ", search both signs of the kick"
+            raise _no_edge(f"stands under every {sign}kick up to {MOST_KICK:g} alpha g/p", also)
         size = least.kick
         near = _kicked(flow.sides, here, least.sign * least.low)
         far = _kicked(flow.sides, here, least.sign * least.high)
@@ -508,10 +510,10 @@ def _borders(falls: NDArray[np.bool_]) -> int:
     return int(np.count_nonzero(falls[1:] != falls[:-1]))
 
 
-def _no_edge(reason: str) -> ModelError:
+def _no_edge(reason: str, also: str = "") -> ModelError:
     return ModelError(
         "start",
         Words(reason),
         "the least fatal kick is sought from a state that stands, towards one that falls",
-        "give another start, search both signs of the kick, or give a second state as other",
+        f"give another start{also}, or give a second state as other",
     )

@@ -28,7 +28,13 @@ from rocksteady.dynamics.overturning.window_cells import (
     nothing_found,
     outputs,
 )
-from rocksteady.dynamics.overturning.window_lists import LEFT, SHOWN, UNLISTED, WindowLists
+from rocksteady.dynamics.overturning.window_lists import (
+    LEFT,
+    OTHER_WAY,
+    SHOWN,
+    UNLISTED,
+    WindowLists,
+)
 from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import JUMP
 from rocksteady.model.blocks.block import Block
@@ -36,7 +42,14 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import rising
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
-from rocksteady.model.facts import case_text, solved_text
+from rocksteady.model.facts import (
+    case_text,
+    kick_m_s,
+    kick_text,
+    kicks_text,
+    other_kick_text,
+    solved_text,
+)
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
@@ -117,9 +130,7 @@ class FatalKicks(WindowLists):
     @property
     def unit_m_s(self) -> float:
         """The unit of a kick, alpha g/p [m/s]; nan of a dimensionless block."""
-        if not isinstance(self.block, Block):
-            return math.nan
-        return self.block.uplift_acceleration / self.block.p
+        return kick_m_s(self.block, 1.0)
 
     @property
     def signed(self) -> Floats:
@@ -171,26 +182,29 @@ class FatalKicks(WindowLists):
 
     def describe(self) -> Description:
         """Return the least kicks by moment, in m/s too where the block has a size."""
-        sized = isinstance(self.block, Block)
+        sized, write = isinstance(self.block, Block), functools.partial(number, digits=6)
         rows = list(self._rows())
         listed = [
-            {**row, "windows": [list(ends) for ends in self.intervals(index)]}
+            {
+                **row,
+                "windows": [list(ends) for ends in self.intervals(index)],
+                "modes": self._modes(index),
+                **self._left(index),
+            }
             for index, row in enumerate(rows)
         ]
         columns = [
             *([Column("t_s", "s")] if sized else [Column("time_pt", "p t")]),
             Column("angle", "theta/alpha"),
             Column("direction", "kick", lambda value: "+" if value > 0 else "-"),
-            *([Column("first_m_s", "least m/s", _or_none)] if sized else []),
-            Column("first", "of alpha g/p", _or_none),
+            *([Column("first_m_s", "least m/s", write)] if sized else []),
+            Column("first", "of alpha g/p", write),
             Column("windows", "windows"),
         ]
         facts = [
             self._block_fact,
             Fact("model", self.model.name, "model"),
-            Fact(
-                "kicks", list(self.within), "searched", f"kicks up to {self.within[1]:g} alpha g/p"
-            ),
+            Fact("sizes", list(self.within), "searched", f"kicks {self._range_text}"),
             Fact("resolution", self.resolution),
             Fact("least", self._smallest, "least fatal kick", self._least_text()),
         ]
@@ -220,11 +234,9 @@ class FatalKicks(WindowLists):
 
     def _answer(self) -> Answer:
         """Return the least kick of all moments, and those of the others and of the other way."""
-        sized = isinstance(self.block, Block)
 
         def write(kick: float) -> str:
-            size = quantity(kick, "alpha g/p")
-            return f"{quantity(kick * self.unit_m_s, 'm/s')} ({size})" if sized else size
+            return f"{kick_text(self.block, kick)}{self._least(abs(kick))}"
 
         def moment(index: int) -> str:
             time = float(self.time_pt[index])
@@ -232,7 +244,7 @@ class FatalKicks(WindowLists):
                 return quantity(time / self.block.p, "s")
             return f"pt {number(time)}"
 
-        searched = f"both ways, up to {write(self.within[1])}{self._missing}"
+        searched = f"both ways, {self._range_text}{self._missing}"
         facts = [self._undecided, ("searched", solved_text(searched, self.block)), self._computed]
         if math.isnan(self._smallest):
             return Answer("It stands after every kick searched.", facts)
@@ -242,9 +254,8 @@ class FatalKicks(WindowLists):
             return Answer(f"It {ends}.", facts)
         order = np.argsort(np.abs(self.least), kind="stable").tolist()
         at = order[0]
-        opposite = abs(self.opposite[2 * at + int(self.least[at] < 0.0)])
-        way = "-" if self.least[at] > 0.0 else "+"
-        words = f"{way}{write(opposite)}" if opposite > 0.0 else "no kick fells it"
+        opposite = float(self.signed[at, int(self.least[at] > 0.0)])
+        words = other_kick_text(self.block, opposite, self.within) + self._least(abs(opposite))
         state = f"theta/alpha {number(self.angle[at])}, velocity {number(self.velocity[at])}"
         least = self.least.tolist()
         rows = [
@@ -252,10 +263,19 @@ class FatalKicks(WindowLists):
             for row in order[:SHOWN]
         ]
         rows = rows if len(order) > 1 else []
-        facts[1:1] = [*rows, ("the other way", words), ("tilt before", state)]
+        facts[1:1] = [*rows, (OTHER_WAY, words), ("tilt before", state)]
         when = f" at {moment(at)}" if len(order) > 1 else ""
         kind = "kick found" if self.unsettled.any() else "kick"
         return Answer(f"The least {kind} that fells it is {write(self._smallest)}{when}.", facts)
+
+    @property
+    def _two_ways(self) -> bool:
+        return True
+
+    @property
+    def _range_text(self) -> str:
+        """The range that was searched, in words."""
+        return kicks_text(self.block, self.within)
 
     @property
     def _smallest(self) -> float:
@@ -266,12 +286,7 @@ class FatalKicks(WindowLists):
     def _least_text(self) -> str:
         """Return the least fatal kick in words."""
         least = self._smallest
-        if math.isnan(least):
-            return "none in the range"
-        words = f"{number(least, 6)} alpha g/p"
-        if isinstance(self.block, Block):
-            words = f"{number(least * self.unit_m_s, 6)} m/s ({words})"
-        return words
+        return "none in the range" if math.isnan(least) else kick_text(self.block, least, 6)
 
     def _rows(self) -> Iterator[dict[str, Any]]:
         """Yield a row for each moment and direction."""
@@ -285,8 +300,6 @@ class FatalKicks(WindowLists):
                     "direction": direction,
                     "first": float(self.first[index]),
                     "windows": len(self.intervals(index)),
-                    "undecided": int(self.undecided[index]),
-                    "unsettled": int(self.unsettled[index]),
                 }
                 if isinstance(self.block, Block):
                     row["t_s"] = time / self.block.p
@@ -463,8 +476,3 @@ def _windows_of(
         windows = windows._replace(low=begin, impacts=windows.impacts - added)
         keep(windows_found, cell, windows)
     return windows_found
-
-
-def _or_none(value: float) -> str:
-    """Return a number, or a dash for nan."""
-    return "-" if math.isnan(value) else number(value, 6)

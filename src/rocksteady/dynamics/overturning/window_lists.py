@@ -208,38 +208,42 @@ class WindowLists(Result):
         if not self._two_ways or math.isnan(self.governing[0]):
             return answer
         least = float(self.opposite[0])
-        words = "stands" if math.isnan(least) else f"falls {self._from(least, write)}"
+        words = "stands" if math.isnan(least) else f"falls {self._first_at(least, write)}"
         if not self.opposite_governs[0]:
             return replace(answer, facts=[(OTHER_WAY, words), *answer.facts])
         given = answer.sentence.replace("It ", "As given it ", 1)
         return replace(answer, sentence=f"The other way it {words}, which governs. {given}")
 
-    def _from(self, size: float, write: Callable[[float], str], word: str = "first at") -> str:
-        """Return the size from which the block falls, marked where the search begins there."""
-        return f"{word} {write(size)}" + ", the least searched" * (size <= self.within[0])
+    def _least(self, size: float) -> str:
+        """Return a mark where a block falls at the beginning of the search already."""
+        return ", the least searched" * (size <= self.within[0])
+
+    def _first_at(self, size: float, write: Callable[[float], str]) -> str:
+        """Return the size from which a block falls in words."""
+        return f"first at {write(size)}{self._least(size)}"
 
     def _governing_verdict(self, row: int, write: Callable[[float], str]) -> str:
         """Return from which size on the block of one row falls in the direction that governs."""
         if self.opposite_governs[row]:
-            return f"falls {OTHER_WAY} {self._from(float(self.opposite[row]), write)}"
+            return f"falls {OTHER_WAY} {self._first_at(float(self.opposite[row]), write)}"
         return f"falls {self._verdict(row, write)}"
 
     def _verdict(self, row: int, write: Callable[[float], str]) -> str:
         """Return from which size on a block of one row falls, and what it does up to the end."""
         first, end = float(self.first[row]), float(self._ends[row])
-        begins = self._from(first, write)
+        at = f"at {write(first)}{self._least(first)}"
         last = (self.intervals(row) or [(first, end)])[-1]
         turn = last[1] if last[1] < end else last[0]  # beyond it nothing changes
         if turn > first and number(turn) == number(end):
-            return begins
+            return f"first {at}"
         to_end = f"to {write(end)}"  # where the search ends
         if last[1] < end and self.left_out[row]:
-            return begins
+            return f"first {at}"
         if last[1] < end:
-            return f"{begins}; it stands from {write(turn)} {to_end}"
+            return f"first {at}; it stands from {write(turn)} {to_end}"
         if turn == first:
-            return f"{self._from(first, write, 'at')}, and always up {to_end}"
-        return f"{begins}; always from {write(turn)} {to_end}"
+            return f"{at}, and always up {to_end}"
+        return f"first {at}; always from {write(turn)} {to_end}"
 
     def _governs(self, row: int) -> str:
         """Return the direction that governs a row in a word or two; empty where it stands."""

@@ -222,7 +222,7 @@ class OverturningWindows(WindowLists):
             way = f", {OTHER_WAY}" * bool(self.opposite_governs[shown[0]])
             sentence = (
                 f"It falls at {len(rows) - len(stands)} of {len(rows)} frequencies, "
-                f"{self._from(least, write)} ({names[shown[0]]}, {pulse}{way})."
+                f"{self._first_at(least, write)} ({names[shown[0]]}, {pulse}{way})."
             )
             return Answer(sentence, facts)
         if math.isnan(self.first[0]):

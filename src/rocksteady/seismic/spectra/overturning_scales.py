@@ -281,7 +281,7 @@ class OverturningScales(WindowLists):
         ]
         facts[1:1] = [*rows, self._rest]
         row = shown[0]
-        least = self._from(float(self.governing[row]), functools.partial(write, row))
+        least = self._first_at(float(self.governing[row]), functools.partial(write, row))
         way = f", {OTHER_WAY}" * bool(self.opposite_governs[row])
         sentence = f"It falls in {falls} of {count} records, {least} in {names[row]}{way}."
         return Answer(sentence, facts)

@@ -2,6 +2,7 @@
 
 import csv
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -105,3 +106,48 @@ def test_the_answer_between_two_starts_is_a_state_of_the_edge() -> None:
     u, v = rocksteady(f"{command} --json").json["boundary_state"]
     first = rocksteady(command).out.splitlines()[0]
     assert first == f"The edge between both starts passes u = {u:.3g}, du/d(pt) = {v:.3g}."
+
+
+@every(
+    ("flags", "reason", "both"),
+    [
+        ("-A .6 -W 2 -r .9 --one-sided --direction -", "stands under every negative kick", True),
+        (f"{ASYMMETRIC} -A .9 -W 1.7 --model linear", "overturns without a kick", False),
+        ("-A .6 -W 2 -r .9 --start 1.2,0.3", "overturns without a kick", False),
+    ],
+)
+def test_a_start_without_an_edge_has_its_reason(flags: str, reason: str, *, both: bool) -> None:
+    error = refused(f"edge {flags}")
+    assert reason in error
+    assert ("search both signs" in error) is both
+
+
+def test_a_direction_that_was_not_searched_is_told_from_one_without_a_fatal_kick() -> None:
+    command = "edge -A .2 -W 2 -r .9 --one-sided"
+    both, alone = (rocksteady(f"{command}{way} --json").json for way in ("", " --direction +"))
+    assert both["opposite_kick"] is None
+    assert alone["opposite_kick"] is None
+    assert (both["direction"], alone["direction"]) == ("both", "+")
+    between = rocksteady("edge -A 0.5 -W 2 -r 0.9 --other 0.2,0.3 --json").json
+    assert between["direction"] is None
+
+
+def test_both_commands_write_the_other_way_alike() -> None:
+    """Without shaking the least kick is the same; two digits more follow with --more."""
+    size = "--width-m 0.6 --height-m 1.8 --model linear --start 0.5,0"
+    kick = rocksteady(f"overturn --kick {size}").out
+    edge = rocksteady(f"edge {size} -A 1e-9 -W 2 --more").out
+    ways = [re.findall(r"the other way +(.+)", text) for text in (kick, edge)]
+    assert ways[0] == ways[1][:1]
+    assert re.fullmatch(r"(-[\d.]+) m/s \((-[\d.]+) alpha g/p\)", ways[0][0])
+    least, other = (
+        re.findall(rf"^{label} +(.+)", edge, re.MULTILINE)[-1].split(" ")[0]
+        for label in ("least kick", "the other way")
+    )
+    assert len(least.strip("-0.")) == len(other.strip("-0.")) == 6
+    wall = "--width-m .4 --height-m 1.6 --one-sided --model linear"
+    none = [
+        rocksteady(f"{command} {wall}").out for command in ("overturn --kick", "edge -A .2 -W 2")
+    ]
+    words = [re.findall(r"the other way +(.+)", " ".join(text.split())) for text in none]
+    assert all("no kick up to 3.22 m/s (4 alpha g/p) makes it fall" in each[0] for each in words)

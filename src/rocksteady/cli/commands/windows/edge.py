@@ -121,7 +121,6 @@ def edge(
         after={
             **start.values(edge_state.motion.phase),
             "cycles": cycles,
-            "direction": direction or "both",
             **({"manifolds": [curve.to_dict() for curve in curves]} if manifolds else {}),
         },
         also=[curve.describe() for curve in curves],
