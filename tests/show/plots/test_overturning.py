@@ -302,7 +302,7 @@ def test_no_spectrum_says_stands_where_the_reversed_pulse_fells_the_block() -> N
         for path in map(np.asarray, paths)
     )
     texts = {text.get_text(): text for text in axes.texts}
-    assert "falls the other way" in texts
+    assert "↑ falls the other way" in texts
     place = axes.transAxes.transform(texts["stands"].get_position())
     ratio, amplitude = axes.transData.inverted().transform(place)
     assert amplitude < np.interp(ratio, ratios, least)
@@ -318,7 +318,7 @@ def test_scales_of_a_record_show_the_least_of_the_reversed() -> None:
     axes = plots.overturning_scales(scales, Figure().add_subplot())
     marked = {float(np.asarray(line.get_xdata())[0]) for line in axes.get_lines()}
     assert any(abs(mark / back.first[0] - 1.0) < 1e-9 for mark in marked)
-    assert "falls the other way" in [text.get_text() for text in axes.texts]
+    assert "falls the other way →" in [text.get_text() for text in axes.texts]
     legend = axes.get_legend()
     assert legend is not None
     assert "stands, left of the line" in [text.get_text() for text in legend.get_texts()]

@@ -43,8 +43,9 @@ HELP = (
     "has its number of impacts; its ends are found to rounding, in the linear model or (--model "
     "nonlinear) with the full equations. Where sides differ, the reversed motion is searched too, "
     "and the answer names the direction that governs. With --record or --records the factor of a "
-    "record is searched; with --kick the least sudden change of the base velocity that overturns "
-    "the block. Exit code 3 where an amplitude is undecided."
+    "record is searched; with --kick the least sudden change of the base velocity, of either sign, "
+    "that overturns the block under the motion as given. Exit code 3 where an amplitude is "
+    "undecided."
 )
 MAIN = "width_m height_m restitution record pulse accel_g freq_hz amplitude frequency_ratio plot"
 """Parameters that the short help shows."""

@@ -227,7 +227,7 @@ class EdgeState(Result):
     def _searched(self) -> tuple[str, str]:
         """The resolution, as a fact, where smaller kicks may be fatal."""
         step = number(self.resolution or 0.0)
-        text = f"in steps of {step} alpha g/p; fractal: a smaller one may fell it"
+        text = f"in steps of {step} alpha g/p; fractal: smaller ones may fell it, larger not"
         return "searched", text * bool(self.fractal)
 
 

@@ -317,10 +317,21 @@ class WindowLists(Result):
 def floor_digits(row: Any) -> Any:
     """Return a row, or a part of it, with the digits of amplitudes that are right on a floor."""
     if isinstance(row, dict):
-        return {key: each if key in EXACT else floor_digits(each) for key, each in row.items()}
+        kept = {key: each if key in EXACT else floor_digits(each) for key, each in row.items()}
+        for unit in {"", "_g", "_m_s"} & {key.removeprefix("low") for key in row}:
+            kept["low" + unit], kept["high" + unit] = _ends(row["low" + unit], row["high" + unit])
+        return kept
+    if isinstance(row, list) and len(row) == 2 and {*map(type, row)} == {float}:
+        return list(_ends(*row))
     if isinstance(row, list):
         return [floor_digits(each) for each in row]
     return float(f"{row:.{ON_FLOOR}g}") if isinstance(row, float) else row
+
+
+def _ends(low: float, high: float) -> tuple[float, float]:
+    """Return the ends of a window with the digits that are right, or more to tell them apart."""
+    rounded = ((float(f"{low:.{n}g}"), float(f"{high:.{n}g}")) for n in range(ON_FLOOR, 18))
+    return next((ends for ends in rounded if ends[0] != ends[1]), (low, high))
 
 
 def listed(names: Sequence[str]) -> str:

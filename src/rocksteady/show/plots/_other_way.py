@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 LETTERS = 8.5
 """Size of the name [points]."""
+BELOW = 0.05
+"""Part of the axes by which the name stands below a line."""
 ROOM = 0.2
 """Part of the axes that the name needs on either side."""
 
@@ -40,8 +42,10 @@ def draw_other_way(axes: "Axes", windows: WindowLists, x: Floats, y: Floats) -> 
     places = to_axes.transform(np.column_stack([x, y]))
     seen = places[((places >= 0.0) & (places <= 1.0)).all(axis=1)].tolist()
     if seen:
-        across, up = seen[len(seen) // 2]
-        place = min(max(across, ROOM), 1.0 - ROOM), up
+        upright = np.ptp(x[np.isfinite(x)]) == 0.0
+        across, up = np.mean(seen, axis=0).tolist() if upright else seen[len(seen) // 2]
+        place = min(max(across, ROOM), 1.0 - ROOM), up if upright else up - BELOW
         size = text_size(axes, LETTERS)
-        write_upon(axes, "falls the other way", place, inks.paper, size, zorder=5.6)
+        name = "falls the other way →" if upright else "↑ falls the other way"
+        write_upon(axes, name, place, inks.paper, size, zorder=5.6)
     return True
