@@ -141,13 +141,12 @@ def test_both_commands_write_the_other_way_alike() -> None:
     assert ways[0] == ways[1][:1]
     assert re.fullmatch(r"(-[\d.]+) m/s \((-[\d.]+) alpha g/p\)", ways[0][0])
     least, other = (
-        re.findall(rf"^{label} +(.+)", edge, re.MULTILINE)[-1].split(" ")[0]
+        re.findall(rf"^{label} +([-\d.]+)", edge, re.MULTILINE)[-1]
         for label in ("least kick", "the other way")
     )
     assert len(least.strip("-0.")) == len(other.strip("-0.")) == 6
     wall = "--width-m .4 --height-m 1.6 --one-sided --model linear"
-    none = [
-        rocksteady(f"{command} {wall}").out for command in ("overturn --kick", "edge -A .2 -W 2")
-    ]
+    commands = "overturn --kick", "edge -A .2 -W 2"
+    none = [rocksteady(f"{command} {wall}").out for command in commands]
     words = [re.findall(r"the other way +(.+)", " ".join(text.split())) for text in none]
     assert all("no kick up to 3.22 m/s (4 alpha g/p) makes it fall" in each[0] for each in words)
