@@ -212,3 +212,18 @@ def test_windows_on_a_floor_are_written_with_the_digits_that_are_right() -> None
         for part in (1.0 - 5e-4, 1.0 + 5e-4)
     ]
     assert [fate is Status.OVERTURNED for fate in fates] == [False, True]
+
+
+def test_every_answer_on_a_floor_says_down_to_which_width_it_searches() -> None:
+    found = find_overturning_windows(
+        EVEN, SINE, [4.0], model=Linear(), floor=FLOOR, within=(0.5, 2.0), resolution=0.01
+    )
+    records = FLOOR.motion(SHOCKS), SHOCKS
+    floor, ground = (
+        find_overturning_scales(EVEN, each, within=(0.1, 0.5), resolution=0.01, model=Linear())
+        for each in records
+    )
+    for each, said in ((found, True), (floor, True), (ground, False)):
+        quiet = replace(each, unsettled=0 * each.unsettled)
+        text = " ".join(quiet.summary().split())
+        assert ("ones narrower than 1 % may be missing" in text) is said

@@ -126,6 +126,11 @@ class WindowLists(Result):
         return bool((sides[0] != sides[1]).any())
 
     @property
+    def _on_floors(self) -> bool:
+        """Whether a motion is that of a floor, where narrow windows crowd."""
+        return False
+
+    @property
     def _ends(self) -> Floats:
         """Ends of the range that was searched, shape (rows,)."""
         return np.full(len(self.first), self.within[1])
@@ -203,7 +208,7 @@ class WindowLists(Result):
             width = number(self.left_out_width.sum(), 2)
             words += f"; {plural(count, 'narrower window')}, {width} in width, left out"
         narrow = f"; ones narrower than {number(100.0 * self.resolution)} % may be missing"
-        return words + narrow * bool(self.unsettled.any())
+        return words + narrow * bool(self.unsettled.any() or self._on_floors)
 
     def _with_other_way(self, write: Callable[[float], str], answer: Answer) -> Answer:
         """Return the answer of a single row with the least of the reversed motion."""

@@ -80,7 +80,8 @@ class OverturningWindows(WindowLists):
         The largest step of the first amplitudes that were tried, as a part of them.
     low, high
         Ends of the windows, shape (frequencies, windows); nan beyond the last of a frequency.  On a
-        floor, whose motion is lines within 1e-3 of the ground's peak, four digits are right.
+        floor, whose motion is lines within 1e-3 of the ground's peak, four digits are right, and
+        windows narrower than `resolution` may be missing.
         Windows that touch differ in their impacts or their side.
     impacts
         Impacts before the block overturns, as `Impacts` counts them, the same shape; -1 beyond the
@@ -240,6 +241,10 @@ class OverturningWindows(WindowLists):
         ]
         sentence = f"It falls {self._verdict(0, write)} ({names[0]} {pulse})."
         return self._with_other_way(write, Answer(sentence, facts))
+
+    @property
+    def _on_floors(self) -> bool:
+        return self.floor is not None
 
     @property
     def _pulse_text(self) -> str:

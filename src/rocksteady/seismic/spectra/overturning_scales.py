@@ -334,6 +334,10 @@ class OverturningScales(WindowLists):
         return floor_digits(row) if self._floors[index] else row
 
     @property
+    def _on_floors(self) -> bool:
+        return any(self._floors)
+
+    @property
     def _floors(self) -> list[bool]:
         """Whether each record is that of a floor, whose lines leave four digits right."""
         return [ground.record.ground is not None for ground in grounds_of(self.motions)]
