@@ -75,7 +75,10 @@ def test_tables_pictures_and_films_are_written(tmp_path: Path) -> None:
 @every(
     ("command", "words"),
     [
-        (f"simulate {FLAGS} --start=-0.3,0", "--start = '-0.3,0' is not accepted: a block against"),
+        (
+            f"simulate {FLAGS} --start=-0.3,0",
+            "--start = '-0.3,0' has angle -0.3 and velocity 0: a block against",
+        ),
         (f"simulate {FLAGS} -A 2 -W 4 --start=0,-1", "positive side alone"),
         (f"simulate {FLAGS} -A 2 -W 4 --start steady", "one side"),
         (f"simulate {FLAGS} -A 2 -W 4 -r 0.5,0.6", "a block against a wall has one restitution"),
