@@ -1,5 +1,6 @@
 """Blocks of other sizes: many at once, to the last bit those of the constructors."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from rocksteady.dynamics.maps._resizing import (
     sizes_with,
 )
 from rocksteady.errors import ModelError
+from rocksteady.formulas import Outline
 from tests.every import every
 
 BASE = Block.rectangle(width=0.4, height=1.2, restitution=0.9, gravity=9.8)
@@ -78,6 +80,7 @@ def test_the_ratios_of_a_bare_block_are_moved_with_its_restitution() -> None:
         (DimensionlessBlock(restitution=0.8), ["width"], "has no size to measure by"),
         (DimensionlessBlock(restitution=0.8), ["frequency_hz"], "has no size to measure by"),
         (LEANING, ["width"], "the sides of this block differ"),
+        (replace(BASE, outline=Outline(height=3.0)), ["width"], "mass centre in the middle"),
         (RING, ["radius"], "whose p.2 R/g is 3/4; of this block it is 0.5"),
     ],
 )

@@ -227,10 +227,14 @@ def test_a_frame_is_made_of_a_column_and_not_of_parts_of_another() -> None:
     more = Cap(columns=6, cap_mass_ratio=2.0)
     assert replace(frame, cap=more) == column.capped(columns=6, cap_mass_ratio=2.0)
     for block, cap in ((frame, None), (frame, Cap(columns=4, cap_mass_ratio=5.0)), (column, more)):
-        with pytest.raises(ModelError, match="cap is another than its sides have their p from"):
+        with pytest.raises(ModelError, match="cap is not the one that the p of its sides is for"):
             replace(block, cap=cap)
     with pytest.raises(ModelError, match="columns have their mass in mid-height"):
         replace(frame, outline=Outline(height=12.0))
     bare = Side(alpha=0.165, radius=4.87, p=1.229, restitution=0.9)
-    with pytest.raises(ModelError, match=r"p = 1\.229 .* whose columns have an inertia"):
+    with pytest.raises(ModelError, match=r"p = 1\.229 .* columns without a moment of inertia"):
         Block(positive=bare, negative=bare, cap=more)
+    leaning = Block.asymmetric(left=0.7, right=0.9, height=9.6, restitution=0.9)
+    one, other = (replace(side, gravity=None) for side in (leaning.positive, leaning.negative))
+    with pytest.raises(ModelError, match="have sides that are alike"):
+        Block(positive=one, negative=other, cap=more)

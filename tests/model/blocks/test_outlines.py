@@ -11,6 +11,7 @@ import pytest
 from rocksteady import Block
 from rocksteady.errors import InputError
 from rocksteady.formulas import Outline
+from rocksteady.model.facts import block_values
 from rocksteady.sweep.cases.inputs import plain
 from tests.every import every
 
@@ -99,6 +100,33 @@ def test_a_height_that_is_twice_that_of_the_mass_centre_makes_no_other_block() -
         assert replace(block, outline=beyond).height == block.height == pytest.approx(height)
         sizes = {"mass": 1.0, "inertia": 9.0, "radius": block.radius, "alpha": block.alpha}
         assert Block.general(**sizes, height=height) == Block.general(**sizes)
+
+
+def test_the_values_in_json_make_the_block_again() -> None:
+    """Sizes of the base, of the outline and of the body, and what is fixed to each other."""
+    block = Block.asymmetric(**TALL, gyration=0.6)
+    wide = Outline(height=1.8, left_overhang=0.1, right_overhang=0.2)
+    block = replace(block, outline=wide, parts="bust and pedestal")
+    values = block_values(block)
+    alpha, radius, p = (values[key] for key in ("alpha_rad", "radius_m", "p_rad_s"))
+    again = Block.asymmetric(
+        left=radius * math.sin(alpha),
+        right=values.get("right_m", radius * math.sin(alpha)),
+        height=values["height_m"],
+        mass_centre_height=values["mass_centre_height_m"],
+        gyration=math.sqrt(9.80665 * radius / p**2 - radius**2),
+    )
+    assert again.positive.alpha == pytest.approx(alpha, rel=1e-12)
+    assert again.positive.p == pytest.approx(p, rel=1e-12)
+    assert tuple(values["overhangs_m"]) == (wide.left_overhang, wide.right_overhang)
+    assert values["parts"] == "bust and pedestal"
+
+
+@every("height", np.random.default_rng(8804).uniform(0.5, 3.0, 20).tolist())
+def test_a_mass_centre_may_be_at_the_top(height: float) -> None:
+    """Its height comes back from R cos(alpha) with a rounding."""
+    block = Block.asymmetric(left=0.2, right=0.3, height=height, mass_centre_height=height)
+    assert block.height == height
 
 
 def test_a_description_has_height_and_mass_centre() -> None:

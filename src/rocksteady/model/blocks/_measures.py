@@ -7,7 +7,7 @@ from rocksteady.model.blocks.caps import Cap
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.blocks.outlines import Outline
-from rocksteady.model.blocks.sides import SAME_BODY, Side, same_shape
+from rocksteady.model.blocks.sides import Side, same_shape
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, quantity
@@ -82,7 +82,7 @@ class Measured(Result):
     def fills_outline(self) -> bool:
         """Whether it is as wide as its base and twice as high as its mass centre."""
         twice = 2.0 * self.positive.centre_height
-        return self.overhangs == (0.0, 0.0) and abs(self.height - twice) <= SAME_BODY * twice
+        return self.overhangs == (0.0, 0.0) and self.height == twice
 
     @property
     def symmetric(self) -> bool:
@@ -172,8 +172,6 @@ def description_of(block: Measured) -> Description:
         facts.append(Fact("height_m", block.height))
     if not block.fills_outline:
         facts.append(Fact("mass_centre_height_m", positive.centre_height))
-    if block.parts:
-        facts.append(Fact("parts", block.parts))
     if not alike and not block.one_sided:
         facts.append(Fact("negative", negative.to_dict()))
     return Description(headline=f"{size}, alpha {alphas}, restitution {restitutions}", facts=facts)

@@ -144,7 +144,7 @@ class Block(Measured):
         factor = self.housner_factor
         if factor is not None:
             Impacts.of(("housner", factor))  # refuses what is none
-        # Kept where none was given, so that another mass centre leaves the block as high.
+        # Kept where none was given: a block whose mass centre is replaced stays as high.
         outline = outline_around(self.positive.centre_height, self.outline)
         object.__setattr__(self, "outline", outline)
         if self.cap is not None:
@@ -165,8 +165,8 @@ class Block(Measured):
     def __eq__(self, other: object) -> bool:
         """Return whether the other is a block that moves alike in the same outline.
 
-        An outline moves nothing, but the top of a higher block moves further: results of blocks
-        that are equal are the same in every number.
+        The outline does not enter the motion, but the top of a higher block moves further: equal
+        blocks have results that are equal in every number.
         """
         return isinstance(other, Block) and self._identity == other._identity
 
@@ -359,7 +359,7 @@ class Block(Measured):
         alpha
             Slenderness [rad].
         height
-            Full height [m], which moves nothing; default twice the height of the mass centre.
+            Full height [m], of the outline alone; default twice the height of the mass centre.
         restitution
             A ratio of angular velocities in (0, 1]; "housner" (default) for
             1 - 2 (M R^2 / I_0) sin^2 alpha, from angular momentum about the new pivot;

@@ -81,7 +81,7 @@ class Cap:
         Raises
         ------
         ModelError
-            If they are not, or would have a negative moment of inertia.
+            If they are not, or a column would have a negative moment of inertia.
         """
         if not alike:
             raise ModelError(
@@ -91,12 +91,13 @@ class Cap:
                 "that are alike",
                 "give such a column, and take its capped(...)",
             )
-        inertia = (1.0 + 2.0 * self.cap_mass_ratio) * gravity / (side.p * side.p * side.radius)
-        if inertia < (1.0 + 4.0 * self.cap_mass_ratio) * (1.0 - SAME_BODY):
+        share = (1.0 + 2.0 * self.cap_mass_ratio) / (1.0 + 4.0 * self.cap_mass_ratio)
+        most = math.sqrt(share * gravity / side.radius)
+        if side.p > most * (1.0 + SAME_BODY):
             raise ModelError(
                 "p",
                 side.p,
-                "it is that of a frame, whose columns have an inertia",
+                f"columns without a moment of inertia would have {most:.10g} rad/s",
                 "give the column, and take its capped(...)",
             )
 

@@ -92,7 +92,7 @@ CONSTRUCTORS: dict[str, tuple[str, Callable[[], dict[str, float]]]] = {
 """The constructor of `Block` that makes each named block, and what returns its arguments."""
 
 PARTS = {"statue-on-plinth": "statue and plinth"}
-"""What is fixed to each other in those that are computed as one body."""
+"""Parts of the named blocks that consist of several and are computed as one body."""
 
 
 def constructor_of(name: object) -> tuple[str, dict[str, float]]:

@@ -21,8 +21,8 @@ OVERHANG = Bounds(0.0, 1e50, "[]", "give how far it reaches beyond the edge in m
 class Outline:
     """The rectangle around a block as it stands.
 
-    It moves nothing: it sets how far the block's top moves, which gap a neighbour needs, and where
-    a wall behind the block is struck (`Block.against_wall`).
+    It does not enter the equation of motion: it sets how far the block's top moves and which gap a
+    neighbour needs.
 
     Parameters
     ----------
@@ -56,7 +56,8 @@ class Outline:
 def outline_around(centre_height: float, given: Outline | None) -> Outline:
     """Return the outline of a block, by default twice as high as its mass centre [m].
 
-    A height that is given as so much is that, but for rounding: blocks made in two ways are equal.
+    A given height that differs from this by rounding alone becomes it, so that blocks made in two
+    ways are equal.
 
     Raises
     ------

@@ -101,7 +101,7 @@ def under(side: Side, gravity: float, cap_mass_ratio: float) -> Side:
     if before is not None and side.cap_mass_ratio != cap_mass_ratio:
         raise ModelError(
             "cap",
-            Words("is another than its sides have their p from"),
+            Words("is not the one that the p of its sides is for"),
             "a cap sets the p and the restitution of its columns",
             "give the column, as Block.rectangle(...), and take its capped(...)",
         )

@@ -67,6 +67,12 @@ def test_the_outline_of_an_object_is_that_of_its_block() -> None:
     ballasted = tall.block_of(tall.body.with_share(0.5, 0.05))
     assert ballasted.positive.centre_height == pytest.approx((0.6 + 0.5 * 0.05) / 1.5)
     assert ballasted.height == 1.9
+    high = made(
+        {**SIZES, "mass_centre_height_m": 1.7}
+    )  # a change of the mass centre passes the top
+    assert high.block_of(high.body.with_centre(1.1)).height == pytest.approx(1.87)
+    frame = made({**SIZES, "columns": 4, "cap_mass_ratio": 1.0})
+    assert frame.block_of(frame.body.with_centre(1.1)).height == pytest.approx(1.98)
     wider = low.block_of(low.body.wider(1.1))
     assert wider.width + sum(wider.overhangs) == pytest.approx(0.32)
     vase = {"mass_kg": 1.0, "mass_centre_height_m": 2.4}
