@@ -146,7 +146,7 @@ BY_HAND = {
     "alpha_0 g/FC": 482.4 / 2304.0 / 1.2,
     "a0": 482.4 * 708.0 * 9936.0 / 2304.0**3 / 1.2,
     "min a0": 482.4 * 708.0 * 7992.0 / 2304.0**3 / 1.2,
-    "The runs move from": 212.4 / 2304.0 / 1.2,
+    "it moves from": 212.4 / 2304.0 / 1.2,
 }
 """[m] and [g]: weights 648 + 60 = 708 kN, M = 648 x .3 + 60 x .3 = 212.4 kN m, with the tie 482.4.
 
@@ -187,7 +187,7 @@ def test_a_number_behind_a_name_is_the_one_that_the_name_defines() -> None:
         ("activation a0 (3), mass spread", "a0"),
         ("a0, mass at the centres", "min a0"),
         ("capacity of the linear checks", "min a0"),
-        ("activation acceleration of the runs, with FC", "The runs move from"),
+        ("activation acceleration of the runs, with FC", "it moves from"),
     ):
         assert facts[label] == f"{BY_HAND[name]:.3g} g"
     assert facts["displacement of zero capacity d0"] == "398 mm"
@@ -202,7 +202,7 @@ def test_json_has_each_number_under_the_name_that_defines_it() -> None:
     values = check_facade(LOOSE, ground, runs=runs([[0.1, 0.3]] * 7, facade=LOOSE)).to_dict()
     for key, name in (
         ("d0_m", "d0"), ("d_slv_m", "d_SLV"), ("d_slc_m", "d_SLC"), ("uplift_g", "alpha_0 g"),
-        ("a0_g", "a0"), ("a0_lumped_g", "min a0"), ("run_activation_g", "The runs move from"),
+        ("a0_g", "a0"), ("a0_lumped_g", "min a0"), ("run_activation_g", "it moves from"),
     ):  # fmt: skip
         assert values[key] == pytest.approx(BY_HAND[name], rel=1e-12), key
     bare = BY_HAND["a0"] * 212.4 / 482.4

@@ -43,9 +43,9 @@ TEMPLATES: Final[Mapping[str, str]] = {
     "rigid_runs": "The runs take the element as rigid: its elastic vibration is not in them.",
     "gable_top": "The gable is checked as bound to what stands behind it: a top that is free to "
     "vibrate has one_sided = false.",
-    "uplift": "The facade lifts at alpha_0 g = {0} g. The runs move from {1} g on: FC divides the "
-    "strength, and what holds the facade and is not verified up to collapse is left out. The "
-    "capacity curve of the rigid facade begins at a0 = {2} g.",
+    "uplift": "The facade lifts at alpha_0 g = {0} g. In the runs it moves from {1} g on: FC "
+    "divides the strength, and what holds it and is not verified up to collapse is left out. "
+    "The capacity curve of the rigid facade begins at a0 = {2} g.",
     "in_line": "With loads, ties, thrusts or pushing masses the equivalent block is accurate to "
     "the order of theta^2; it is exact where all masses lie in line with the hinge.",
 }
