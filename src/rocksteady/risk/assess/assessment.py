@@ -262,7 +262,8 @@ class Assessment(Result):
     @property
     def scope_words(self) -> str:
         """Which published formulas stand beside the answer, and a kind that chooses none."""
-        kind, words = self.described.given.kind, self.screens.scope_words
+        kind = self.described.given.kind
+        words = f"Published formulas, {': '.join(self.screens.scope)}."
         if self.screens.kind is not None or kind == "other":
             return words
         return f"Kind {kind!r} chooses no formulas; {', '.join(KINDS)} do. {words}"

@@ -27,12 +27,12 @@ def asce_row(case: Case) -> Screen:
         ("period at alpha", longest, "s"),
     ]
     spectrum = spectrum_of(demand.spectrum, demand.spectrum_damping)
-    if spectrum is None:
-        what = "its damping" if demand.spectrum is not None else "a spectrum with its damping"
-        key = "spectrum_damping" if demand.spectrum is not None else "spectrum, spectrum_damping"
-        return _row(case, None, verdict=f"needs {what}", needs=key, details=constants)
-    if ratio is None:
+    if spectrum is None or ratio is None:
         what, key = "a PGA or SA_V/SA_H", "pga_g or sa_v_per_sa_h"
+        if demand.spectrum is None:
+            what, key = "a spectrum with its damping", "spectrum, spectrum_damping"
+        elif spectrum is None:
+            what, key = "its damping", "spectrum_damping"
         return _row(case, None, verdict=f"needs {what}", needs=key, details=constants)
     constants += [("SA_V/SA_H", ratio, ""), ("F_v", body.vertical_factor, "")]
     chain, how = spectrum.at_damping(body.damping, longest)

@@ -72,7 +72,7 @@ class Screens(Result):
     def governing(self) -> Screen | None:
         """The row made for the kind of object; None where there is none."""
         first = self.rows[0]
-        return None if self.kind is None or first.made_for == ANY_BLOCK else first
+        return None if first.made_for == ANY_BLOCK else first
 
     @property
     def undecided(self) -> bool:
@@ -87,11 +87,6 @@ class Screens(Result):
             words = "rows of all kinds are shown, and those for any block counted"
             return "kind", f"none of {', '.join(KINDS)} is stated: {words}"
         return f"not for a {self.kind}", ", ".join(row.name for row in self.left_out)
-
-    @property
-    def scope_words(self) -> str:
-        """The scope in a sentence."""
-        return f"Published formulas, {': '.join(self.scope)}."
 
     def row(self, name: str) -> Screen:
         """Return the row of a name.
