@@ -204,7 +204,7 @@ def tabulated(table: object, damping: Any, *, shown: object = None) -> Tabulated
             "spectrum_damping",
             damping,
             f"the spectrum has {columns} column{'s' * (columns > 1)} of Sa",
-            "give a damping for each, as 0.05",
+            "give one for each, as 0.05, or 0.02, 0.05 for two",
         )
     hint = "give 0.05 for 5 % of critical"
     values = [in_range("spectrum_damping", each, 0.0, 1.0, "()", hint=hint) for each in dampings]
@@ -230,15 +230,13 @@ def spectrum_of(spectrum: object, damping: object) -> Spectrum | None:
 
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)"
-_WORD = r"(?<![a-z])(?:damping|damped|smorzamento|zeta|xi|ζ|ξ)(?![a-z])"
-_KIND = r"[\s_]|\b(?:of|critical|viscous|equivalent|structural|di|del|al|ratio|is)\b"
-_END = r"(?!\.?[a-z\d]|\s*(?:g|s|m|cm|hz|in|years?)\b)"
-_JOIN = r"(?:\s*[,;/]\s*|\s+and\s+|\s+)"
-_NEXT = rf"{_JOIN}(?>{_NUMBER}(?:\s*%)?){_END}(?!\s*(?!of\b|and\b|critical)[a-z])"
-_PARTS = rf"(?<![a-z\d.])(?:{_NUMBER}\s*%{_JOIN})*(?:{_NUMBER}\s*%|0?\.\d+)"
+_WORD = r"(?<![a-z])(?:damping|damped|smorzamento|zeta|xi(?=\s*=)|ζ|ξ)(?![a-z])"
+_KIND = r"[\s_]|\b(?:of|critical|viscous|viscoso|del|ratio)\b"
+_ONE = rf"(?>{_NUMBER}(?:\s*%)?)(?!\.?[a-z\d]|\s*(?:g|s|m|cm|hz|in|years?)\b)"
+_NEXT = rf"(?:\s*[,;/]\s*|\s+and\s+|\s+){_ONE}(?!\s*(?!of\b|and\b|critical)[a-z])"
 STATEMENTS = (
-    rf"{_WORD}(?>(?:[=:()\[\]%]|{_KIND})*)(?>{_NUMBER}(?:\s*%)?){_END}(?:{_NEXT})*",
-    rf"{_PARTS}-?(?>(?:{_KIND})*){_WORD}",
+    rf"{_WORD}(?:[=:()\[\]%]|{_KIND})*{_ONE}(?:{_NEXT})*",
+    rf"(?<![a-z\d.])(?:{_NUMBER}\s*%|0?\.\d+)-?(?:{_KIND})*{_WORD}",
 )
 """A comment's dampings with numbers beside the word: ``damping 2 %, 5 %``, or ``5 %-damped``."""
 WHOLE_NUMBERS = re.compile(r"\d+(,\d+){2,},?")
@@ -256,15 +254,10 @@ def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
 
     Lines that begin with # and lines of names at the top are comments.  A number beside the word
     in one of them, as ``damping 0.05``, ``zeta = 5 %`` or ``5 %-damped``, is the damping; several
-    are those of the columns in turn.  1 and above are per cent.
+    after the word are those of the columns in turn.  1 and above are per cent.
 
-    Parameters
-    ----------
-    path
-        The file.
-    damping
-        What is returned as the damping; None (default) for the `HeaderDamping` of the file, or
-        None where it states none.
+    A damping that is given is returned as it is, and the header not read; without one it is the
+    `HeaderDamping` of the file, None where it states none.
 
     Raises
     ------
@@ -290,7 +283,8 @@ def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
             if rows and not text.startswith("#"):
                 valid = f"line {number} is no row of numbers"
                 raise InputError("spectrum", path, valid, SHAPE_HINT) from None
-            comments[number] = re.sub(r"per\s?cent\w?", "%", text.lower())
+            text = re.sub(r"(?<![\d.])0,(?=\d)", "0.", text.lower())
+            comments[number] = re.sub(r"-?(per\s?cent\w?|pct\.?)", "%", text)
             continue
         if "." not in text and re.search(r"\d,\d", text) and re.search(r"\d[;\s]+\d", text):
             valid = f"line {number} has decimal commas"
@@ -303,7 +297,9 @@ def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
             rows.append(row)
     if not rows:
         raise InputError("spectrum", path, "it has no rows of numbers", SHAPE_HINT)
-    return np.array(rows), _header_damping(path, comments) if damping is None else damping
+    if damping is None:
+        damping = _header_damping(path, comments, len(rows[0]) - 1)
+    return np.array(rows), damping
 
 
 def _refuse_commas(path: Path, lines: list[str]) -> None:
@@ -316,13 +312,13 @@ def _refuse_commas(path: Path, lines: list[str]) -> None:
         raise InputError("spectrum", path, valid, hint)
 
 
-def _header_damping(path: Path, comments: dict[int, str]) -> HeaderDamping | None:
+def _header_damping(path: Path, comments: dict[int, str], columns: int) -> HeaderDamping | None:
     """Return the dampings that comments state by their lines; None where they name none.
 
     Raises
     ------
     InputError
-        If they state two different ones, or name a damping without a number beside it.
+        If they state two different ones or not one a column, or name one without its number.
     """
     lines: dict[tuple[float, ...], int] = {}
     unclear = 0
@@ -334,11 +330,13 @@ def _header_damping(path: Path, comments: dict[int, str]) -> HeaderDamping | Non
             lines[tuple(round(share * each, 12) for each in values)] = number
         if not statements and re.search(_WORD, text):
             unclear = number
-    if len(lines) > 1 or (unclear and not lines):
-        number = max(lines.values(), default=unclear)
+    reason = "names a damping and has no number beside the word" if unclear and not lines else ""
+    if len(lines) > 1:
         reason = "states a second damping"
-        if not lines:
-            reason = "names a damping and has no number beside the word"
-        hint = "write one, as # damping 5 %, or state it apart from the file"
-        raise InputError("spectrum", path, f"line {number} {reason}", hint)
+    elif lines and (count := len(*lines)) != columns:
+        reason = f"states {plural(count, 'damping')} for {plural(columns, 'column')} of Sa"
+    if reason:
+        number = max(lines.values(), default=unclear)
+        hint = "write # damping 5 %, for two columns # damping 2 %, 5 %, or state it apart"
+        raise InputError("spectrum", path, f"line {number} {reason}", f"{hint} from the file")
     return HeaderDamping(*lines) if lines else None
