@@ -298,7 +298,7 @@ def test_a_kick_at_the_begin_of_the_range_is_the_least_searched() -> None:
     text = " ".join(found.summary().split())
     assert "The least kick that fells it is 1.5 alpha g/p, the least searched." in text
     assert "the other way -1.5 alpha g/p, the least searched" in text
-    assert "both ways, from 1.5 alpha g/p to 4 alpha g/p" in text
+    assert "from 1.5 alpha g/p to 4 alpha g/p, both ways" in text
     wider = find_fatal_kicks(DimensionlessBlock(restitution=0.9), within=(0.9, 4.0))
     assert "least searched" not in wider.summary()
 

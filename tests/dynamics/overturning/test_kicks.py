@@ -88,6 +88,13 @@ def test_a_block_beyond_its_balance_falls_without_a_kick() -> None:
     assert len(kicks.intervals(1)) == 2
 
 
+@every("block", [BARE, LEANING, LEANING.against_wall(0.5)])
+def test_an_answer_says_once_that_both_directions_were_searched(
+    block: Block | DimensionlessBlock,
+) -> None:
+    assert find_fatal_kicks(block, model=Linear()).summary().count("both ways") == 1
+
+
 @every("block", [BARE, BLOCK, LEANING])
 @every("angle", [1.0, 1.01])
 def test_a_block_at_its_balance_waits_for_a_kick_of_any_size(

@@ -244,7 +244,7 @@ class FatalKicks(WindowLists):
                 return quantity(time / self.block.p, "s")
             return f"pt {number(time)}"
 
-        searched = f"both ways, {self._range_text}{self._missing}"
+        searched = f"{self._range_text}{self._missing}"
         facts = [self._undecided, ("searched", solved_text(searched, self.block)), self._computed]
         if math.isnan(self._smallest):
             return Answer("It stands after every kick searched.", facts)
