@@ -2,7 +2,7 @@
 
 import functools
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.lowering import only_side, segment_table
+from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning.scan import MANY, MOST, Fates, scan
 from rocksteady.dynamics.overturning.window_cells import (
@@ -19,6 +19,7 @@ from rocksteady.dynamics.overturning.window_cells import (
     MOST_WINDOWS,
     follow,
     keep,
+    lifts_of,
     nothing_found,
     uplifts_of,
 )
@@ -57,12 +58,11 @@ def windows_at(
     floor: Floor | None = None,
 ) -> dict[str, NDArray[Any]]:
     """Return the windows at some frequencies."""
-    table, _ = _tables(block, model, pulse)
-    uplifts: Sequence[float] = uplifts_of(sides)
+    table, uplifts = _table(block, model, pulse), list(uplifts_of(sides))
     lines, quick = table, sides
     if isinstance(model, Nonlinear) and len(table) > MOST_LINES and floor is None:
         tolerance = max(ROUGH, pulse.tolerance)
-        lines, _ = _tables(block, model, replace(pulse, tolerance=tolerance))
+        lines = _table(block, model, replace(pulse, tolerance=tolerance))
         quick = sides.copy()
         quick[:, LEFT_OUT] = np.maximum(sides[:, LEFT_OUT], ROUGH_LEFT_OUT)
     windows_found = nothing_found(len(frequency_ratio))
@@ -70,8 +70,8 @@ def windows_at(
         speed = ratio
         if floor is not None:
             moved = replace(pulse, frequency_ratio=ratio)
-            (table, uplifts), speed = _on_floor(floor, block, model, sides, moved), 1.0
-            lines = table
+            (table, ends), speed = _on_floor(floor, block, model, moved), 1.0
+            lines, uplifts = table, lifts_of(ends, sides)
         exact, rough = (
             functools.partial(
                 follow if floor is None else _uncounted, ratio=speed, table=rows, sides=lanes
@@ -104,16 +104,14 @@ def _uncounted(amplitude: Floats, **how: Any) -> Fates:
 
 
 def _on_floor(
-    floor: Floor, block: Block | DimensionlessBlock, model: Model, sides: Floats, pulse: Pulse
-) -> tuple[Floats, list[float]]:
-    """Return the segments of a floor, and the amplitudes of its pulse at which a side lifts."""
+    floor: Floor, block: Block | DimensionlessBlock, model: Model, pulse: Pulse
+) -> tuple[Floats, Floats]:
+    """Return the segments of a floor, and the accelerations at their ends over alpha g."""
     assert isinstance(block, Block)
     moved: Any = floor.motion(pulse, block)
-    table, _ = _tables(block, model, moved)
-    lines, sign = segments_of(moved)[:-1], only_side(sides)  # 0 where both sides are free
+    lines = segments_of(moved)[:-1]
     ends = [a for p in lines for a in (p.constant, p.constant + p.slope * p.duration)]
-    peak = max(sign * end if sign else abs(end) for end in ends)
-    return table, [uplift / peak for uplift in uplifts_of(sides)]
+    return _table(block, model, moved), np.array(ends)
 
 
 def least_lift(
@@ -125,26 +123,23 @@ def least_lift(
 ) -> float:
     """Return the least amplitude of the ground's pulse, either way, at which a side lifts."""
     sides = sides_of(block, model)
-    pulses = [replace(pulse, frequency_ratio=ratio) for ratio in ratios]
-    ways = [(each, lanes) for each in pulses for lanes in (sides, sides[::-1].copy())]
-    return min(min(_on_floor(floor, block, model, lanes, each)[1]) for each, lanes in ways)
+    pulses = (replace(pulse, frequency_ratio=ratio) for ratio in ratios)
+    floors = (_on_floor(floor, block, model, each)[1] for each in pulses)
+    return min(min(lifts_of(np.append(ends, -ends), sides)) for ends in floors)
 
 
 def load_kernel(block: Block | DimensionlessBlock, model: Model, pulse: Pulse) -> None:
     """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
-    table, sides = _tables(block, model, pulse)
-    follow(np.empty(0), ratio=1.0, table=table, sides=sides)
+    table = _table(block, model, pulse)
+    follow(np.empty(0), ratio=1.0, table=table, sides=sides_of(block, model))
 
 
 @lru_cache(maxsize=8)
-def _tables(
-    block: Block | DimensionlessBlock, model: Model, pulse: Pulse | Piecewise
-) -> tuple[Floats, Floats]:
-    """Return the segments of a pulse, without the still base after it, and the block's sides."""
-    sides = sides_of(block, model)
+def _table(block: Block | DimensionlessBlock, model: Model, pulse: Pulse | Piecewise) -> Floats:
+    """Return the segments of a pulse, without the still base after it."""
     if isinstance(model, Linear):
-        return np.ascontiguousarray(segment_table(pulse)[:-1]), sides
+        return np.ascontiguousarray(segment_table(pulse)[:-1])
     table = np.ascontiguousarray(nonlinear_segment_table(pulse, block)[:-1])
     # A ceiling ends a march that is lost before it lies; the margin needs its speed then.
     table[:, CEILING] = math.inf
-    return table, sides
+    return table

@@ -94,6 +94,13 @@ def uplifts_of(sides: Floats) -> tuple[float, float]:
     return (first, first) if side > 0 else (second, second)
 
 
+def lifts_of(accelerations: Floats, sides: Floats) -> list[float]:
+    """Return the factors of accelerations over alpha g at which either side lifts."""
+    sign = only_side(sides)
+    peak = float((sign * accelerations if sign else np.abs(accelerations)).max())
+    return [uplift / peak if peak > 0.0 else np.inf for uplift in uplifts_of(sides)]
+
+
 def nothing_found(
     count: int, most: int = MOST_WINDOWS, lying: int = MOST_WINDOWS
 ) -> dict[str, NDArray[Any]]:

@@ -114,9 +114,7 @@ class WindowLists(Result):
     @property
     def opposite_governs(self) -> NDArray[np.bool_]:
         """Whether the reversed motion overturns the block at less, shape (rows,)."""
-        smaller: NDArray[np.bool_] = (self.opposite == self.governing) & (
-            self.first != self.governing
-        )
+        smaller: NDArray[np.bool_] = self.governing < np.nan_to_num(self.first, nan=math.inf)
         return smaller
 
     @property
@@ -212,7 +210,7 @@ class WindowLists(Result):
 
     def _with_other_way(self, write: Callable[[float], str], answer: Answer) -> Answer:
         """Return the answer of a single row with the least of the reversed motion."""
-        if not self._two_ways or math.isnan(self.governing[0]):
+        if not self._two_ways:
             return answer
         least = float(self.opposite[0])
         words = "stands" if math.isnan(least) else f"falls {self._first_at(least, write)}"

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.lowering import only_side, segment_table
+from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning.scan import MANY, scan
 from rocksteady.dynamics.overturning.window_cells import (
@@ -18,10 +18,10 @@ from rocksteady.dynamics.overturning.window_cells import (
     follow,
     keep,
     kept_windows,
+    lifts_of,
     nothing_found,
     outputs,
     search_both_ways,
-    uplifts_of,
 )
 from rocksteady.dynamics.overturning.window_lists import (
     NO_WINDOW,
@@ -478,7 +478,6 @@ def _windows_of(
     windows_found |= {"share": np.zeros(len(record)), "top": np.full(len(record), high)}
     for cell, ground in enumerate(record):
         table = _table(block, model, ground)
-        lifts = _drive(ground.record, only_side(sides)) / block.uplift_acceleration
         end = max(min(high, _largest_scale(table)), low)
         windows_found["top"][cell] = end
         if end == low:
@@ -494,7 +493,7 @@ def _windows_of(
             low,
             end,
             resolution,
-            uplifts=[uplift / lifts for uplift in uplifts_of(sides)] if lifts else (2.0 * end,),
+            uplifts=lifts_of(ground.record.acceleration_m_s2 / block.uplift_acceleration, sides),
             keep=KEPT,
             closest=0.0 if isinstance(model, Linear) else CLOSEST,
             most=round(MOST * max(1.0, RESOLUTION / resolution)),
@@ -503,13 +502,6 @@ def _windows_of(
         keep(windows_found, cell, windows._replace(impacts=windows.impacts - MANY), KEPT, LYING)
         windows_found["share"][cell] = log(windows.high / windows.low).sum() / log(end / low)
     return windows_found
-
-
-def _drive(record: Record, sign: int) -> float:
-    """Return the largest acceleration towards the one side, or either (0) [m/s^2]."""
-    if sign:
-        return max(float((sign * record.acceleration_m_s2).max()), 0.0)
-    return abs(record.peak_acceleration_m_s2)
 
 
 def _table(block: Block, model: Model, ground: GroundShaking) -> Floats:
