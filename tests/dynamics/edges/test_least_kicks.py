@@ -129,6 +129,10 @@ def check(case: Case, tried: int) -> EdgeState:
     assert edge.kick is not None
     assert edge.opposite is not None
     assert abs(edge.kick) <= abs(edge.opposite)
+    if edge.saddle is None:
+        assert (edge.kind == "lost") is (edge.periods < 200)
+        ending = "could not be followed beyond" if edge.kind == "lost" else "does not repeat in"
+        assert f"{ending} {edge.periods} periods" in str(edge.describe().answer)
     # A fractal border has ever narrower windows beside its end.
     wider = np.geomspace(1e-12, 1e-3, 60) if edge.fractal else np.array([1e-7])
     parts = np.concatenate([np.linspace(0.0, 1.0 - 1e-7, tried), 1.0 + wider])
@@ -136,6 +140,9 @@ def check(case: Case, tried: int) -> EdgeState:
     fell = falls(case, kicks.ravel()).reshape(2, -1)
     assert fell[:, tried:].any(axis=1).all()
     assert edge.fractal or not fell[:, :tried].any()
+    if edge.width is not None:
+        inside = abs(edge.kick) + edge.width * np.array([0.2, 0.5, 0.8])
+        assert falls(case, case.unit * math.copysign(1.0, edge.kick) * inside).any()
     for missed in kicks[:, :tried][fell[:, :tried]].tolist():
         assert edge.resolution is not None
         near = np.linspace(-1.0, 1.0, 401) * edge.resolution * case.unit

@@ -37,9 +37,10 @@ MOST_KICK = 4.0
 MEANING = {
     "hilltop": "On the edge the block balances about its upright position and has no impact.",
     "orbit": "On the edge the block rocks for ever in an unstable orbit.",
+    "lost": "On the edge the block could not be followed: one of the two motions beside it falls.",
     "aperiodic": (
-        "The tracked motion has not repeated: the edge is fractal with a chaotic motion in it, or "
-        "the motion is slow. More periods, or other states, decide."
+        "On the edge the motion has not repeated: the edge is fractal with a chaotic motion in it, "
+        "or the motion is slow. More periods, or other states, decide."
     ),
 }
 
@@ -55,9 +56,10 @@ class EdgeState(Result):
         Block and base motion; the phase of `motion` is that of `start`, `other`, `boundary` and of
         the tracked states, in [0, 2 pi).
     kind
-        "hilltop" or "orbit" for a saddle of that kind; "aperiodic" without one.
+        "hilltop" or "orbit" for a saddle of that kind; "aperiodic" where the tracked motion does
+        not repeat, "lost" where it could not be followed.
     saddle
-        `HilltopSaddle` or `Orbit`, found by Newton's method; None where it is aperiodic.
+        `HilltopSaddle` or `Orbit`, found by Newton's method; None without one.
     start, other
         The states between which the border was sought.
     attractors
@@ -74,6 +76,9 @@ class EdgeState(Result):
     fractal
         Whether smaller steps of the kick find more borders, so that `kick` is the least one found;
         None where `other` was given.
+    width
+        Width of the window of fatal kicks that begins at `kick`, to 1 % [alpha g/p]; None where the
+        border is not fractal in that direction.
     resolution
         Step of the sizes up to twice the least [alpha g/p]: narrower windows of fatal kicks may be
         missed.
@@ -102,6 +107,7 @@ class EdgeState(Result):
     kick: float | None
     opposite: float | None
     fractal: bool | None
+    width: float | None
     resolution: float | None
     angle: Floats
     velocity: Floats
@@ -120,13 +126,6 @@ class EdgeState(Result):
         """The least fatal kick [m/s]; nan of a dimensionless block, or where there is none."""
         return kick_m_s(self.block, self.kick)
 
-    @property
-    def direction(self) -> str | None:
-        """Signs of kicks that were searched: "both", "+" or "-"; None where `other` is given."""
-        if self.kick is None or self.opposite is not None:
-            return None if self.kick is None else "both"
-        return "+" if self.kick > 0.0 else "-"
-
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per tracked state: periods since the boundary, angle and velocity."""
         import pandas as pd
@@ -137,7 +136,7 @@ class EdgeState(Result):
     def describe(self) -> Description:
         """Return what the edge state is, what it parts, and how it was tracked."""
         saddle = self.saddle
-        words = {"hilltop": "hilltop saddle", "aperiodic": "aperiodic"}.get(self.kind, "")
+        words = "hilltop saddle" if self.kind == "hilltop" else self.kind
         if isinstance(saddle, Orbit):
             words = f"unstable orbit of {plural(saddle.period, 'period')}"
         multipliers = None if saddle is None else multipliers_value(saddle.multipliers)
@@ -165,8 +164,8 @@ class EdgeState(Result):
             Fact("least_kick_m_s", number_or_none(self.kick_m_s)),
             Fact("opposite_kick", self.opposite, *self._other_way(MORE_DIGITS)),
             Fact("opposite_kick_m_s", number_or_none(kick_m_s(self.block, self.opposite))),
-            Fact("direction", self.direction),
             Fact("fractal", self.fractal),
+            Fact("width", self.width),
             Fact("resolution", self.resolution, *self._searched),
             Fact("start_state", _pair(self.start), "start", _text(self.start)),
             Fact("other_state", _pair(self.other), "other", _text(self.other)),
@@ -197,10 +196,10 @@ class EdgeState(Result):
             kind = sign * (self.opposite is None) + "kick" + " found" * bool(self.fractal)
             size = kick_text(self.block, self.kick)
             words = f"from {start} the least {kind} that makes it fall is {size}"
-        sentence = f"{words[0].upper()}{words[1:]}."
+        sentence, periods = f"{words[0].upper()}{words[1:]}.", plural(self.periods, "period")
         if self.saddle is None:
-            sentence = f"Undecided on the edge, which does not repeat; {words}."
-        periods = plural(self.periods, "period")
+            ending = "could not be followed beyond" if self.kind == "lost" else "does not repeat in"
+            sentence = f"Undecided on the edge, which {ending} {periods}; {words}."
         pair = None if self.saddle is None else multipliers_text(self.saddle.multipliers)
         leaves = f"{number(math.exp(self.exponent))}-fold a period"
         meaning = MEANING[self.kind].split(": ")[0].split(". ")[0].removesuffix(".")
@@ -226,8 +225,10 @@ class EdgeState(Result):
     @property
     def _searched(self) -> tuple[str, str]:
         """The resolution, as a fact, where smaller kicks may be fatal."""
-        step = number(self.resolution or 0.0)
-        text = f"in steps of {step} alpha g/p; fractal: smaller ones may fell it, larger not"
+        text = f"in steps of {number(self.resolution or 0.0)} alpha g/p; fractal: smaller kicks "
+        text += "may fell it, and larger ones may not"
+        if self.width is not None:
+            text += f"; the window it begins is {number(self.width, 2)} wide"
         return "searched", text * bool(self.fractal)
 
 

@@ -220,7 +220,7 @@ def find_edge_state(
     return EdgeState(
         block=block,
         motion=replace(shaken, phase=phase),
-        kind=_kind(tracked.saddle),
+        kind=_kind(tracked.saddle, lost=len(tracked.states) <= limits["max_periods"]),
         saddle=tracked.saddle,
         start=State(angle=here[0], velocity=here[1]),
         other=State(angle=far[0], velocity=far[1]),
@@ -230,6 +230,7 @@ def find_edge_state(
         kick=size,
         opposite=kicks[1].kick if len(kicks) > 1 else None,
         fractal=any(each.fractal for each in kicks) if kicks else None,
+        width=kicks[0].width if kicks else None,
         resolution=RESOLUTION if kicks else None,
         angle=tracked.states[:, 0],
         velocity=tracked.states[:, 1],
@@ -409,9 +410,9 @@ def _distance(orbit: Orbit, point: Point, phase: float) -> float:
     return float(hypot(here.angle - point[0], here.velocity - point[1]).min())
 
 
-def _kind(saddle: Orbit | HilltopSaddle | None) -> str:
+def _kind(saddle: Orbit | HilltopSaddle | None, *, lost: bool) -> str:
     if saddle is None:
-        return "aperiodic"
+        return "lost" if lost else "aperiodic"
     return "hilltop" if isinstance(saddle, HilltopSaddle) else "orbit"
 
 
@@ -445,12 +446,15 @@ class _Fatal(NamedTuple):
         Sizes that enclose it: the block stands under the first; infinite where no kick is fatal.
     fractal
         Whether smaller steps find more borders.
+    width
+        Of the window that begins there; None where it is not fractal.
     """
 
     sign: int
     low: float
     high: float
-    fractal: bool
+    fractal: bool = False
+    width: float | None = None
 
     @property
     def kick(self) -> float:
@@ -484,12 +488,13 @@ def _fatal(flow: Flow, point: Point, phase: float, sign: int, cycles: int) -> _F
     if coarse[0]:
         raise _no_edge("overturns without a kick")
     if not first:
-        return _Fatal(sign, math.inf, math.inf, fractal=False)
+        return _Fatal(sign, math.inf, math.inf)
     twice = min(2 * first, KICKS)
     sizes = np.linspace(0.0, sizes[twice], FINER * twice + 1)
     fine = falls(sizes)
     fractal = _borders(fine) > _borders(coarse[: twice + 1])
     first = int(np.argmax(fine))
+    stands = float(sizes[first + np.argmin(fine[first:])])
     for _ in range(ZOOMS if fractal else 0):  # narrower windows lead to the least
         begin = max(float(sizes[first]) - KICKS / ZOOM * float(sizes[1] - sizes[0]), 0.0)
         sizes = np.linspace(begin, sizes[first], KICKS + 1)
@@ -502,7 +507,10 @@ def _fatal(flow: Flow, point: Point, phase: float, sign: int, cycles: int) -> _F
         state = _kicked(flow.sides, point, sign * middle)
         fatal = flow.carried(*state, phase, phase + TURN * cycles).fallen
         low, high = (low, middle) if fatal else (middle, high)
-    return _Fatal(sign, low, high, fractal)
+    if not fractal:
+        return _Fatal(sign, low, high)
+    wider = np.geomspace(CLOSE, stands - high, KICKS)
+    return _Fatal(sign, low, high, fractal, float(wider[np.argmin(falls(high + wider))]))
 
 
 def _borders(falls: NDArray[np.bool_]) -> int:

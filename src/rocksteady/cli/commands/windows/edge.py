@@ -121,6 +121,7 @@ def edge(
         after={
             **start.values(edge_state.motion.phase),
             "cycles": cycles,
+            "direction": None if other else direction or "both",
             **({"manifolds": [curve.to_dict() for curve in curves]} if manifolds else {}),
         },
         also=[curve.describe() for curve in curves],
