@@ -42,7 +42,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import side_value, whole_number
 from rocksteady.model.equations import ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.outcomes import Status
+from rocksteady.outcomes import BALANCED, Status
 
 Point = tuple[float, float]
 TURN = 2.0 * math.pi
@@ -507,6 +507,8 @@ def _fatal(flow: Flow, point: Point, phase: float, sign: int, cycles: int) -> _F
         state = _kicked(flow.sides, point, sign * middle)
         fatal = flow.carried(*state, phase, phase + TURN * cycles).fallen
         low, high = (low, middle) if fatal else (middle, high)
+    if not low:
+        raise _no_edge(BALANCED)
     if not fractal:
         return _Fatal(sign, low, high)
     wider = np.geomspace(CLOSE, stands - high, KICKS)

@@ -114,6 +114,8 @@ def test_the_answer_between_two_starts_is_a_state_of_the_edge() -> None:
         ("-A .6 -W 2 -r .9 --one-sided --direction -", "stands under every negative kick", True),
         (f"{ASYMMETRIC} -A .9 -W 1.7 --model linear", "overturns without a kick", False),
         ("-A .6 -W 2 -r .9 --start 1.2,0.3", "overturns without a kick", False),
+        ("-A 0 -W 2 -r .9 --start 1,0", "any disturbance decides", False),
+        ("-A 0 -W 2 -r .9 --start -1,0 --model linear", "any disturbance decides", False),
     ],
 )
 def test_a_start_without_an_edge_has_its_reason(flags: str, reason: str, *, both: bool) -> None:
