@@ -37,8 +37,6 @@ EXACT = ("frequency_ratio", "freq_hz", "pga_g", "pgv_m_s", "top")
 """Keys of a row whose values are given, not searched."""
 LEFT = ("left_out", "left_out_width", "undecided", "unsettled")
 """Fields on amplitudes that a search leaves out, undecided or unsettled."""
-ROUNDED = 1.0 + 1e-9
-"""Factor above the beginning of a search within which a fall is at the beginning."""
 OTHER_WAY = "the other way"
 """Mark of an amplitude of the reversed motion."""
 NO_WINDOW = {"interval": [math.nan, math.nan], "impacts": -1, "side": 0, "endless": False}
@@ -221,7 +219,7 @@ class WindowLists(Result):
 
     def _least(self, size: float) -> str:
         """Return a mark where a block falls at the beginning of the search already."""
-        return ", the least searched" * (size <= self.within[0] * ROUNDED)
+        return ", the least searched" * (size <= self.within[0])
 
     def _first_at(self, size: float, write: Callable[[float], str]) -> str:
         """Return the size from which a block falls in words."""
