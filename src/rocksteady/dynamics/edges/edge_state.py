@@ -228,7 +228,7 @@ class EdgeState(Result):
         text = f"in steps of {number(self.resolution or 0.0)} alpha g/p; fractal: smaller kicks "
         text += "may fell it, and larger ones may not"
         if self.width is not None:
-            text += f"; the window it begins is {number(self.width, 2)} wide"
+            text += f"; this window is {number(self.width, 2)} wide"
         return "searched", text * bool(self.fractal)
 
 
