@@ -8,7 +8,8 @@ import pytest
 from rocksteady import Block, Linear, Nonlinear, Pulse, Status, find_overturning_windows, simulate
 from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.overturning._cases import _tables
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
+from rocksteady.dynamics.overturning._cases import _table
 from rocksteady.dynamics.overturning.window_cells import follow
 from rocksteady.formulas import overturning_amplitude
 from rocksteady.model.equations import Model
@@ -94,7 +95,8 @@ def test_fates_over_frequency_and_amplitude_are_those_of_the_package(
     for given, found in zip(asked, in_node(ASK % ("pulse", "pulseFates"), asked), strict=True):
         block, pulse = block_of(given), Pulse(shape=given["shape"], amplitude=1, frequency_ratio=1)
         body = block if nonlinear else block.dimensionless()
-        table, sides = _tables(body, MODELS[nonlinear], pulse)
+        model = MODELS[nonlinear]
+        table, sides = _table(body, model, pulse), sides_of(body, model)
         for first in range(0, 60, 20):
             part = slice(first, first + 20)
             amplitude = np.array(given["amplitudes"][part])
