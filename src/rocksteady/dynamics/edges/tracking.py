@@ -33,7 +33,7 @@ from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.return_map import harmonic, make_system
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.elementary.arrays import hypot, log
+from rocksteady.kernels.elementary.arrays import exp, hypot, log
 from rocksteady.kernels.orbits import periodic
 from rocksteady.kernels.orbits.return_map import Section
 from rocksteady.model.blocks.block import Block
@@ -511,7 +511,7 @@ def _fatal(flow: Flow, point: Point, phase: float, sign: int, cycles: int) -> _F
         raise _no_edge(BALANCED)
     if not fractal:
         return _Fatal(sign, low, high)
-    wider = np.geomspace(CLOSE, stands - high, KICKS)
+    wider = exp(np.linspace(log(CLOSE), log(stands - high), KICKS))
     return _Fatal(sign, low, high, fractal, float(wider[np.argmin(falls(high + wider))]))
 
 
