@@ -8,8 +8,6 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
-from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.model.motions.fourier import PeriodicMotion
 
 TOLERANCE = 1e-10
 """Default relative error that a motion may have."""
@@ -90,10 +88,6 @@ def as_model(name: str, value: Model | str | None) -> Model | None:
 ModelChoice = Annotated[Model | ModelName | None, as_model]
 """An argument: a model, its name, or None to have one chosen."""
 
-UNLIKE = "in the full equations it may end otherwise"
-LINEAR_NOTE = f"Computed in the linear model: {UNLIKE}."
-"""Of a block of known size whose outcome in the full equations was not computed."""
-
 
 class OfLinear:
     """What only the linear model has: a part of the classes of its results."""
@@ -104,11 +98,11 @@ class OfLinear:
         return Linear()
 
 
-def chosen_model(model: object, block: Block | DimensionlessBlock, motion: object = None) -> Model:
-    """Return the equations of motion that hold, chosen where none are given.
+def chosen_model(model: object, block: Block | DimensionlessBlock) -> Model:
+    """Return the equations of motion that hold for a block, chosen where none are given.
 
-    Nonlinear for a `Block`, linear for a `DimensionlessBlock` and for harmonic shaking without a
-    vertical component, whose closed forms are linear.
+    The full ones for a `Block`, whose slenderness is known, and the linear ones for a
+    `DimensionlessBlock`: the one rule of every function and command.
 
     Parameters
     ----------
@@ -116,8 +110,6 @@ def chosen_model(model: object, block: Block | DimensionlessBlock, motion: objec
         What was given: `Linear`, `Nonlinear` or None.
     block
         The block.
-    motion
-        The base motion; None for harmonic shaking of whatever size.
 
     Raises
     ------
@@ -127,10 +119,7 @@ def chosen_model(model: object, block: Block | DimensionlessBlock, motion: objec
         If the nonlinear model meets a block without slenderness.
     """
     if model is None:
-        if isinstance(motion, BaseMotion) and motion.vertical is None:
-            motion = motion.horizontal
-        harmonic = motion is None or isinstance(motion, PeriodicMotion)
-        return Linear() if harmonic or not isinstance(block, Block) else Nonlinear()
+        return Nonlinear() if isinstance(block, Block) else Linear()
     if isinstance(model, Linear):
         return model
     if not isinstance(model, Nonlinear):
@@ -138,16 +127,6 @@ def chosen_model(model: object, block: Block | DimensionlessBlock, motion: objec
         raise InputError("model", model, valid, 'give "linear" or "nonlinear"')
     slender_block(block)
     return model
-
-
-def needs_full_equations(block: object, motion: object, model: Model) -> bool:
-    """Return whether an answer names the outcome in the full equations beside its own.
-
-    It does where a block of known size meets endless shaking in the linear model, the default
-    there: its closed forms are exact for slender blocks, and others may end otherwise.
-    """
-    endless = isinstance(motion, PeriodicMotion)
-    return endless and isinstance(block, Block) and isinstance(model, Linear)
 
 
 def slender_block(block: Block | DimensionlessBlock) -> Block:

@@ -48,7 +48,7 @@ def attractor(
         "Periods of the shaking after which a motion counts as aperiodic or undecided.",
         default=2000,
     ),
-    model: str | None = options.model(default="linear"),
+    model: str | None = options.model(),
 ) -> None:
     """Run `rocksteady attractor`; `HELP` is what its users read."""
     output.check()
@@ -71,12 +71,10 @@ def attractor(
         )
     output.write_csv(attractor.to_dataframe)
     output.write_plot(lambda page: figure_of(attractor, page))
-    further = (
-        "" if model == "nonlinear" else options.follow_up("basins", shaking, series, floor, block)
-    )
+    typed = f"--model {model}" if model else ""
+    further = options.follow_up("basins", shaking, series, floor, block, typed)
     if attractor.reason.endswith("follow more cycles"):
-        longer = "--model nonlinear" if model == "nonlinear" else ""
-        longer = f"{longer} --cycles {10 * cycles}".strip()
+        longer = f"{typed} --cycles {10 * cycles}".strip()
         further = options.follow_up("attractor", shaking, series, floor, block, start, longer)
     output.leave(
         "attractor",

@@ -98,7 +98,7 @@ def bifurcate(
     top: float | None = options.output_flag(
         "--top U", "Upper end of the axis of angles of --plot, in units of alpha."
     ),
-    model: str | None = options.model(default="linear"),
+    model: str | None = options.model(),
 ) -> None:
     """Run `rocksteady bifurcate`; `HELP` is what its users read."""
     output.check()
@@ -172,7 +172,7 @@ def bifurcate(
         f"--max-impacts {max_impacts}" if max_impacts != MOST_IMPACTS else "",
         f"--max-branches {max_branches}" if max_branches != MOST_BRANCHES else "",
         f"--cycles {cycles}" if cycles != CYCLES else "",
-        "--model nonlinear" if model == "nonlinear" else "",
+        f"--model {model}" if model else "",
     ]
     further = options.follow_up("bifurcate", shaking, series, floor, block, start, *flags)
     output.leave(

@@ -67,7 +67,7 @@ def curves(
     max_curves: int = curve_flag(
         "--max-curves N", "Largest number of curves.", default=MOST_CURVES
     ),
-    model: str | None = options.model(default="linear"),
+    model: str | None = options.model(),
 ) -> None:
     """Run `rocksteady curves`; `HELP` is what its users read."""
     output.check()
@@ -121,7 +121,7 @@ def curves(
         f"--max-impacts {max_impacts}" if max_impacts != MOST_IMPACTS else "",
         f"--max-branches {max_branches}" if max_branches != MOST_BRANCHES else "",
         f"--max-curves {max_curves}" if max_curves != MOST_CURVES else "",
-        "--model nonlinear" if model == "nonlinear" else "",
+        f"--model {model}" if model else "",
     ]
     further = options.follow_up("curves", shaking, block, *asked, "--plot curves.png")
     output.leave(

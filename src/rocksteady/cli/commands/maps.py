@@ -74,7 +74,7 @@ def maps(
         "Colour the cells of --plot by class (default), period, lyapunov (exponent per "
         "forcing period) or peak (of the angle over alpha); with --fate by class alone.",
     ),
-    model: str | None = options.model(default="linear"),
+    model: str | None = options.model(),
 ) -> None:
     """Run `rocksteady map`; `HELP` is what its users read."""
     sweep.check(output)
@@ -133,7 +133,7 @@ def maps(
     chosen = [
         "--fate" if fate else "",
         "" if cycles is None else f"--cycles {cycles}",
-        "--model nonlinear" if model == "nonlinear" else "",
+        f"--model {model}" if model else "",
         "" if refine is None else f"--refine {refine}",
         "" if sweep.out is None else f"--out {quoted(sweep.out)} --resume",
     ]

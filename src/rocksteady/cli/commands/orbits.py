@@ -56,7 +56,7 @@ def orbits(
         "The search starts from N x N states; more find more, and take longer.",
         default=96,
     ),
-    model: str | None = options.model(default="linear"),
+    model: str | None = options.model(),
 ) -> None:
     """Run `rocksteady orbits`; `HELP` is what its users read."""
     output.check()
@@ -75,7 +75,7 @@ def orbits(
     (table,) = description.tables
     output.write_csv(lambda: framed(table.rows, body, "number"))
     output.write_plot(lambda page: orbits_figure(listed, description.headline, page))
-    chosen = "--model nonlinear" if model == "nonlinear" else ""
+    chosen = f"--model {model}" if model else ""
     further = options.follow_up(
         "attractor", shaking, series, floor, block, chosen, *_start_of(listed, motion.phase)
     )

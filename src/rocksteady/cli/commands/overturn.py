@@ -158,7 +158,7 @@ def overturn(
         _refuse("a search without --record", {"--scales": scales})
         recorded.given(reading, pulse=pulse.given, on_floor=pulse.given)
         body = block.described()
-        equations = equations_for(model, body, Still())
+        equations = equations_for(model, body)
         # The flags of the frequency are those of every shaking; its size is a range here.
         size = ShakingFlags(amplitude="1", frequency_ratio=frequency_ratio, freq_hz=freq_hz)
         ratios = sorted(set(size.of(body)[1]))
@@ -265,7 +265,7 @@ def _of_scales(
     from rocksteady.show.figures.single import fatal_figure
 
     body, motions, read = _motions(recorded, suite, reading, block)
-    how: dict[str, Any] = {"model": equations_for(model, body, motions[0])}
+    how: dict[str, Any] = {"model": equations_for(model, body)}
     how["within"] = None if scales is None else _two_ends("--scales", scales)
     return Search(
         find=partial(find_overturning_scales, body, motions, resolution=resolution, **how),
@@ -327,7 +327,7 @@ def _of_kicks(
             start=Rest() if start == "rest" else state_from(start, None),
             motion=motion,
             times_pt=[time * rate for time in times],
-            model=equations_for(model, body, motion),
+            model=equations_for(model, body),
         ),
         words="searching kicks",
         cells=2 * len(times),

@@ -129,7 +129,7 @@ def simulate(
     if isinstance(motion, Still):
         refuse_without_shaking("--cycles", cycles)
     refuse_long_table(samples, cycles if output.csv is not None else None)
-    equations = equations_for(model, body, motion, tolerance)
+    equations = equations_for(model, body, tolerance)
 
     from rocksteady.dynamics.history.simulate import simulate as run
 
@@ -196,8 +196,7 @@ def with_neighbours(
     mass_kg
         Mass of the block, for the force on its base; without one there is none.
     """
-    from rocksteady.dynamics.history.neighbours import check_neighbours, full_run
-    from rocksteady.model.equations import LINEAR_NOTE
+    from rocksteady.dynamics.history.neighbours import check_neighbours
 
     description = trajectory.describe(mass_kg=mass_kg)
     facts, remarks, answer = [*description.facts], [*description.notes], description.answer
@@ -208,20 +207,6 @@ def with_neighbours(
         facts.append(neighbours.fact)
         remarks = [*neighbours.notes, *remarks]
         answer = neighbours.answer
-    full = full_run(trajectory)
-    facts.append(full)
-    if full.value is not None:
-        remarks = [remark for remark in remarks if remark != LINEAR_NOTE]
-        if answer is not None and isinstance(trajectory.block, Block):
-            computed = ("computed", trajectory.model.name)  # its caveat is the fact before it
-            given = [(full.label, full.text), *answer.facts[:-1], computed]
-            answer = replace(answer, facts=given)
-            falls = trajectory.status is Status.OVERTURNED
-            time, end = full.value["overturn_time_s"], trajectory.end_time_pt / trajectory.block.p
-            if falls if time is None else not falls and time <= end:
-                verb = "falls" if time is not None else "does not fall"
-                words = f"{answer.sentence[:-1]}, but {verb} in the full equations."
-                answer = replace(answer, sentence=words)
     for key, lines in notes.items():
         label = key.partition("_")[0] if lines else ""
         facts.append(Fact(key, lines, label, "\n".join(lines)))

@@ -1,7 +1,6 @@
 """`rocksteady steady`: symmetric steady states in closed form, at a point or along axes."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console.refusals import refuse, require
@@ -11,10 +10,7 @@ from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.record_files import FloorFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.equations import Linear
 from rocksteady.model.facts import amplitude_text, frequency_text
-from rocksteady.model.motions.segments import Harmonic
-from rocksteady.results.description import Fact
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
 if TYPE_CHECKING:
@@ -91,11 +87,6 @@ def steady(
     description = states.describe()
     if states.region.size == 1:
         output.write_plot(lambda page: point_figure(states, page))
-        full = full_equations_of(states, body)
-        answer = description.answer
-        if answer is not None and full.value is not None:
-            answer = replace(answer, facts=[(full.label, full.text), *answer.facts])
-        description = replace(description, facts=[*description.facts, full], answer=answer)
         further = options.follow_up("attractor", shaking, floor, block, *_start_of(states))
     else:
         output.write_plot(lambda page: curves_figure(body, amplitudes, ratios, orders, page))
@@ -114,22 +105,6 @@ def _start_of(states: "SteadyStates") -> list[str]:
     if point["order"] == 1 or not branches:
         return []
     return ["--start steady" + (":2" if branches[0] == 2 else ""), f"-n {point['order']}"]
-
-
-def full_equations_of(states: "SteadyStates", body: Block | DimensionlessBlock) -> Fact:
-    """Return what the full equations settle to from rest and from each stable solution."""
-    from rocksteady.dynamics.history.start import HasStart, ImpactState, Rest, Start
-    from rocksteady.dynamics.orbits.attractor import full_outcomes
-
-    point = states.to_dict()
-    starts: dict[str, Start | HasStart] = {"from rest:": Rest()}
-    starts |= {
-        f"from branch {s['branch']}:": ImpactState(side=1, phase=s["phase"], speed=s["velocity"])
-        for s in point.get("solutions", ())
-        if s["stable"]
-    }
-    motion = Harmonic(amplitude=point["amplitude"], frequency_ratio=point["frequency_ratio"])
-    return full_outcomes(body, motion, Linear(), starts)
 
 
 def point_figure(states: "SteadyStates", page: "Page") -> Any:

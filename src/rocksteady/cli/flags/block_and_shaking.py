@@ -476,10 +476,9 @@ class BlockFlags:
 def equations_for(
     model: str | None,
     body: Block | DimensionlessBlock,
-    motion: object = None,
     tolerance: float | None = None,
 ) -> Model:
-    """Return the equations of motion of --model and --tolerance, for a block and its base motion.
+    """Return the equations of motion of --model and --tolerance for a block.
 
     Raises
     ------
@@ -494,8 +493,7 @@ def equations_for(
             "the full equations need the block's slenderness",
             "give the block, as --alpha-rad 0.3 --radius-m 1 or --width-m 0.4 --height-m 1.2",
         )
-    name = chosen_model(None, body, motion).name if model is None else model
-    return named_model(name, tolerance)
+    return named_model(chosen_model(None, body).name if model is None else model, tolerance)
 
 
 def named_model(name: str, tolerance: float | None = None) -> Model:

@@ -143,9 +143,8 @@ FLAG_OF_ARGUMENT = {name: "--" + name.replace("_", "-") for name in NAMESAKES.sp
 model = partial(
     block_flag,
     "--model NAME",
-    "Choose the equations of motion: linear (slender blocks, in closed form) or nonlinear "
-    "(the full equations, which need a block). Default: nonlinear for a block under a pulse or "
-    "a record, or rocking freely; else linear.",
+    "Choose the equations of motion: nonlinear, the full ones (default for a block of known "
+    "slenderness), or linear, those of slender blocks (default for one given by -r alone).",
 )
 tolerance = partial(
     block_flag, "--tolerance X", "Set the relative error of the nonlinear motion; default 1e-10."

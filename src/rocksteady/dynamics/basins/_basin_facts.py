@@ -41,7 +41,6 @@ def basins_described(basins: Any) -> Description:
         *(Fact(key, value) for key, value in values.items()),
         Fact("phase", motion.phase),
         Fact("model", basins.model.name, "model"),
-        basins._full_equations,
         Fact("", label="states", text=f"{basins.label.size:,} of {window_text(basins)}"),
         Fact("cycles", basins.max_cycles, "followed for", f"{basins.max_cycles} periods at most"),
         Fact("seed", basins.seed, "seed" if drawn else ""),

@@ -56,13 +56,11 @@ def basins_answer(basins: Any) -> Answer:
     left = pairs[MOST_BASINS:]
     total = sum(share for _, share in left)
     beyond = sum(each.orbit is not None and beyond_alpha(each.orbit) for each in basins.attractors)
-    full = basins._full_equations
     settle = "without loss motions do not settle" if basins.block.lossless else LONGER
     facts = [
         ("undecided", settle if basins.undecided else ""),
         *rows,
         left_out(len(left), f"{100.0 * total:.1f} %"),
-        (full.label or "full equations", full.text),
         ("beyond alpha", f"{plural(beyond, 'motion')}: {BEYOND}" if beyond else ""),
         ("starts", f"{basins.label.size:,}: {_window(basins)}"),
         ("computed", f"{basins.model.name}; at most {basins.max_cycles} periods"),

@@ -35,8 +35,8 @@ from rocksteady.dynamics.basins.window import (
 )
 from rocksteady.dynamics.batch.attractors import batch_size
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
-from rocksteady.dynamics.history.start import HasStart, Rest, Start, State
-from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS, full_outcomes
+from rocksteady.dynamics.history.start import State
+from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -141,20 +141,6 @@ class Basins(Result):
         An orbit of n forcing periods is at n points, a block at rest at one; others at none.
         """
         return tuple(states_at_phase(attractor, self.motion) for attractor in self.attractors)
-
-    @cached_property
-    def _full_equations(self) -> Fact:
-        """What the full equations settle to from rest and from each periodic attractor.
-
-        Of a `Block` in the linear model, the default here; else without a value.
-        """
-        starts: dict[str, Start | HasStart] = {"from rest:": Rest()}
-        starts |= {
-            f"from {attractor.name}:": attractor.orbit
-            for attractor in self.attractors
-            if attractor.orbit is not None
-        }
-        return full_outcomes(self.block, self.motion, self.model, starts)
 
     def fractions(self, confidence: Confidence = CONFIDENCE) -> tuple[BasinShare, ...]:
         """Return the share of each basin in the window, with Wilson's score interval.

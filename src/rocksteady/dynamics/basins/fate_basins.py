@@ -359,7 +359,7 @@ def compute_fate_basins(
     >>> print(f"{basins.global_integrity:.3f}")
     0.779
     """
-    chosen = chosen_model(model, block, motion)
+    chosen = chosen_model(model, block)
     sides = sides_of(block, chosen)
     table = finite_table(motion, block, chosen, time_pt=time_pt)
     axes = window_axes(block, angles, velocities, _reaches(table, sides))

@@ -5,7 +5,6 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.equations import UNLIKE, needs_full_equations
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
@@ -30,7 +29,6 @@ def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
         Words of its facts by their JSON keys.
     """
     falls = run.status is Status.OVERTURNED
-    unlike = needs_full_equations(run.block, run.motion, run.model)
     tilt = words.get("peak") or " and ".join(
         words[key] for key in ("peak, left edge", "peak, right edge")
     )
@@ -48,7 +46,7 @@ def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
         ("lifts at", lifts),
         ("friction needed", f"{friction}, or it slides" if friction else ""),
         (GIVEN, run.block.describe().headline),
-        ("computed", run.model.name + (f"; {UNLIKE}" if unlike else "")),
+        ("computed", run.model.name),
     ]
     return Answer(f"{sentence(run)}.", facts)
 

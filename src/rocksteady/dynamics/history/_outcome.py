@@ -9,7 +9,6 @@ from rocksteady.dynamics.history._physical import Physical
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import LINEAR_NOTE, needs_full_equations
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import BALANCED, Status
@@ -61,8 +60,6 @@ def description_of(run: Described, mass_kg: float | None = None) -> Description:
             f"A small difference grows {words}: rounding decides how the run goes on, and another "
             "way of computing it may end otherwise."
         )
-    if needs_full_equations(run.block, run.motion, run.model):
-        notes.insert(0, LINEAR_NOTE)
     motion = motion_text(run.block, run.motion, run.vertical)
     words = f"{outcome(run)}: {run.block.describe().headline} on {motion}"
     texts = {fact.key or fact.label: fact.text for fact in facts}

@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from rocksteady.dynamics.history._answer import sentence
-from rocksteady.dynamics.history._outcome import peak_words
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import Rest, Start, State
 from rocksteady.dynamics.history.trajectory import Trajectory
@@ -15,7 +14,7 @@ from rocksteady.kernels.elementary.arrays import cos
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Side, body_p
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.equations import Model, Nonlinear, needs_full_equations
+from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record
@@ -32,8 +31,6 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, number, quantity
 from rocksteady.results.result import Result
 
-LEAST, LONGEST = 50, 1000
-"""Periods of the base motion over which the full equations are followed: at least, at most."""
 SCALES = (0.95, 1.0, 1.05)
 """Of the horizontal motion."""
 
@@ -366,34 +363,3 @@ def _start_of(body: Block, block: Block, start: Start) -> Start:
         return start
     size = block.alpha / body.alpha
     return State(angle=size * start.angle, velocity=size * (block.p / body.p) * start.velocity)
-
-
-def full_run(run: Trajectory) -> Fact:
-    """Return the fact of how the same start ends in the full equations.
-
-    Its value is None where these were computed, or the block has no known size.
-    """
-    block, motion = run.block, run.motion
-    if not needs_full_equations(block, motion, run.model):
-        return Fact("full_equations")
-    assert isinstance(block, Block)
-    assert isinstance(motion, PeriodicMotion)
-    first = run(0.0)
-    start = State(angle=float(first.angle), velocity=float(first.velocity))
-    periods = run.end_time_pt * motion.frequency_ratio / (2.0 * math.pi)
-    full = simulate(
-        block,
-        motion,
-        start=run.start if isinstance(run.start, Rest) else start,
-        cycles=min(max(periods, LEAST), LONGEST),
-        model=Nonlinear(),
-    )
-    values = {
-        "status": full.status.label,
-        "peak": full.peak,
-        "overturn_time_s": full.overturn_time_s,
-    }
-    words = sentence(full).removeprefix("It ")
-    if full.status is not Status.OVERTURNED and full.peak:
-        words += f", tilt up to {peak_words(full.peak, block.alpha if block.symmetric else None)}"
-    return Fact("full_equations", values, "full equations", words)

@@ -115,7 +115,7 @@ def simulate(
     >>> print(f"{run.peak:.6f}")
     0.183552
     """
-    equations = chosen_model(model, block, motion)
+    equations = chosen_model(model, block)
     base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
     across, vertical = base.horizontal, base.vertical
     bare = block.dimensionless()

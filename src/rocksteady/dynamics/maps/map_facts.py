@@ -7,7 +7,6 @@ from rocksteady.dynamics.maps.cell_classes import map_counts
 from rocksteady.dynamics.parameters import AXES
 from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.blocks.housner_forms import ratio_words
-from rocksteady.model.equations import LINEAR_NOTE, UNLIKE
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, plural, quantity, share
@@ -60,8 +59,6 @@ def describe(dataset: "Labelled") -> Description:
         facts.append(Fact("subharmonic_counts", longer))
         parts = ", ".join(f"{count:,} {kind}" for kind, count in longer.items())
         notes.append(f"subharmonic: of period 2 or longer, {parts}")
-    if _model(dataset) == "linear" and "alpha" in dataset.attrs:
-        notes.append(LINEAR_NOTE)
     table = count_table(counts, cells=cells, heading=name)
     answer = _answer(dataset, counts, longer, cells)
     return Description(headline(dataset), facts, [table], notes, answer)
@@ -95,7 +92,6 @@ def _answer(
         for word, count in moving.items()
         if count and word != "rocking"
     ]
-    linear = _model(dataset) == "linear" and "alpha" in given
     restitution = f"{ratio_words(given['restitution'])}, " if "restitution" in given else ""
     model = f"{_model(dataset)}; {restitution}{_cycles(dataset):,} periods at most"
     missing = [
@@ -114,7 +110,6 @@ def _answer(
             ("rocks", ", ".join(kinds)),
             ("left out", "; ".join(missing)),
             ("stands on", str(given.get("floor", ""))),
-            ("linear model", UNLIKE if linear else ""),
             ("computed", model),
         ],
     )

@@ -334,7 +334,7 @@ def compute_noise_fates(
     >>> print(fates.overturned)
     [[ 0  1 14 23]]
     """
-    chosen = chosen_model(model, block, motion)
+    chosen = chosen_model(model, block)
     begun = start_without_phase(start)
     moved = _axes(axes)
     hint = "give a number of realisations, as 100"

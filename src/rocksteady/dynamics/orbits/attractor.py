@@ -1,15 +1,13 @@
 """Attractor of a block under periodic shaking: its long-term motion."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.history.neighbours import LONGEST
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import (
@@ -38,7 +36,6 @@ from rocksteady.dynamics.orbits.return_map import (
     periodic_motion,
     state_of,
 )
-from rocksteady.errors import ModelError
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.kernels.orbits import settle as kernel
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
@@ -55,9 +52,7 @@ from rocksteady.model.equations import (
     ModelChoice,
     Nonlinear,
     chosen_model,
-    needs_full_equations,
 )
-from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import framed
 from rocksteady.outcomes import AttractorKind
@@ -172,14 +167,6 @@ class Attractor(Result):
     state: ImpactState | None
     initial: Start = field(default_factory=Rest)
     model: Model = field(default_factory=Linear)
-
-    @cached_property
-    def _full_equations(self) -> Fact:
-        """What the full equations settle to from the same start, within 1000 periods of the base.
-
-        Of a `Block` in the linear model, the default here; else without a value.
-        """
-        return full_outcomes(self.block, self.motion, self.model, {"start": self.initial})
 
     @property
     def period(self) -> int | None:
@@ -322,7 +309,6 @@ class Attractor(Result):
                 Fact("growth", self.growth),
                 Fact("", label="start", text=start_text(self.initial)),
                 *case_facts(self.block, self.motion, self.model),
-                self._full_equations,
             ],
             notes=notes,
             answer=attractor_answer(self, rounded=ROUNDED),
@@ -443,49 +429,3 @@ def _reason(end: kernel.Settled, block: DimensionlessBlock) -> str:
         f"{start}, and a Lyapunov exponent of {end.lyapunov:.2g} a period, too small or too "
         "unsteady for chaos: follow more cycles"
     )
-
-
-def full_outcomes(
-    block: Block | DimensionlessBlock,
-    motion: PeriodicMotion,
-    model: Model,
-    starts: Mapping[str, Start | HasStart],
-) -> Fact:
-    """Return the fact of what the full equations settle to from each start.
-
-    Parameters
-    ----------
-    block, motion, model
-        The case, and the equations in which it was computed.
-    starts
-        Where to begin, by name; the name of a single one is not shown.
-    """
-    if not (starts and needs_full_equations(block, motion, model)):
-        return Fact("full_equations")
-    outcomes = {name: _outcome(block, motion, start) for name, start in starts.items()}
-    rows = [{"start": name, **values} for name, (values, _) in outcomes.items()]
-    names: dict[str, list[str]] = {}
-    for name, (_, text) in outcomes.items():
-        names.setdefault(text, []).append(name.removeprefix("from ").rstrip(":"))
-    words = [f"from {', '.join(starts)}: {text}" for text, starts in names.items()]
-    if len(outcomes) == 1:
-        words = list(names)
-    return Fact("full_equations", rows, "full equations", "; ".join(words))
-
-
-def _outcome(
-    block: Block | DimensionlessBlock, motion: PeriodicMotion, start: Start | HasStart
-) -> tuple[dict[str, Any], str]:
-    """Return what the full equations settle to, in values and in words."""
-    try:
-        full = find_attractor(block, motion, start=start, max_cycles=LONGEST, model=Nonlinear())
-    except ModelError:
-        return {"kind": None, "period": None, "peaks": None}, "have no such motion"
-    values = {"kind": full.kind.value, "period": full.period, "peaks": full.peaks}
-    if full.kind is AttractorKind.OVERTURNED:
-        return values, "falls"
-    if full.orbit is None:
-        return values, "comes to rest" if full.kind is AttractorKind.REST else full.kind.value
-    highest, lowest = (lean_text(block, u) for u in (full.orbit.highest, full.orbit.lowest))
-    reach = highest if full.orbit.symmetric else f"{lowest} to {highest}"
-    return values, f"{kind_text(full.kind.value, full.period)}, {reach}"

@@ -33,7 +33,6 @@ def attractor_answer(attractor: Any, *, rounded: float) -> Answer:
         Growth of small differences from which on a rounding may decide.
     """
     block, orbit, kind = attractor.block, attractor.orbit, attractor.kind
-    full = attractor._full_equations
     start = start_text(attractor.initial)
     shrinks, rate = "", attractor.lyapunov
     if orbit is not None:
@@ -48,7 +47,6 @@ def attractor_answer(attractor: Any, *, rounded: float) -> Answer:
         grown = f"differences grew 10^{tens}-fold on the way: a rounding may have chosen"
     known = plural(attractor.after, "period") if attractor.after else ""
     facts = [
-        (full.label or "full equations", full.text),
         ("rounding", grown),
         ("beyond alpha", BEYOND if orbit is not None and beyond_alpha(orbit) else ""),
         ("period", _period(orbit)),
@@ -106,7 +104,6 @@ def _period(orbit: Any) -> str:
 def orbits_answer(
     orbits: Sequence[Any],
     block: AnyBlock,
-    full: tuple[str, str],
     limits: dict[str, int],
     *,
     mirrors: bool,
@@ -119,8 +116,6 @@ def orbits_answer(
         As found.
     block
         The block.
-    full
-        Label and words of what the full equations settle to.
     limits
         max_period, max_impacts and seeds of the search.
     mirrors
@@ -148,7 +143,6 @@ def orbits_answer(
     facts = [
         *(aligned(rows) if ranked else ()),
         left_out(sum(left.values()), kinds),
-        full,
         (
             "beyond alpha",
             f"{plural(reaching, 'motion')}: no fall in the linear model" if reaching else "",

@@ -9,8 +9,7 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.departure import nonlinear_half
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
-from rocksteady.dynamics.history.start import ImpactState, Rest
-from rocksteady.dynamics.orbits.attractor import full_outcomes
+from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.orbit_answers import orbits_answer
 from rocksteady.dynamics.orbits.orbit_facts import case_facts, orbit_values, orbits_table, where
@@ -182,8 +181,6 @@ def describe_orbits(
     count = f"{plural(motions, 'periodic motion')} {reach}, {stable} stable"
     if motions < len(orbits):
         count += f"; {plural(len(orbits) - motions, 'inadmissible solution')}"
-    stable_ones = {f"from {k}:": orbit for k, orbit in enumerate(orbits, 1) if orbit.stable}
-    full = full_outcomes(block, motion, model, {"from rest:": Rest(), **stable_ones})
     return Description(
         f"Periodic motions: {where(block, motion, model)}",
         [
@@ -191,11 +188,10 @@ def describe_orbits(
             *(Fact(name, value) for name, value in limits.items()),
             *case_facts(block, motion, model),
             Fact("", label="found", text=count),
-            full,
         ],
         [orbits_table(orbits)],
         [f"{unit}{reminder} A search from {seeds} x {seeds} states may miss motions{images}"],
-        orbits_answer(orbits, block, (full.label, full.text), limits, mirrors=mirrors),
+        orbits_answer(orbits, block, limits, mirrors=mirrors),
     )
 
 

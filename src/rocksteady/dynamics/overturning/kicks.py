@@ -367,7 +367,7 @@ def find_fatal_kicks(
     """
     begun = start_without_phase(start)
     shaking: Motion | Record | BaseMotion = Still() if motion is None else motion
-    chosen = chosen_model(model, block, shaking)
+    chosen = chosen_model(model, block)
     hint = "give the lowest and the highest kick over alpha g/p, as (0.0, 4.0)"
     given = WITHIN if within is None else within
     low, high = rising("within", given, 0.0, MOST_KICK, hint=hint)

@@ -24,7 +24,6 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.model.motions.pulses import PULSE_RATIO
-from rocksteady.model.motions.segments import Still
 
 
 @checked
@@ -124,7 +123,7 @@ def overturning_impulse(block: Block, *, model: ModelChoice = None) -> float:
             "a velocity in m/s needs a block with sizes",
             "give a Block; in units of alpha g/p the impulse is 1",
         )
-    if isinstance(chosen_model(model, block, Still()), Linear):
+    if isinstance(chosen_model(model, block), Linear):
         return block.uplift_acceleration / block.p
     # 2 sin(alpha/2) is sqrt(2 (1 - cos alpha)), without its cancellation
     return block.gravity / block.p * 2.0 * sin(0.5 * block.alpha) / cos(block.alpha)

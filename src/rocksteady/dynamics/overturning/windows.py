@@ -399,7 +399,7 @@ def find_overturning_windows(
     bare = block.dimensionless()
     axis = _ratios(frequency_ratios)
     unit = _unit(pulse, axis.points)
-    chosen = chosen_model(model, block, unit)
+    chosen = chosen_model(model, block)
     # What counts of a block of the linear model is dimensionless.
     body = bare if isinstance(chosen, Linear) and floor is None else block
     if floor is not None and not isinstance(block, Block):
@@ -458,7 +458,7 @@ def lowest_of(
     ratios
         omega/p.
     """
-    equations = chosen_model(model, block, pulse)
+    equations = chosen_model(model, block)
     if floor is None:
         return min(*uplifts_of(sides_of(block, equations)), 1.0)
     return least_lift(floor, block, equations, replace(pulse, amplitude=1.0), ratios)

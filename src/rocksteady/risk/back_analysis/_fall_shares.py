@@ -205,11 +205,11 @@ def fall_shares(
     return np.stack([ahead, shares[:, places]], axis=2)
 
 
-def model_of(survey: Survey, grounds: Sequence[GroundShaking], model: ModelChoice) -> Model:
+def model_of(survey: Survey, model: ModelChoice) -> Model:
     """Return the equations of motion: the full ones by default."""
     first = survey.objects[0]
     body = first.blocks(first.draw(np.full((1, len(first.parameters)), 0.5)))[0]
-    return chosen_model(model, body, grounds[0].record)
+    return chosen_model(model, body)
 
 
 def _fates(

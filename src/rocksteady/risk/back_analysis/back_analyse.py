@@ -133,7 +133,7 @@ def back_analyse(
     at_one = np.array(
         [[compute_measure(ground.record.reference, each) for each in words] for ground in grounds]
     )
-    equations = model_of(survey, grounds, model)
+    equations = model_of(survey, model)
     draws = options.draws_of(len(survey))
     pools = draw_objects(survey, equations, count=max(POOL, draws), seed=options.seed)
     begun = time.perf_counter()

@@ -137,7 +137,7 @@ def forces_of_rocking(
     if not heavy:
         return values
     grounds = grounds_of(motions)
-    model = chosen_model(None, blocks[0], grounds[0].record)
+    model = chosen_model(None, blocks[0])
     bodies = [blocks[place] for place in heavy]
     # Blocks run fastest: those on one ground share its table.
     axes = (

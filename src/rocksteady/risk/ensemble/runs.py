@@ -173,7 +173,7 @@ def run_each(
     at, alike = np.array(rows), len(set(rows)) == 1
     at_one = levels[0].at_scale_one(records, blocks)
     scale = at[:, np.newaxis] / at_one[:, :, np.newaxis]
-    equations = chosen_model(model, blocks[0], records[0])
+    equations = chosen_model(model, blocks[0])
     used = grounds if "with" in lifts else [GroundShaking(record=record) for record in records]
     check_grounds(used, scale.max(axis=(0, 2)).tolist(), extremes_of(blocks), equations)
     # Of symmetric blocks alone one direction is the mirror image of the other.

@@ -13,7 +13,7 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.caps import conserving_pair
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
+from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.free_rocking._steps import Estimate, Steps, errors_of, estimate, solved
 from rocksteady.risk.free_rocking.release import Release
@@ -120,7 +120,7 @@ def fit_restitution(
             "are the same",
         )
     releases = _releases(peaks)
-    equations = Nonlinear() if model is None else chosen_model(model, block)
+    equations = chosen_model(model, block)
     rows, left_out = _rows(releases, block, equations)
     given = all(release.sigma_rad is not None for release in releases)
     pair = conserving_pair(block.positive, block.negative, block.gravity, block.cap)

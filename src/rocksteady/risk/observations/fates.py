@@ -152,7 +152,7 @@ def compute_test_fates(
     count = len(bodies[objects[0]])
     factors = _factors(1.0 if gains is None else gains, shaking, count)
     every = [block for several in bodies.values() for block in several]
-    equations = chosen_model(model, every[0], shaking[0].record)
+    equations = chosen_model(model, every[0])
     if isinstance(equations, Linear):
         _refuse_vertical(shaking)
     grounds, ground = _grounds(shaking)

@@ -155,7 +155,7 @@ def cells_of_many(
             for value in axis_values("pga_g", pga_g)
         ]
         factors = np.array(levels) * STANDARD_GRAVITY / peaks[:, np.newaxis]
-    equations = chosen_model(model, bodies[0], grounds[0].record)
+    equations = chosen_model(model, bodies[0])
     check_grounds(grounds, factors.max(axis=1).tolist(), extremes_of(bodies), equations)
     directions = chosen(reverse, DIRECTIONS)
     sign = {"as recorded": lambda ground: ground, "reversed": turned_round}

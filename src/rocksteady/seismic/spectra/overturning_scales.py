@@ -421,7 +421,7 @@ def find_overturning_scales(
     """
     grounds = grounds_of(motions)
     names = names_of(ground.record for ground in grounds)
-    chosen = chosen_model(model, block, grounds[0].record)
+    chosen = chosen_model(model, block)
     low, high = _range(WITHIN if within is None else within)
     part = RESOLUTION if resolution is None else resolution
     step = in_range("resolution", part, 1e-6, 0.1, "[]", hint="give a part, as 0.002")

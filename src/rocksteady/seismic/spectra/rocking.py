@@ -171,7 +171,7 @@ def spectrum_cells(
         for value in (min(slenderness), max(slenderness))
     )
     ratio = corner.restitution if factor is None else impact
-    equations = chosen_model(model, corner, grounds[0].record)
+    equations = chosen_model(model, corner)
     check_grounds(grounds, [max(factors)] * len(grounds), [corner], equations)
     axes = (
         Axis(

@@ -121,7 +121,7 @@ def explore(
             block=body,
             motion=motion,
             start=begin,
-            model=equations(model, body, motion),
+            model=equations(model, body),
             tab=tab,
             scene=scene,
             scale=single("--scale", recorded.scales),
@@ -179,9 +179,7 @@ def first_motion(
     return shaking.at(DimensionlessBlock(restitution=1.0) if body is None else body)
 
 
-def equations(
-    model: str | None, body: Block | DimensionlessBlock | None, motion: "Harmonic | None"
-) -> "Model | None":
+def equations(model: str | None, body: Block | DimensionlessBlock | None) -> "Model | None":
     """Return the equations of motion of --model; None where it is not given.
 
     Raises
@@ -191,7 +189,7 @@ def equations(
     """
     if model is None:
         return None
-    return named_model(model) if body is None else equations_for(model, body, motion)
+    return named_model(model) if body is None else equations_for(model, body)
 
 
 def in_flags(error: ModelError, block: BlockFlags, start: str) -> ModelError:

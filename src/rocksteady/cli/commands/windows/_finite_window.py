@@ -62,7 +62,7 @@ def leave_fates(
 ) -> None:
     """Compute the fates under a motion that ends, and write the output that the flags request."""
     moment, chosen = window.moment(body), window.axes
-    equations = equations_for(model, body, motion)
+    equations = equations_for(model, body)
     from rocksteady.dynamics.basins.basin_answers import FEW
     from rocksteady.dynamics.basins.fate_basins import compute_fate_basins
     from rocksteady.dynamics.basins.window import POINTS

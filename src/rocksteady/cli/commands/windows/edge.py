@@ -67,7 +67,7 @@ def edge(
         "Set the periods of the shaking after which a motion is taken to stand.",
         default=500,
     ),
-    model: str | None = options.model(default="linear"),
+    model: str | None = options.model(),
 ) -> None:
     """Run `rocksteady edge`; `HELP` is what its users read."""
     output.check()
@@ -111,7 +111,7 @@ def edge(
     chosen = [
         f"--other={other}" if other else "",
         f"--direction {direction}" if direction else "",
-        "--model nonlinear" if model == "nonlinear" else "",
+        f"--model {model}" if model else "",
     ]
     further = options.follow_up("edge", shaking, floor, block, start, *chosen)
     further = "" if output.plot else f"{further} --manifolds --plot edge.png"
