@@ -335,7 +335,7 @@ def compute_basins(
     seed
         With one, a state is drawn in each cell of the grid, instead of its middle.
     model
-        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
     run
         Executor, store and progress, as for `evaluate`.
 

@@ -346,7 +346,7 @@ def compute_erosion(
     cycles
         Forcing periods that a safe state stands (default 100).
     model
-        ``"linear"`` (default) or ``"nonlinear"``, a hundred times slower, for a `Block`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
     run
         Executor, store and progress, as for `evaluate`; the still base is cells too.
 

@@ -84,7 +84,7 @@ def find_bifurcations(
     search
         Which branches are followed, and for how long the sweeps wait; by default `BranchOptions()`.
     model
-        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
 
     Returns
     -------

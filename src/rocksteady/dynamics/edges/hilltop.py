@@ -223,7 +223,7 @@ def find_hilltop_saddles(
     motion
         Amplitude, frequency ratio and the phase at which the saddle's `start` is taken.
     model
-        ``"linear"`` (default) or ``"nonlinear"``, which needs the block's slenderness.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
 
     Returns
     -------

@@ -143,7 +143,7 @@ def find_edge_state(
     max_cycles
         Forcing periods after which a motion is taken to stand, or as undecided; default 500.
     model
-        ``"linear"`` (default) or ``"nonlinear"``, which needs the block's slenderness.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
 
     Returns
     -------

@@ -71,8 +71,8 @@ def simulate(
         Periods of endless harmonic shaking to follow, up to 1e15.  Motions that end are followed
         on a still base to rest or proven overturning; without loss (restitution 1) for p t = 1e4.
     model
-        ``"linear"``, of slender blocks, or ``"nonlinear"`` (`Nonlinear` has a tolerance), of a
-        `Block`.  By default nonlinear where a `Block` meets another motion than a `Harmonic`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.  `Nonlinear` takes a
+        tolerance.
     max_flights
         Flights after which the run ends, at rest where the bounces to come on a still base are
         proved to die out, else undecided; up to a hundred million, which fill 6.4 GB.
@@ -102,15 +102,14 @@ def simulate(
     >>> print(run.status.label, len(run.impacts), f"{run.peak:.6f}")
     rocking 20 0.185499
 
-    The full equations need the slenderness:
+    A `Block` moves by the full equations:
 
-    >>> from rocksteady import Block, Nonlinear
+    >>> from rocksteady import Block
     >>> run = simulate(
     ...     Block.from_p(alpha=0.2, p=2.0, restitution=0.8),
     ...     Harmonic(amplitude=2.0, frequency_ratio=4.0),
     ...     start=Steady(),
     ...     cycles=10,
-    ...     model=Nonlinear(),
     ... )
     >>> print(f"{run.peak:.6f}")
     0.183552

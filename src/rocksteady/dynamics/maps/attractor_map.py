@@ -74,7 +74,7 @@ def map_attractors(
         With a power of two, as 8, computes each eighth cell along an axis, and the others only near
         a border of kinds, periods or impacts.  Not with a store.
     model
-        ``"linear"`` (default) or ``"nonlinear"``, some forty times slower, for a `Block`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
     run
         Executor, store and progress, as for `evaluate`.
 

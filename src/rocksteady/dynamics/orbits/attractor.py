@@ -344,7 +344,7 @@ def find_attractor(
     max_cycles
         Forcing periods after which the motion counts as aperiodic or undecided.
     model
-        ``"linear"`` (default) or ``"nonlinear"``, which needs the block's slenderness.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
 
     Returns
     -------

@@ -72,7 +72,7 @@ class ReturnMap:
     motion
         Harmonic shaking or a Fourier series.  Its phase does not count: the states have theirs.
     model
-        ``"linear"`` (default) or ``"nonlinear"``.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
 
     Raises
     ------

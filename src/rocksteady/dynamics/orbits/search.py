@@ -92,8 +92,7 @@ def find_orbits(
         The search starts from ``seeds x seeds`` states: phases over a period, speeds up to
         1 + A/sqrt(1 + Omega^2), above which every flight of the linear model grows without bound.
     model
-        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block` and takes some thirty times
-        as long.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
 
     Returns
     -------

@@ -362,7 +362,7 @@ def find_overturning_windows(
     resolution
         Largest step of the first amplitudes, as a part of them (default 0.002).
     model
-        ``"linear"``, in closed form, or ``"nonlinear"``; by default nonlinear for a `Block`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
     floor
         A `rocksteady.motions.Floor` on which the block stands, a `Block`: at each frequency the
         motion is `floor_motion` of the pulse; amplitudes are those of the ground, by default from

@@ -13,7 +13,7 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.model.equations import Model, ModelChoice, Nonlinear, as_model
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
@@ -312,10 +312,11 @@ def run_facade(
         # Gravity is not scaled with the base: neither is what adds to it.
         up = None if ground.vertical is None else ground.vertical.scaled(factor)
         motions.append(across if up is None else BaseMotion(across, up))
-    equations = as_model("model", model) or Nonlinear()
+    block = mechanism.block()
+    equations = chosen_model(model, block)
     signs = DIRECTIONS if directions == "both" else (directions,)
     cells = cells_of_many(
-        mechanism.block(),
+        block,
         motions,
         reverse="both" if directions == "both" else directions == DIRECTIONS[1],
         model=equations,

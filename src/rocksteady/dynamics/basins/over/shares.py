@@ -262,7 +262,7 @@ def compute_basin_shares(
     matching
         Distance and threshold of the matching; by default `MatchingOptions()`.
     model
-        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
     run
         Executor, store and progress, as for `evaluate`.
 

@@ -83,7 +83,7 @@ def find_bifurcation_curves(
     search
         Which curves are followed; by default `CurveOptions()`.
     model
-        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
 
     Returns
     -------

@@ -169,7 +169,7 @@ def find_resting_branches(
     resolution
         Largest step, in units of the parameter; by default 1/200 of the range.
     model
-        ``"linear"`` (default) or ``"nonlinear"``, which needs a `Block`.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
 
     Raises
     ------
