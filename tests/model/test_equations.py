@@ -24,7 +24,7 @@ from rocksteady import (
 )
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import overturning_impulse
-from rocksteady.model.equations import chosen_model
+from rocksteady.model.equations import Model, chosen_model
 from rocksteady.motions import Impulses, Segment
 from rocksteady.orbits import ReturnMap
 from tests.every import every
@@ -43,7 +43,7 @@ ENDING = [
 
 
 @every("motion", ENDING)
-def test_the_full_equations_are_the_default_of_a_block_under_what_ends(motion: object) -> None:
+def test_the_full_equations_are_the_default_of_a_block(motion: object) -> None:
     start = State(angle=0.4, velocity=0.0)
     run = simulate(BLOCK, motion, start=start)  # type: ignore[arg-type]
     given = simulate(BLOCK, motion, start=start, model=Nonlinear())  # type: ignore[arg-type]
@@ -54,14 +54,13 @@ def test_the_full_equations_are_the_default_of_a_block_under_what_ends(motion: o
         assert simulate(BARE, motion, start=start)(0.5).angle == slender(0.5).angle  # type: ignore[arg-type]
 
 
-def test_the_linear_ones_are_the_default_of_harmonic_shaking() -> None:
-    run = simulate(BLOCK, SHAKING, cycles=5)
-    assert run.model == Linear()
-    assert run.peak == simulate(BARE, SHAKING, cycles=5).peak
-    assert find_attractor(BLOCK, SHAKING).model == ReturnMap(BLOCK, SHAKING).model == Linear()
-    assert {found.model for found in find_orbits(BLOCK, SHAKING, max_period=1, seeds=3)} == {
-        Linear()
-    }
+@every(("block", "model"), [(BLOCK, Nonlinear()), (BARE, Linear())])
+def test_orbits_and_what_a_motion_settles_to_choose_by_the_block(
+    block: Block | DimensionlessBlock, model: Model
+) -> None:
+    orbits = find_orbits(block, SHAKING, max_period=1, seeds=3)
+    assert {orbit.model for orbit in orbits} == {model}
+    assert find_attractor(block, SHAKING).model == ReturnMap(block, SHAKING).model == model
 
 
 def test_windows_spectra_and_impulses_choose_by_the_block() -> None:

@@ -126,7 +126,7 @@ def test_a_real_block_is_in_radians_and_seconds() -> None:
         (CHAOS, "It rocks on and never repeats: a small difference grows 1.46-fold a period."),
         (
             "attractor --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2",
-            "It settles to a symmetric steady motion, up to 1.61° (0.142 alpha).",
+            "It settles to a symmetric steady motion, up to 1.59° (0.14 alpha).",
         ),
     ],
 )

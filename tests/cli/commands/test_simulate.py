@@ -363,14 +363,6 @@ def test_the_answer_counts_time_in_periods_of_a_pulse() -> None:
     assert lines[-1] == "next: rocksteady overturn --pulse one-sine -W 3 -r 0.9"
 
 
-def test_the_answer_names_the_full_equations() -> None:
-    command = "simulate --width-m 0.5 --height-m 2 -A 2 -W 3 --cycles 0.5"
-    full = rocksteady(f"{command} --json").json["full_equations"]
-    text = rocksteady(command).out
-    assert f"falls {full['overturn_time_s']:.3g} s into the motion" in text
-    assert "but falls" not in text  # after the half period that was followed
-
-
 @every(("start", "words"), [("1.5,0", "It falls at once"), ("0.5,0", "It rests at pt ")])
 def test_the_answer_of_a_block_let_go_is_followed_by_a_kick(start: str, words: str) -> None:
     lines = rocksteady(f"simulate -r 0.9 --start {start}").out.splitlines()

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, Harmonic, Nonlinear, Steady, find_attractor, simulate
+from rocksteady import Block
 from rocksteady.dynamics.steady.regions import REGIONS
 from tests.cli.program import refused, rocksteady
 from tests.every import every
@@ -20,37 +20,6 @@ def solutions(command: str) -> list[dict[str, Any]]:
     found = rocksteady(f"{command} --json").json["solutions"]
     assert isinstance(found, list)
     return found
-
-
-def test_what_the_full_equations_do_stands_beside_the_answer_of_every_command() -> None:
-    size = "--width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 1"
-    block = Block.rectangle(width=0.4, height=2.0)
-    motion = Harmonic.from_si(block, acceleration_m_s2=0.4 * 9.80665, frequency_hz=1.0)
-    fallen = find_attractor(block, motion, model=Nonlinear())
-    standing = find_attractor(block, motion, start=Steady(), model=Nonlinear())
-    assert (fallen.kind, standing.kind) == ("overturned", "symmetric")
-    for command, rows in (
-        (f"steady {size}", {"from rest:": None, "from branch 1:": standing.peaks}),
-        (f"attractor {size}", {"start": None}),
-        (f"orbits {size} --max-period 1", {"from rest:": None, "from 1:": standing.peaks}),
-        (
-            f"basins {size} --angles -1:1:20 --velocities -1:1:20",
-            {"from rest:": None, "from symmetric-1:": standing.peaks},
-        ),
-    ):
-        values = rocksteady(f"{command} --json").json["full_equations"]
-        assert [row["start"] for row in values] == list(rows), command
-        for row, peaks in zip(values, rows.values(), strict=True):
-            if peaks is None:
-                assert (row["kind"], row["peaks"]) == ("overturned", None), command
-            else:
-                assert row["peaks"] == pytest.approx(peaks, rel=1e-6), command
-        assert "full equations" in rocksteady(command).out
-    assert "from rest: falls" in rocksteady(f"steady {size}").out
-    simulated = rocksteady(f"simulate {size} --json").json
-    full = simulate(block, motion, model=Nonlinear()).overturn_time_s
-    assert simulated["full_equations"]["overturn_time_s"] == full != simulated["overturn_time_s"]
-    assert rocksteady(f"{POINT} --json").json["full_equations"] is None
 
 
 def test_multipliers_are_of_a_period_in_every_command() -> None:

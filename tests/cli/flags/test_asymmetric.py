@@ -122,7 +122,8 @@ def test_maps_and_basins_of_it(tmp_path: Path) -> None:
     assert moved["restitution"] is None
     assert "negative_restitution" not in moved  # the axis is of both impacts
     erosion = rocksteady(
-        f"basins {FLAGS} -A 0:1:2 -W 5 --angles=-1:1:10 --velocities=-0.2:0.2:10 --cycles 5 --json"
+        f"basins {FLAGS} -A 0:1:2 -W 5 --angles=-1:1:10 --velocities=-0.2:0.2:10 --cycles 5 --json "
+        "--model linear"
     ).json
     expected = tangency_amplitude(BLOCK.dimensionless().sides, 5.0)
     assert erosion["heteroclinic_amplitude"] == expected

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, Pulse, Still
+from rocksteady import Block, DimensionlessBlock, Harmonic, Pulse
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -225,15 +225,15 @@ def test_a_pulse_has_the_size_of_the_shaking() -> None:
 def test_the_nonlinear_model_needs_a_slenderness_and_has_flags_of_its_own() -> None:
     assert equations_for("nonlinear", SIZED) == Nonlinear()
     assert equations_for("linear", BARE) == Linear()
-    assert equations_for(None, SIZED, Still()) == Nonlinear()
-    assert equations_for(None, SIZED) == equations_for(None, BARE, Still()) == Linear()
-    assert equations_for(None, SIZED, Still(), 1e-8) == Nonlinear(tolerance=1e-8)
+    assert equations_for(None, SIZED) == Nonlinear()
+    assert equations_for(None, BARE) == Linear()
+    assert equations_for(None, SIZED, 1e-8) == Nonlinear(tolerance=1e-8)
     with pytest.raises(FlagError, match="the full equations need the block's slenderness"):
         equations_for("nonlinear", BARE)
     refuse_of_linear("nonlinear", "vertical", "up.AT2")
     refuse_of_linear("linear", "vertical", None)
     with pytest.raises(FlagError, match="only the nonlinear model has it"):
-        equations_for(None, SIZED, tolerance=1e-8)
+        equations_for("linear", SIZED, 1e-8)
     with pytest.raises(FlagError, match="only the nonlinear model has it"):
         refuse_of_linear("linear", "vertical", "up.AT2")
 

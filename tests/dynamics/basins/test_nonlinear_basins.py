@@ -124,10 +124,11 @@ def test_a_dataset_says_of_which_model_it_is() -> None:
     full, unlike = at(STOCKY, 2.0, 4.0).to_dataset(), at(ASYMMETRY, 2.0, 4.0).to_dataset()
     assert (full.attrs["model"], full.attrs["alpha"]) == ("nonlinear", 0.5)
     assert unlike.attrs["alpha"] == ASYMMETRY.positive.alpha
+    bare = STOCKY.dimensionless()
     plain = compute_basins(
-        STOCKY, Harmonic(amplitude=2.0, frequency_ratio=4.0), angles=[0, 1], velocities=[0, 1]
+        bare, Harmonic(amplitude=2.0, frequency_ratio=4.0), angles=[0, 1], velocities=[0, 1]
     ).to_dataset()
-    assert "model" not in plain.attrs
+    assert plain.attrs["model"] == "linear"
 
 
 # ----------------------------------------------------------------------------------- erosion

@@ -29,7 +29,7 @@ def diagram_of(block: Block | DimensionlessBlock, parameter: str) -> Bifurcation
     """Return a small diagram about a symmetry breaking, without sweeps."""
     ends = {"frequency_ratio": WITHIN, "amplitude": (1.95, 2.05), "restitution": (0.78, 0.82)}
     return find_bifurcations(
-        block, MOTION, parameter, within=ends[parameter], values=0, search=SMALL
+        block, MOTION, parameter, within=ends[parameter], values=0, search=SMALL, model="linear"
     )
 
 

@@ -71,6 +71,7 @@ def test_a_real_block_in_seconds_metres_and_g() -> None:
         Harmonic.from_si(block, acceleration_m_s2=accel_g * g, frequency_hz=hertz, phase=phase),
         start=State(angle=0.1, velocity=-0.2),
         cycles=5,
+        model="linear",
     )
     alpha, p = math.atan2(0.5, 1.6), math.sqrt(0.75 * g / (0.5 * math.hypot(0.5, 1.6)))
     oracle = integrate(

@@ -101,7 +101,7 @@ def test_a_map_says_what_it_was_computed_from() -> None:
         "amplitude": 2.0,
         "frequency_ratio": 3.0,
         "start": "rest",
-        "model": "linear",
+        "model": "nonlinear",
         "max_cycles": 7,
     }
     assert found.height.attrs == {"long_name": "full height of the block", "units": "m"}

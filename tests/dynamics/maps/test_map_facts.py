@@ -12,7 +12,6 @@ from rocksteady import (
     DimensionlessBlock,
     Execution,
     Harmonic,
-    Linear,
     Nonlinear,
     State,
     Steady,
@@ -21,7 +20,6 @@ from rocksteady import (
     map_fates,
     open_store,
 )
-from rocksteady.model.equations import LINEAR_NOTE, Model
 from tests.descriptions import as_json, fits
 
 BLOCK = DimensionlessBlock(restitution=0.8)
@@ -91,16 +89,6 @@ def test_a_headline_has_all_that_is_no_axis() -> None:
     )
     kicked = map_attractors(BLOCK, motion, axes={"kick": [1e-3, 1e-2]}, start=Steady())
     assert "from steady" in headline(kicked)
-
-
-@pytest.mark.parametrize("model", [Linear(), Nonlinear()], ids=["linear", "nonlinear"])
-def test_what_the_linear_model_leaves_out_is_noted_of_a_block_with_a_size(model: Model) -> None:
-    axes = {"acceleration_m_s2": [4.0], "frequency_hz": [2.0]}
-    sized = map_fates(Block.rectangle(width=0.4, height=1.5), axes=axes, cycles=5, model=model)
-    notes = sized.rocksteady.describe().notes
-    assert (LINEAR_NOTE in notes) == (model == Linear())
-    bare = map_fates(BLOCK, axes=AXES, cycles=5)
-    assert LINEAR_NOTE not in bare.rocksteady.describe().notes
 
 
 def test_a_map_in_a_store_is_resumed_with_one_run_and_its_progress(tmp_path: Path) -> None:

@@ -20,6 +20,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.maps._scenario import Scenario
+from rocksteady.dynamics.orbits.attractor import ROUNDED
 from rocksteady.errors import InputError, ModelError
 from rocksteady.motions import Floor, FourierSeries
 
@@ -52,6 +53,8 @@ def test_each_cell_settles_to_what_the_floor_alone_leads_to(phase: float) -> Non
     assert cells.attrs["floor"] == FLOOR.label
     for place, (acceleration, hertz) in enumerate(product(*AXES.values())):
         alone = find_attractor(BLOCK, moved(acceleration, hertz, phase))
+        if alone.growth > ROUNDED:  # it may have been chosen by rounding
+            continue
         kind = cells.kind.values.flat[place]
         assert (
             cells.kind.attrs["flag_meanings"]

@@ -61,7 +61,7 @@ def test_rows_of_an_answer_are_the_best_motions_by_their_numbers_in_the_table(
     block: Block | DimensionlessBlock,
 ) -> None:
     limits: dict[str, Any] = {"max_period": 2, "max_impacts": 4, "seeds": 12}
-    orbits = find_orbits(block, UNSYMMETRIC, **limits)
+    orbits = find_orbits(block, UNSYMMETRIC, model="linear", **limits)
     answer = describe_orbits(orbits, block, UNSYMMETRIC, Linear(), **limits).answer
     assert answer is not None
     motions = [orbit for orbit in orbits if orbit.admissible]

@@ -27,7 +27,7 @@ def test_a_period_is_named_above_one(period: int | None, text: str) -> None:
 def test_a_row_of_an_orbit_has_its_first_state_extremes_and_multipliers(
     block: Block | DimensionlessBlock,
 ) -> None:
-    orbits = find_orbits(block, MOTION, max_period=2, max_impacts=4, seeds=12)
+    orbits = find_orbits(block, MOTION, max_period=2, max_impacts=4, seeds=12, model="linear")
     assert {orbit.admissible for orbit in orbits} == {True, False}
     table = orbit_facts.orbits_table(orbits)
     for place, (orbit, row) in enumerate(zip(orbits, table.rows, strict=True), start=1):

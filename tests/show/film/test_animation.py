@@ -264,6 +264,7 @@ def test_a_fall_for_which_there_are_no_frames_is_left_out() -> None:
         block,
         Harmonic(amplitude=5.0, frequency_ratio=300.0),
         start=State(angle=0.9, velocity=3.0),
+        model="linear",
     )
     assert fall_to_ground(run, block.alpha) is not None
     film = film_of(run)

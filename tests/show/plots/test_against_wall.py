@@ -146,7 +146,7 @@ def test_a_film_names_the_wall_and_one_uplift(
     key = film.scene.axes.get_legend()
     assert key is not None
     entries = [entry.get_text() for entry in key.get_texts()]
-    lifts = "lifts off at αg" if block is BARE else f"lifts off at {FACADE.alpha:.3g} g"
+    lifts = "lifts off at αg" if block is BARE else f"lifts off at {math.tan(FACADE.alpha):.3g} g"
     assert lifts in entries
     assert "tips beyond, θ = α" in entries
     assert any(isinstance(patch, Polygon) for patch in film.scene.axes.patches)

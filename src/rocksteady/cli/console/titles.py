@@ -36,8 +36,8 @@ def case_text(values: dict[str, Any]) -> str:
         parts.insert(0, f"{values['pulse']} pulse")
     if "block" in values:
         parts.append(block_text(values["block"]))
-    if values.get("model") == "nonlinear":
-        parts.append("nonlinear model")
+    if "block" in values and "model" in values:
+        parts.append(f"{values['model']} model")
     return ", ".join(parts)
 
 

@@ -44,10 +44,10 @@ def sides_of(block: Block | DimensionlessBlock, model: Model) -> Floats:
 
 
 def attributes_of(block: Block | DimensionlessBlock, model: Model) -> dict[str, float | str]:
-    """Return the attributes of a dataset for its block, and for its model if not linear."""
-    attributes: dict[str, float | str] = {**side_attributes(block)}
+    """Return the attributes of a dataset for its block and its model."""
+    attributes: dict[str, float | str] = {**side_attributes(block), "model": model.name}
     if isinstance(model, Nonlinear):
-        attributes |= {"model": model.name, "alpha": slender_block(block).positive.alpha}
+        attributes["alpha"] = slender_block(block).positive.alpha
     return attributes
 
 

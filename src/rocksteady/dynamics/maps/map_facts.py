@@ -172,7 +172,7 @@ def _cycles(dataset: "Labelled") -> int | None:
 
 def _model(dataset: "Labelled") -> str:
     """Return the name of the equations of motion."""
-    return str(dataset.attrs.get("model", "linear"))
+    return str(dataset.attrs["model"])
 
 
 def _parameters(dataset: "Labelled") -> list[Fact]:

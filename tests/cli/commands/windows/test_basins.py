@@ -77,7 +77,9 @@ def test_a_real_block_is_in_si() -> None:
     assert values["freq_hz"] == pytest.approx(2.0)
     (orbit,) = (part["orbit"] for part in values["fractions"] if part["orbit"])
     assert orbit["peaks_rad"] == [0.2 * peak for peak in orbit["peaks"]]
-    values = rocksteady(f"basins --block tso-wong-1989 -A 0.1:1:2 --freq-hz 2 {WINDOW} --json").json
+    over = f"basins --block tso-wong-1989 -A 0.1:1:2 --freq-hz 2 {WINDOW} --json"
+    assert rocksteady(over).json["heteroclinic_amplitude"] is None
+    values = rocksteady(f"{over} --model linear").json
     assert values["freq_hz"] == pytest.approx(2.0)
     assert "accel_g" not in values
     for row in values["erosion"]:

@@ -20,7 +20,9 @@ MOTION = Harmonic(amplitude=1.05, frequency_ratio=2.0)
 
 @cache
 def branch_of(block: Block | DimensionlessBlock) -> RestingBranch:
-    found = find_resting_branches(block, MOTION, "amplitude", (0.99, 1.08), resolution=0.01)
+    found = find_resting_branches(
+        block, MOTION, "amplitude", (0.99, 1.08), resolution=0.01, model="linear"
+    )
     return found.branches[0]
 
 
