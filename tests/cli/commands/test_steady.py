@@ -6,9 +6,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 
-from rocksteady import Block
+from rocksteady import (
+    Block,
+    Harmonic,
+    find_steady_states,
+)
 from rocksteady.dynamics.steady.regions import REGIONS
 from tests.cli.program import refused, rocksteady
 from tests.every import every
@@ -144,7 +149,7 @@ def test_axes_include_both_ends_and_go_amplitude_first() -> None:
     assert points[0] == (1.0, 2.0)
     assert points[-1] == (3.0, 8.0)
     alone = rocksteady("steady -A 2 -W 8 -r 0.8 --json").json
-    of_all = ("schema", "model", "full_equations")
+    of_all = ("schema", "model")
     assert values["points"][8] == {k: v for k, v in alone.items() if k not in of_all}
 
 
@@ -205,8 +210,12 @@ def test_the_answer_of_a_point_is_its_stable_motion_in_the_units_given() -> None
     assert f"at {degrees:.3g}° ({stable['peak']:.3g} alpha), out of phase" in first
     speed = stable["velocity"] * values["block"]["alpha_rad"] * values["block"]["p_rad_s"]
     assert f"{math.degrees(speed):.3g}°/s" in " ".join(facts)
-    least = values["boundaries"]["existence"] * values["block"]["alpha_rad"]
-    assert f"from {least:.3g} g up" in " ".join(facts)
+    linear = values["closed_form"]["solutions"][0]["peak"]
+    degrees = math.degrees(linear * values["block"]["alpha_rad"])
+    text = f"at {degrees:.3g}° ({linear:.3g} alpha), out of phase, stable (linear)"
+    assert text in " ".join(facts)
+    least = values["closed_form"]["boundaries"]["existence"] * values["block"]["alpha_rad"]
+    assert f"from {least:.3g} g up" in " ".join(answer(f"{size} --model linear"))
 
 
 def test_the_answer_of_a_point_without_motion_is_the_least_amplitude() -> None:
@@ -248,7 +257,69 @@ def test_axes_in_g_and_hertz_are_the_dimensionless_ones_of_the_block() -> None:
     for one, other in pairs:
         assert one["amplitude"] == pytest.approx(other["amplitude"], rel=1e-12)
         assert one["frequency_ratio"] == pytest.approx(other["frequency_ratio"], rel=1e-12)
-        assert one["region"] == other["region"]
+        assert one["closed_form"]["region"] == other["closed_form"]["region"]
+        for mine, same in zip(one["solutions"], other["solutions"], strict=True):
+            assert mine["peak"] == pytest.approx(same["peak"], rel=1e-9)
+
+
+@every(
+    "flags",
+    [
+        "--width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2",
+        "--alpha-rad 0.6 --p-rad-s 2 -r 0.7 -A 2 -W 6 -n 3",
+        "--alpha-rad 0.4 --p-rad-s 2 -r 0.8 -A 0.3 -W 8",  # a region with states, but none here
+        "--alpha-rad 0.3 --p-rad-s 2 -r 0.8 -A 0 -W 4",
+        "--alpha-rad 0.3 --p-rad-s 2 -r 1 -A 1 -W 4",
+    ],
+)
+def test_the_closed_form_of_a_block_is_whole_beside_the_full_equations(flags: str) -> None:
+    full = rocksteady(f"steady {flags} --json").json
+    linear = rocksteady(f"steady {flags} --model linear --json").json
+    assert (full["model"], linear["model"]) == ("nonlinear", "linear")
+    assert {"schema": linear["schema"], **full["closed_form"]} == linear
+    assert not {"region", "region_meaning", "boundaries"} & set(full)
+    assert set(linear) - set(full) == {"region", "region_meaning", "boundaries"}
+    for mine, same in zip(full["solutions"], linear["solutions"], strict=False):
+        assert set(mine) == set(same)
+        assert mine["branch"] == same["branch"]
+    assert full != linear
+    assert "(linear)" in rocksteady(f"steady {flags}").out
+    assert "(linear)" not in rocksteady(f"steady {flags} --model linear").out
+
+
+def test_the_full_equations_need_a_slenderness() -> None:
+    line = refused(f"{POINT} --model nonlinear")
+    assert "--model" in line
+    assert "slenderness" in line
+
+
+def test_on_a_floor_the_shaking_is_the_floors_in_both_models() -> None:
+    flags = "--width-m 0.6 --height-m 2 --accel-g 0.2 --freq-hz 2 --floor-hz 4"
+    full = rocksteady(f"steady {flags} --json").json
+    block = Block.rectangle(width=0.6, height=2.0)
+    motion = Harmonic(amplitude=full["amplitude"], frequency_ratio=full["frequency_ratio"])
+    assert full["amplitude"] > 1.3 * 0.2 * 9.80665 / block.uplift_acceleration
+    alone = find_steady_states(block, motion).to_dict()
+    assert alone["solutions"][0]["peak"] == full["solutions"][0]["peak"]
+    assert full["closed_form"]["amplitude"] == full["amplitude"]
+
+
+def test_rows_and_curves_of_a_block_are_of_the_full_equations(tmp_path: Path) -> None:
+    flags = "--alpha-rad 0.4 --p-rad-s 2 -r 0.8 -A 2 -W 2:8:7"
+    points = rocksteady(f"steady {flags} --json").json["points"]
+    table, figure = tmp_path / "a.csv", tmp_path / "a.svg"
+    assert rocksteady(f"steady {flags} --csv", table, "--plot", figure).code == 0
+    rows = pd.read_csv(table)
+    assert "region" not in rows
+    block = Block.from_p(alpha=0.4, p=2.0, restitution=0.8)
+    for point in points:
+        motion = Harmonic(amplitude=2.0, frequency_ratio=point["frequency_ratio"])
+        first = find_steady_states(block, motion).to_dict()["solutions"][0]
+        assert point["solutions"][0] == first
+        mine = rows[(rows.branch == 1) & np.isclose(rows.frequency_ratio, motion.frequency_ratio)]
+        assert mine.peak.item() == first["peak"]
+        assert first["peak"] < 0.99 * point["closed_form"]["solutions"][0]["peak"]
+    assert "nonlinear model" in figure.read_text()
 
 
 def test_axes_too_long_together_are_refused_before_anything_is_computed() -> None:

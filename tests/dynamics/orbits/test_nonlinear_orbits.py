@@ -107,9 +107,10 @@ cases = pytest.mark.parametrize(("block", "a", "w", "longest"), CASES)
 @cache
 def listed(block: Block, a: float, w: float, longest: int) -> tuple[Orbit, ...]:
     shaking = Harmonic(amplitude=a, frequency_ratio=w)
-    return find_orbits(
+    found = find_orbits(
         block, shaking, max_period=longest, max_impacts=4, seeds=20, model=Nonlinear()
     )
+    return tuple(orbit for orbit in found if orbit.admissible)
 
 
 def images(orbit: Orbit) -> list[Orbit]:
@@ -205,9 +206,7 @@ def test_an_adaptive_integrator_lands_where_the_orbits_do(block: Block) -> None:
 def test_orbits_go_to_those_of_the_linear_model_with_the_square_of_the_slenderness() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
     bare = DimensionlessBlock(restitution=0.8)
-    limits = [
-        orbit for orbit in find_orbits(bare, shaking, seeds=20, max_period=1) if orbit.admissible
-    ]
+    limits = find_orbits(bare, shaking, seeds=20, max_period=1)
     errors = []
     for alpha in (0.01, 0.02):
         block = Block.from_p(alpha=alpha, p=1.0, restitution=0.8)
@@ -216,7 +215,11 @@ def test_orbits_go_to_those_of_the_linear_model_with_the_square_of_the_slenderne
             (orbit.kind, orbit.branch) for orbit in limits
         ]
         errors.append(
-            [abs(orbit.highest - limit.highest) for orbit, limit in zip(found, limits, strict=True)]
+            [
+                abs(orbit.highest - limit.highest)
+                for orbit, limit in zip(found, limits, strict=True)
+                if limit.admissible
+            ]
         )
     np.testing.assert_allclose(np.array(errors[1]) / errors[0], 4.0, rtol=0.02)
 

@@ -172,7 +172,7 @@ def test_both_branches_end_together_in_a_fold(w: float) -> None:
             assert one != pytest.approx(two, abs=1e-3)
     assert there == sorted(there)
     assert (there[0], there[-1]) == (0, 2)
-    with pytest.raises(ModelError, match=r"leads to none of the nonlinear model at alpha = 0\.5"):
+    with pytest.raises(ModelError, match=r"alpha 0\.5 there is none of order 1"):
         begun(block, Harmonic(amplitude=1.00001 * fold, frequency_ratio=w), Steady())
 
 

@@ -40,8 +40,16 @@ def test_a_curve_in_hertz_is_that_in_frequency_ratios(p: float) -> None:  # eqs 
     np.testing.assert_allclose(curve.frequency_ratio, ratios, rtol=1e-15)
     assert curve.frequency_hz is not None
     np.testing.assert_allclose(curve.frequency_hz, hertz, rtol=1e-15)
-    same = compute_response_curve(BARE, 3.0, frequency_ratio=curve.frequency_ratio)
+    same = compute_response_curve(block, 3.0, frequency_ratio=curve.frequency_ratio)
     np.testing.assert_array_equal(curve.peak, same.peak)
+    linear = compute_response_curve(block, 3.0, frequency_hz=hertz, model="linear")
+    bare = compute_response_curve(BARE, 3.0, frequency_ratio=curve.frequency_ratio)
+    np.testing.assert_array_equal(linear.peak, bare.peak)
+    assert (curve.model.name, linear.model.name, bare.model.name) == (
+        "nonlinear",
+        "linear",
+        "linear",
+    )
     assert np.isfinite(curve.peak).any()
 
 

@@ -116,6 +116,8 @@ def test_the_period_and_the_speed_of_a_block_with_a_size_are_its_own() -> None:
     speed = math.degrees(abs(float(states.velocity[0])) * SIZED.alpha * SIZED.p)
     assert facts["impacts"] == f"2 in 3 periods ({seconds:.3g} s), {speed:.3g}°/s after each"
     assert "in a period-3 motion at " in sentence
+    assert facts["closed form"].endswith(", out of phase, stable (linear)")
+    _, facts = answer_of(find_steady_states(SIZED, motion, model="linear").describe().answer)
     assert facts["exists"].startswith("from 0.")
 
 

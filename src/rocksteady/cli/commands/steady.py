@@ -1,15 +1,21 @@
-"""`rocksteady steady`: symmetric steady states in closed form, at a point or along axes."""
+"""`rocksteady steady`: symmetric steady states, at a point or along axes."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console.refusals import refuse, require
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.block_and_shaking import HARMONIC, BlockFlags, ShakingFlags
+from rocksteady.cli.flags.block_and_shaking import (
+    HARMONIC,
+    BlockFlags,
+    ShakingFlags,
+    equations_for,
+)
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.record_files import FloorFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.equations import Model
 from rocksteady.model.facts import amplitude_text, frequency_text
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
@@ -18,12 +24,14 @@ if TYPE_CHECKING:
     from rocksteady.show.style.page import Page
 
 HELP = (
-    "Find the symmetric steady motions, in closed form.\n\n"
-    "Symmetric steady states under harmonic shaking, both branches, in closed form.\n\n"
-    "At a point: the region, its boundaries, and for each solution phase, velocity, peak, "
-    "admissibility, multipliers of a period and stability (Tso and Wong 1989, eqs 12 to 25). -n "
-    "may be repeated. -A and -W may also be axes start:stop:count, both ends included (log: "
-    "before it for logarithmic spacing); --plot then draws response curves."
+    "Find the symmetric steady motions.\n\n"
+    "Symmetric steady states under harmonic shaking, both branches: in closed form for slender "
+    "blocks (Tso and Wong 1989, eqs 12 to 25); for a block of known slenderness those of the full "
+    "equations to which the closed form leads, with the closed form beside.\n\n"
+    "At a point: for each solution phase, velocity, peak, admissibility, multipliers of a period "
+    "and stability, and of the closed form the region and its boundaries. -n may be repeated. -A "
+    "and -W may also be axes start:stop:count, both ends included (log: before it for logarithmic "
+    "spacing); --plot then draws response curves."
 )
 MAIN = "amplitude frequency_ratio restitution width_m height_m accel_g freq_hz order plot csv"
 """Parameters that the short help shows."""
@@ -42,6 +50,7 @@ def steady(
     block: BlockFlags,
     output: OutputFlags,
     order: list[int] | None = options.orders(),
+    model: str | None = options.model(),
 ) -> None:
     """Run `rocksteady steady`; `HELP` is what its users read."""
     output.check()
@@ -49,16 +58,18 @@ def steady(
     body = block.described()
     if not body.symmetric:  # refused before the kernels are loaded
         raise block.refuse_sides(
-            valid="the closed forms are those of symmetric motions, and it has none",
+            valid="the steady states are symmetric motions, and it has none",
             hint="ask for its periodic motions with `rocksteady orbits`",
         )
+    named = model or ("nonlinear" if isinstance(body, Block) else "linear")
+    equations = equations_for(named, body)
     amplitudes, ratios = shaking.of(body)
     for parameter, values in (("amplitude", amplitudes), ("frequency_ratio", ratios)):
         if len(values) > 1:
             refuse(
                 {"--floor-hz": floor.floor_hz},
-                f"{options.FLAG_OF_ARGUMENT[parameter]} is an axis, and axes of closed forms are "
-                "those of the shaking at the block",
+                f"{options.FLAG_OF_ARGUMENT[parameter]} is an axis, and axes of steady states "
+                "are those of the shaking at the block",
                 "draw what it settles to with rocksteady map, or give one amplitude and frequency",
             )
     if len(amplitudes) == len(ratios) == 1:
@@ -77,24 +88,29 @@ def steady(
         )
     import numpy as np
 
-    from rocksteady.dynamics.steady.states import steady_states
+    from rocksteady.dynamics.steady.states import states_of
 
     orders = tuple(dict.fromkeys(order or (1,)))
-    plane = np.array(amplitudes)[:, np.newaxis], np.array(ratios), body.restitution
+    plane = np.array(amplitudes)[:, np.newaxis], np.array(ratios)
     each = orders[0] if len(orders) == 1 else np.array(orders)[:, np.newaxis, np.newaxis]
-    states = steady_states(*plane, order=each).for_block(body)
+    states = states_of(body, *plane, each, equations)
+    same = f"--model {model}" if model else ""
     output.write_csv(states.to_dataframe)
     description = states.describe()
     if states.region.size == 1:
         output.write_plot(lambda page: point_figure(states, page))
-        further = options.follow_up("attractor", shaking, floor, block, *_start_of(states))
+        further = options.follow_up("attractor", shaking, floor, block, *_start_of(states), same)
     else:
-        output.write_plot(lambda page: curves_figure(body, amplitudes, ratios, orders, page))
+        output.write_plot(
+            lambda page: curves_figure(body, amplitudes, ratios, orders, equations, page)
+        )
         moving = len(ratios) + len(amplitudes) > 2
-        further = options.follow_up("map" if moving else "attractor", shaking, block)
+        further = options.follow_up("map" if moving else "attractor", shaking, block, same)
         if len(ratios) > 1 and output.plot is None:
             repeated = [f"-n {each}" for each in orders if order]
-            further = options.follow_up("steady", shaking, block, *repeated, "--plot steady.png")
+            further = options.follow_up(
+                "steady", shaking, block, *repeated, same, "--plot steady.png"
+            )
     output.leave("steady", description, follow_up=further)
 
 
@@ -112,17 +128,14 @@ def point_figure(states: "SteadyStates", page: "Page") -> Any:
     import numpy as np
 
     from rocksteady.dynamics.steady.regions import compute_region_map
-    from rocksteady.dynamics.steady.states import compute_steady_orbit
+    from rocksteady.dynamics.steady.states import orbit_of
     from rocksteady.show.figures.single import steady_figure
 
     point = states.to_dict()
     a, w = point["amplitude"], point["frequency_ratio"]
     r, n = point["restitution"], point["order"]
     orbits = [
-        (
-            f"branch {s['branch']}: {s['kind']}, {worth(s)}",
-            compute_steady_orbit(a, w, r, order=n, branch=s["branch"]),
-        )
+        (f"branch {s['branch']}: {s['kind']}, {worth(s)}", orbit_of(states, s["branch"]))
         for s in point["solutions"]
     ]
     ratios = np.linspace(0.1, 14.0, 700)
@@ -133,6 +146,8 @@ def point_figure(states: "SteadyStates", page: "Page") -> Any:
     body = states.block or DimensionlessBlock(restitution=r)
     shaking = f"{amplitude_text(body, a)}, {frequency_text(body, w)}"
     title = f"Symmetric steady states: {shaking}, restitution {r:g}, n = {n}"
+    full = states.closed_form is not None
+    title += ", full equations; regions of the linear ones" if full else ""
     return steady_figure(orbits, curves, point=(w, a), block=states.block, title=title, page=page)
 
 
@@ -148,6 +163,7 @@ def curves_figure(
     amplitudes: list[float],
     ratios: list[float],
     orders: Sequence[int],
+    model: Model,
     page: "Page",
 ) -> Any:
     """Return the figure of response curves, one for each order and amplitude."""
@@ -155,10 +171,11 @@ def curves_figure(
     from rocksteady.show.figures.single import response_figure
 
     curves = [
-        compute_response_curve(body, a, frequency_ratio=ratios, order=order)
+        compute_response_curve(body, a, frequency_ratio=ratios, order=order, model=model)
         for order in orders
         for a in amplitudes
     ]
     listed = ", ".join(map(str, orders))
     title = f"Symmetric steady states: restitution {body.restitution:g}, n = {listed}, branch 1"
+    title += f", {model.name} model" if isinstance(body, Block) else ""
     return response_figure(curves, hertz=isinstance(body, Block), title=title, page=page)

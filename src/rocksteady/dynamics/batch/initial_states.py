@@ -4,12 +4,10 @@ import numpy as np
 
 from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.batch.attractors import starting
-from rocksteady.dynamics.history.departure import set_off
+from rocksteady.dynamics.history.departure import set_off, states_to_start_on
 from rocksteady.dynamics.history.start import Steady
-from rocksteady.dynamics.steady.states import steady_states
 from rocksteady.errors import ModelError
 from rocksteady.kernels.batch.attractors import fill_clocks
-from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
 from rocksteady.kernels.core.tuples import States
 
 
@@ -75,28 +73,20 @@ def on_orbits(
     >>> print(there, velocity.round(6), phase.round(6))
     [False  True] [0.       0.732389] [0.       2.846543]
     """
-    restitution = sides[:, 0, RESTITUTION]
-    states = steady_states(amplitude, frequency_ratio, restitution, order=start.order)
+    states, jacobian = states_to_start_on(
+        amplitude, frequency_ratio, sides, start.order, start.branch
+    )
     assert states.admissible is not None
     which = start.branch - 1
     admissible = states.admissible[which].copy()
     phase = np.where(admissible, states.phase[which], 0.0)
     velocity = np.where(admissible, states.velocity[which], 0.0)
     unstable = admissible & ~(states.stable[which] | states.neutral[which])
-    # All others of the linear model are known already.
-    left = admissible if sides.shape[2] > SIDE_COLUMNS else unstable
-    for cell in np.flatnonzero(left).tolist():
+    for cell in np.flatnonzero(unstable).tolist():
+        away = start.side * kick.item(cell)
         try:
             phase[cell], velocity[cell] = set_off(
-                amplitude.item(cell),
-                frequency_ratio.item(cell),
-                sides[cell],
-                order=start.order,
-                branch=start.branch,
-                phase=phase.item(cell),
-                velocity=velocity.item(cell),
-                unstable=unstable.item(cell),
-                away=start.side * kick.item(cell),
+                states, jacobian, branch=start.branch, cell=cell, away=away
             )
         except ModelError:  # there is none, or no number determines how it is left
             admissible[cell] = False

@@ -4,97 +4,73 @@ import math
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import SMALLEST
+from rocksteady.dynamics.steady.states import SteadyStates, full_states, steady_states
 from rocksteady.errors import ModelError, Words
-from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.tables import ALPHA, RESTITUTION, is_nonlinear
+from rocksteady.kernels.core.tables import ALPHA, RESTITUTION, SIDE_COLUMNS
 from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.kernels.orbits.closed_form import half_cycle_jacobian, symmetric_orbit
-from rocksteady.kernels.orbits.return_map import Section
-from rocksteady.kernels.orbits.symmetric_nonlinear import Half, symmetric_from
+
+
+def states_to_start_on(
+    amplitude: Floats, frequency_ratio: Floats, sides: Floats, order: int, branch: int
+) -> tuple[SteadyStates, Floats | None]:
+    """Return the steady states of blocks, and derivatives of their half cycles in the full model.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio
+        Parameters of the shaking, shape (cells,).
+    sides
+        Sides of the blocks, both alike, as from `dynamics.history.nonlinear_tables.sides_of`, shape
+        (cells, 2, 3) or, in the nonlinear model, (cells, 2, 5).
+    order, branch
+        Which steady state.
+    """
+    restitution = sides[:, 0, RESTITUTION]
+    if sides.shape[2] == SIDE_COLUMNS:
+        return steady_states(amplitude, frequency_ratio, restitution, order=order), None
+    alpha = sides[:, 0, ALPHA]
+    return full_states(amplitude, frequency_ratio, restitution, alpha, order=order, branch=branch)
 
 
 def set_off(
-    amplitude: float,
-    frequency_ratio: float,
-    sides: Floats,
-    *,
-    order: int,
-    branch: int,
-    phase: float,
-    velocity: float,
-    unstable: bool,
-    away: float,
+    states: SteadyStates, jacobian: Floats | None, *, branch: int, cell: int, away: float
 ) -> tuple[float, float]:
     """Return phase and velocity at the start on a steady state, beside it where it is unstable.
 
     Parameters
     ----------
-    amplitude, frequency_ratio
-        Parameters of the shaking.
-    sides
-        Sides of the block, both alike, as from `dynamics.history.nonlinear_tables.sides_of`.
-    order, branch
-        Order and branch of the steady state.
-    phase, velocity, unstable
-        What it is in the linear model: phase of the shaking [rad], d(theta/alpha)/d(p t), and
-        whether it is unstable.  In the nonlinear model the search for its own begins there.
+    states, jacobian
+        From `states_to_start_on`.
+    branch, cell
+        Which of them, and at which point.
     away
         Distance along its unstable direction at which an unstable one is left; of either sign.
 
     Raises
     ------
     ModelError
-        If the nonlinear model has no such state, or no number determines how it is left.
+        If no number determines how it is left.
     """
-    turn = rate = 0.0
-    if is_nonlinear(sides):
-        start_state = nonlinear_half(
-            amplitude,
-            frequency_ratio,
-            sides,
-            order=order,
-            branch=branch,
-            phase=phase,
-            velocity=velocity,
+    at = branch - 1, cell
+    phase, velocity = float(states.phase[at]), float(states.velocity[at])
+    if states.stable[at] or states.neutral[at]:
+        return phase, velocity
+    amplitude, ratio = float(states.amplitude[cell]), float(states.frequency_ratio[cell])
+    order = int(states.order[cell])
+    if math.isnan(states.trace[at]):
+        raise ModelError(
+            "start",
+            Words(f"is of order {order}, branch {branch}"),
+            "it meets its base without speed, and no derivative determines how it is left",
+            "take another amplitude, or a State to start from",
         )
-        if not start_state.found:
-            alpha = float(sides[0, ALPHA])
-            raise ModelError(
-                "start",
-                Words(f"is of order {order}, branch {branch}"),
-                "the linear model's steady state leads to none of the nonlinear model at "
-                f"alpha = {alpha:.6g}",
-                "take the other branch, another amplitude, or a State to start from",
-            )
-        state, jacobian = start_state.state, start_state.jacobian
-        phase, velocity = state.half_cycles * math.pi + state.phase, state.speed
-        trace = jacobian.phase_by_phase + jacobian.speed_by_speed
-        restitution = float(sides[0, RESTITUTION])
-        if not abs(trace) < 1.0 + restitution * restitution:
-            turn, rate = growing(tuple(jacobian), velocity, order, branch, frequency_ratio)
-    elif unstable:
-        restitution = float(sides[0, RESTITUTION])
-        turn, rate = unstable_direction(amplitude, frequency_ratio, restitution, order, branch)
+    if jacobian is None:
+        restitution = float(states.restitution[cell])
+        turn, rate = unstable_direction(amplitude, ratio, restitution, order, branch)
+    else:
+        turn, rate = growing(tuple(jacobian[:, *at].tolist()), velocity, order, branch, ratio)
     return phase + away * turn, velocity + away * rate
-
-
-def nonlinear_half(
-    amplitude: float,
-    frequency_ratio: float,
-    sides: Floats,
-    *,
-    order: int,
-    branch: int,
-    phase: float,
-    velocity: float,
-) -> Half:
-    """Return the half cycle of the nonlinear model to which one of the linear model leads.
-
-    Parameters and the meaning of numbers are those of `set_off`.
-    """
-    half_cycles, turn = clock(phase)
-    begin = Section(1, half_cycles, turn, velocity)
-    return symmetric_from(amplitude, frequency_ratio, sides, order, branch, begin)
 
 
 def unstable_direction(
@@ -103,13 +79,6 @@ def unstable_direction(
     """Return how an unstable steady state of the linear model is left, as in `growing`."""
     amplitude = max(amplitude, SMALLEST)
     orbit = symmetric_orbit(amplitude, frequency_ratio, restitution, order, branch)
-    if math.isnan(orbit.trace):
-        raise ModelError(
-            "start",
-            Words(f"is of order {order}, branch {branch}"),
-            "it meets its base without speed, and no derivative determines how it is left",
-            "take another amplitude, or a State to start from",
-        )
     velocity = frequency_ratio * orbit.velocity
     jacobian = half_cycle_jacobian(amplitude, frequency_ratio, restitution, order, orbit)
     return growing(jacobian, velocity, order, branch, frequency_ratio)
@@ -126,7 +95,7 @@ def growing(
     Parameters
     ----------
     jacobian
-        Derivative of the half cycle by (phase, d(theta/alpha)/d(p t)), row by row.
+        Derivative of the half cycle by (phase, d(theta/alpha)/d(p t)), row by row; of any scale.
     velocity
         Velocity of the orbit, d(theta/alpha)/d(p t).
     order, branch, frequency_ratio

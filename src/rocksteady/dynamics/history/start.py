@@ -8,16 +8,12 @@ from typing import Annotated, Protocol
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.departure import set_off
+from rocksteady.dynamics.history.departure import set_off, states_to_start_on
 from rocksteady.dynamics.history.lowering import only_side
-from rocksteady.dynamics.steady.states import (
-    refuse_asymmetric,
-    steady_states,
-    validated_branch,
-)
+from rocksteady.dynamics.steady.states import refuse_asymmetric, validated_branch
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, March, is_nonlinear
+from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION, March, is_nonlinear
 from rocksteady.kernels.nonlinear.drive import jump_share
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -354,15 +350,22 @@ def _steady_state(
         )
     refuse_asymmetric(block, "start", "a steady state to start on")
     a, w, r = motion.amplitude, motion.frequency_ratio, block.restitution
-    states = steady_states(a, w, r, order=start.order)
-    which = start.branch - 1
-    if states.region == 4:
+    table = np.array(block.sides) if sides is None else sides
+    states, jacobian = states_to_start_on(
+        np.array([a]), np.array([w]), table[None], start.order, start.branch
+    )
+    which = start.branch - 1, 0
+    if np.isnan(states.phase[which]):
+        least = f"to {float(states.existence[0]):.6g} or above (eq 23)"
+        slender = "" if jacobian is None else f", alpha {float(table[0, ALPHA]):.6g}"
         raise ModelError(
             "start",
             start,
-            f"at A = {a:.6g}, Omega = {w:.6g}, restitution {r:.6g} there is none of order "
-            f"{start.order}",
-            f"raise the amplitude to {float(states.existence):.6g} or above (eq 23)",
+            f"at A = {a:.6g}, Omega = {w:.6g}, restitution {r:.6g}{slender} there is none of "
+            f"order {start.order}",
+            f"raise the amplitude {least}"
+            if jacobian is None
+            else "raise the amplitude, or take a State to start from",
         )
     if states.admissible is None or not states.admissible[which]:
         raise ModelError(
@@ -371,16 +374,7 @@ def _steady_state(
             "that solution of the algebra passes through the floor and is no motion",
             "take the other branch or another order",
         )
-    phase, velocity = set_off(
-        a,
-        w,
-        np.array(block.sides) if sides is None else sides,
-        order=start.order,
-        branch=start.branch,
-        phase=float(states.phase[which]),
-        velocity=float(states.velocity[which]),
-        unstable=not (states.stable[which] or states.neutral[which]),
-        away=start.side * start.kick,
-    )
+    away = start.side * start.kick
+    phase, velocity = set_off(states, jacobian, branch=start.branch, cell=0, away=away)
     shaken = Harmonic(amplitude=a, frequency_ratio=w, phase=phase)
     return shaken, State(angle=0.0, velocity=velocity)

@@ -7,8 +7,6 @@ from dataclasses import replace
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.departure import nonlinear_half
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.orbit_answers import orbits_answer
@@ -19,7 +17,7 @@ from rocksteady.dynamics.orbits.return_map import (
     periodic_motion,
     section_of,
 )
-from rocksteady.dynamics.steady.states import steady_states
+from rocksteady.dynamics.steady.states import find_steady_states
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.kernels.orbits import periodic, return_map
@@ -38,7 +36,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Description, Fact
@@ -73,9 +71,8 @@ def find_orbits(
     neither symmetric orbits nor mirror images, nor has one against a wall: all of its orbits come
     from the search.
 
-    In the nonlinear model the symmetric orbits are continued from the closed forms, with the
-    slenderness growing from 0 to that of the block, and keep their branch; orbits that would
-    pass through the base are left out.
+    In the nonlinear model the symmetric orbits are those to which the closed forms lead as the
+    slenderness grows from 0 to that of the block, and keep their branch.
 
     Parameters
     ----------
@@ -131,10 +128,7 @@ def find_orbits(
     orbits: list[Orbit] = []
     mirrors = has_mirror_images(block, shaken)
     if block.symmetric and isinstance(shaken, Harmonic):
-        if isinstance(equations, Linear):
-            orbits += _symmetric_orbits(block, shaken, system, longest)
-        else:
-            orbits += _nonlinear_symmetric_orbits(block, shaken, equations, system, longest)
+        orbits += _symmetric_orbits(block, shaken, equations, system, longest)
     searched = [
         orbit_from(block, shaken, table, periods, residual, equations)
         for table, periods, residual in (
@@ -208,19 +202,18 @@ def _order(orbit: Orbit) -> tuple[object, ...]:
 
 
 def _symmetric_orbits(
-    block: Block | DimensionlessBlock, motion: Harmonic, system: EitherSystem, longest: int
+    block: Block | DimensionlessBlock,
+    motion: Harmonic,
+    model: Model,
+    system: EitherSystem,
+    longest: int,
 ) -> Iterable[Orbit]:
-    """Yield the symmetric orbits with two impacts of the linear model, in closed form."""
-    if motion.amplitude == 0.0:
-        return
-    a, w, r = motion.amplitude, motion.frequency_ratio, block.dimensionless().restitution
+    """Yield the symmetric orbits with two impacts, the steady states of `find_steady_states`."""
     for order in range(1, longest + 1, 2):
-        states = steady_states(a, w, r, order=order)
+        states = find_steady_states(block, motion, order=order, model=model)
         assert states.peak is not None
         assert states.admissible is not None
-        if states.region == 4:
-            continue
-        for which in (0, 1):
+        for which in np.flatnonzero(np.isfinite(states.phase)).tolist():
             phase, velocity = float(states.phase[which]), float(states.velocity[which])
             admissible = bool(states.admissible[which])
             peak = float(states.peak[which]) if admissible else math.nan
@@ -246,42 +239,8 @@ def _symmetric_orbits(
                 residual=residual,
                 admissible=admissible,
                 branch=which + 1,
+                model=model,
             )
-
-
-def _nonlinear_symmetric_orbits(
-    block: Block | DimensionlessBlock,
-    motion: Harmonic,
-    model: Nonlinear,
-    system: EitherSystem,
-    longest: int,
-) -> Iterable[Orbit]:
-    """Yield the symmetric orbits with two impacts to which those of the linear model lead."""
-    if motion.amplitude == 0.0:
-        return
-    a, w, r = motion.amplitude, motion.frequency_ratio, block.dimensionless().restitution
-    sides = sides_of(block, model)
-    for order in range(1, longest + 1, 2):
-        states = steady_states(a, w, r, order=order)
-        assert states.admissible is not None
-        for which in np.flatnonzero(states.admissible).tolist():
-            half = nonlinear_half(
-                a,
-                w,
-                sides,
-                order=order,
-                branch=which + 1,
-                phase=float(states.phase[which]),
-                velocity=float(states.velocity[which]),
-            )
-            if not half.found:
-                continue
-            table = np.zeros((2, periodic.ORBIT_COLUMNS))
-            periodic.put(table, 0, half.state)
-            periodic.put(table, 1, mirror(half.state, order))
-            residual = for_system(periodic.measured, system)(system, 2, order, table).residual
-            orbit = orbit_from(block, motion, table, order, residual, model)
-            yield replace(orbit, branch=which + 1)
 
 
 Found = tuple[Floats, int, float]

@@ -30,28 +30,29 @@ from rocksteady.results.numbers import number, plural
 
 def point_values(states: Any, index: tuple[int, ...]) -> dict[str, Any]:
     """Return the solutions at a point, in SI too where a block is known."""
-    region, block = int(states.region[index]), states.block
+    region, block, closed = int(states.region[index]), states.block, states.closed_form
     values: dict[str, Any] = {
         "amplitude": float(states.amplitude[index]),
         "frequency_ratio": float(states.frequency_ratio[index]),
         "restitution": float(states.restitution[index]),
         "order": int(states.order[index]),
-        "region": region,
-        "region_meaning": REGIONS[region],
-        "boundaries": {
-            "existence": float(states.existence[index]),
-            "kind": float(states.kind[index]),
-            "sign": float(states.sign[index]),
-        },
-        "solutions": [],
     }
+    if closed is None:
+        names = ("existence", "kind", "sign")
+        values |= {"region": region, "region_meaning": REGIONS[region]}
+        values["boundaries"] = {name: float(getattr(states, name)[index]) for name in names}
+    values["solutions"] = [
+        _solution(states, (which, *index))
+        for which in (0, 1)
+        if not np.isnan(states.phase[which, *index])
+    ]
     if block is not None:
         motion = Harmonic(amplitude=values["amplitude"], frequency_ratio=values["frequency_ratio"])
         values["block"] = block_values(block)
         values["accel_g"] = in_g(motion.acceleration_m_s2(block))
         values["freq_hz"] = motion.frequency_hz(block)
-    if region != 4:
-        values["solutions"] = [_solution(states, (which, *index)) for which in (0, 1)]
+    if closed is not None:
+        values["closed_form"] = {**point_values(closed, index), "model": closed.model.name}
     return values
 
 
@@ -93,10 +94,8 @@ def solution_rows(states: Any) -> list[dict[str, Any]]:
     rows: list[dict[str, Any]] = []
     for index in np.ndindex(states.region.shape):
         values = point_values(states, index)
-        shared = {
-            name: values[name]
-            for name in ("amplitude", "frequency_ratio", "restitution", "order", "region")
-        }
+        names = ("amplitude", "frequency_ratio", "restitution", "order", "region")
+        shared = {name: values[name] for name in names if name in values}
         rows += [
             {
                 **shared,
@@ -122,15 +121,16 @@ def worth(solution: dict[str, Any]) -> str:
 def describe_point(states: Any) -> Description:
     """Return the solutions at the only point of a grid, a column each."""
     values = point_values(states, (0,) * states.region.ndim)
-    block, limits = states.block, values["boundaries"]
-    existence, kind, sign = (number(limits[name]) for name in ("existence", "kind", "sign"))
+    block, model = states.block, states.model.name
     place = f"A = {values['amplitude']:.6g}, Ω = {values['frequency_ratio']:.6g}"
+    closed = values.get("closed_form", values)
+    existence, kind, sign = map(number, closed["boundaries"].values())
+    region = f"{closed['region']}: {closed['region_meaning']}"
+    bounds = f"existence {existence} (eq 23), kind {kind} (eq 25), sign {sign} (eq 24)"
     words = {
-        "region": ("region", f"{values['region']}: {values['region_meaning']}"),
-        "boundaries": (
-            "boundaries in A",
-            f"existence {existence} (eq 23), kind {kind} (eq 25), sign {sign} (eq 24)",
-        ),
+        "region": ("region", region),
+        "boundaries": ("boundaries in A", bounds),
+        "closed_form": ("closed form", f"region {region}; {bounds}"),
     }
     if block is not None:
         amplitude = amplitude_text(block, values["amplitude"])
@@ -163,10 +163,10 @@ def describe_point(states: Any) -> Description:
     columns += [Column(str(k), f"branch {k}", left=True) for k in (1, 2)]
     return Description(
         f"Symmetric steady states: {place}, restitution {values['restitution']:.6g}, "
-        f"n = {values['order']}, linear model",
+        f"n = {values['order']}, {model} model",
         [
             *(Fact(key, value, *words.get(key, ())) for key, value in values.items()),
-            Fact("model", "linear"),
+            Fact("model", model),
         ],
         [Table("", rows if values["solutions"] else (), columns)],
         answer=point_answer(values, block or DimensionlessBlock(restitution=values["restitution"])),
@@ -176,7 +176,7 @@ def describe_point(states: Any) -> Description:
 def describe_grid(states: Any) -> Description:
     """Return what there is along the axes of a grid."""
     points = [point_values(states, index) for index in np.ndindex(states.region.shape)]
-    existing = int((states.region != 4).sum())
+    existing = sum(bool(point["solutions"]) for point in points)
     facts = [Fact("", label="points", text=f"{states.region.size:,}, {existing:,} with solutions")]
     if states.admissible is not None:
         for which in (0, 1):
@@ -185,14 +185,15 @@ def describe_grid(states: Any) -> Description:
             )
             text = f"{admissible:,} admissible, {stable:,} stable"
             facts.append(Fact("", label=f"branch {which + 1}", text=text))
-    facts.append(Fact("model", "linear", "model"))
+    facts.append(Fact("model", states.model.name, "model"))
     orders = sorted({int(n) for n in states.order.ravel()})
     over = (
         f"A {span(states.amplitude)}, Ω {span(states.frequency_ratio)}, "
         f"restitution {span(states.restitution)}, n = {', '.join(map(str, orders))}"
     )
+    headline = f"Symmetric steady states at {plural(len(points), 'point')}: {over}, "
     return Description(
-        f"Symmetric steady states at {plural(len(points), 'point')}: {over}, linear model",
+        f"{headline}{states.model.name} model",
         facts,
         [Table("points", points)],
         ["plot response curves of one branch with compute_response_curve"],

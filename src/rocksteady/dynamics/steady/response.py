@@ -12,7 +12,7 @@ from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.steady.states import (
     SteadyStates,
     refuse_asymmetric,
-    steady_states,
+    states_of,
     validated_branch,
 )
 from rocksteady.errors import InputError, ModelError, Words
@@ -20,7 +20,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
-from rocksteady.model.equations import OfLinear
+from rocksteady.model.equations import Model, ModelChoice
 from rocksteady.model.facts import (
     amplitude_text,
     block_text,
@@ -35,7 +35,7 @@ from rocksteady.results.result import Result
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class ResponseCurve(OfLinear, Result):
+class ResponseCurve(Result):
     """Peak of one branch against frequency, as arrays of shape (frequencies,).
 
     Attributes
@@ -64,6 +64,11 @@ class ResponseCurve(OfLinear, Result):
     states: SteadyStates
     block: Block | DimensionlessBlock
 
+    @property
+    def model(self) -> Model:
+        """The equations of motion that hold."""
+        return self.states.model
+
     def describe(self) -> Description:
         """Return the case, the range of the curve, and its largest peak."""
         amplitude = float(self.states.amplitude.flat[0])
@@ -84,7 +89,7 @@ class ResponseCurve(OfLinear, Result):
             facts.append(Fact("", label="highest peak", text=text))
         stable = int(self.stable.sum())
         facts += [Fact("", label="stable", text=f"at {stable:,} of them")]
-        facts += [Fact("model", "linear", "model")]
+        facts += [Fact("model", self.model.name, "model")]
         rows = [
             {"frequency_ratio": ratio, "peak": peak, "stable": stable}
             for ratio, peak, stable in zip(
@@ -96,7 +101,9 @@ class ResponseCurve(OfLinear, Result):
                 row["freq_hz"] = hertz
         headline = f"Response curve, branch {self.branch}, n = {order}: A = {number(amplitude)}, "
         return Description(
-            f"{headline}{case_text(self.block)}, linear model", facts, [Table("curve", rows)]
+            f"{headline}{case_text(self.block)}, {self.model.name} model",
+            facts,
+            [Table("curve", rows)],
         )
 
 
@@ -109,6 +116,7 @@ def compute_response_curve(
     frequency_hz: ArrayLike | None = None,
     order: int = 1,
     branch: Literal[1, 2] = 1,
+    model: ModelChoice = None,
 ) -> ResponseCurve:
     """Return the peak of a symmetric steady state against frequency (eqs 7, 19, 21, 22).
 
@@ -124,6 +132,8 @@ def compute_response_curve(
         n = 1, 3, 5, ...
     branch
         1 or 2.
+    model
+        ``"linear"`` or ``"nonlinear"``; default nonlinear for a `Block`, else linear.
 
     Returns
     -------
@@ -135,8 +145,8 @@ def compute_response_curve(
     InputError
         If a number is outside its range, or the frequencies are not one row of one or more.
     ModelError
-        If not exactly one kind of frequency is given, Hz for a dimensionless block, or a block
-        whose sides differ.
+        If not exactly one kind of frequency is given, Hz or the nonlinear model for a dimensionless
+        block, or a block whose sides differ.
 
     Examples
     --------
@@ -173,7 +183,7 @@ def compute_response_curve(
         valid = f"a curve has its frequencies in one row, not the shape {ratios.shape}"
         raise InputError(name, ratios.tolist(), valid, "give one or more, as [3.0, 4.0]")
     refuse_asymmetric(block, "block", "a response curve")
-    states = steady_states(amplitude, ratios, block.dimensionless().restitution, order=order)
+    states = states_of(block, amplitude, ratios, order, model)
     assert states.peak is not None
     assert states.admissible is not None
     which = branch - 1

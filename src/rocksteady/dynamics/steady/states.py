@@ -1,13 +1,14 @@
-"""Symmetric steady states in closed form, over arrays of amplitude, frequency and restitution.
+"""Symmetric steady states, over arrays of amplitude, frequency and restitution.
 
 A symmetric steady state repeats itself, mirrored, after n half periods of the shaking; n = 1 is the
 harmonic response and n = 3 the 1/3 subharmonic.  Wherever one exists there are two, the branches of
 eqs 21 and 22 of Tso and Wong (1989); here both are given, with what the algebra does not see:
-whether the block would pass through the floor on the way, and whether the motion is stable.
+whether the block would pass through the floor on the way, and whether the motion is stable.  The
+states of the full equations are those to which the closed form leads (`half_cycles`).
 """
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from numbers import Integral
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -18,9 +19,11 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.arrays import order_of_orbit, resolved, validated_grid
 from rocksteady.dynamics.steady._state_facts import describe_grid, describe_point, solution_rows
+from rocksteady.dynamics.steady.half_cycles import compute_course, find_half_cycles
 from rocksteady.dynamics.steady.regions import REGIONS
-from rocksteady.dynamics.steady.verdicts import half_cycle_pairs, squared_pairs
+from rocksteady.dynamics.steady.verdicts import half_cycle_pairs, squared_pairs, verdict
 from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.elementary.arrays import sin
 from rocksteady.kernels.orbits.closed_form import (
     Points,
@@ -29,13 +32,15 @@ from rocksteady.kernels.orbits.closed_form import (
     fill_steady,
     symmetric_orbit,
 )
+from rocksteady.kernels.orbits.return_map import Section
+from rocksteady.kernels.orbits.symmetric_nonlinear import symmetric_from
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.arrays import scalar_of
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import finite
-from rocksteady.model.equations import OfLinear
+from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import framed
 from rocksteady.results.description import Description, Fact
@@ -47,6 +52,10 @@ if TYPE_CHECKING:
     import xarray
 
 BRANCHES = (1, 2)
+SHAPE = (3, 4)
+"""Rows of peak and extrema in what `find_half_cycles` returns."""
+LEFT_OUT = 1e-15
+"""Part of a flight that a step may leave out where a state is continued."""
 
 
 def validated_branch(name: str, value: object) -> Literal[1, 2]:
@@ -108,7 +117,7 @@ def refuse_asymmetric(block: Block | DimensionlessBlock, name: str, what: str) -
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class SteadyStates(OfLinear, Result):
+class SteadyStates(Result):
     """Both symmetric steady states at each point of a grid.
 
     Arrays named below without a branch have the broadcast shape of the inputs, ``grid``; those of
@@ -120,10 +129,10 @@ class SteadyStates(OfLinear, Result):
     amplitude, frequency_ratio, restitution, order
         The inputs, broadcast against each other.
     region
-        1 to 5 (Figs 3, 4); no solution in 4.
+        1 to 5 (Figs 3, 4) of the closed form, which has no solution in 4.
     existence, sign, kind
-        Boundaries in amplitude: eq 23, below which nothing exists; eq 24, above which the phase of
-        branch 2 is negative; eq 25, above which branch 1 is out of phase.
+        Boundaries in amplitude, of the closed form: eq 23, below which nothing exists; eq 24, above
+        which the phase of branch 2 is negative; eq 25, above which branch 1 is out of phase.
     phase
         Phase of the shaking at the impact that begins a positive half cycle, in (-pi, pi] [rad]
         (eqs 21, 22).
@@ -139,6 +148,10 @@ class SteadyStates(OfLinear, Result):
         Whether the half cycle stays above the floor; None without `with_shapes`.
     block
         The block whose degrees, g and Hz stand beside; None for none.
+    model
+        Which equations of motion hold: `Linear` or `Nonlinear`.
+    closed_form
+        The states of the linear model beside those of the full equations; None in the linear model.
     """
 
     amplitude: Floats
@@ -156,6 +169,8 @@ class SteadyStates(OfLinear, Result):
     extrema: NDArray[np.int64] | None
     admissible: Bools | None
     block: Block | None = None
+    model: Model = field(default_factory=Linear)
+    closed_form: "SteadyStates | None" = None
 
     @cached_property
     def velocity(self) -> Floats:
@@ -212,7 +227,9 @@ class SteadyStates(OfLinear, Result):
 
     def for_block(self, block: Block | DimensionlessBlock) -> "SteadyStates":
         """Return the same states, described in the degrees, g and Hz of a block."""
-        return replace(self, block=block if isinstance(block, Block) else None)
+        closed = None if self.closed_form is None else self.closed_form.for_block(block)
+        described = block if isinstance(block, Block) else None
+        return replace(self, block=described, closed_form=closed)
 
     def rows(self) -> list[dict[str, Any]]:
         """Return one row per solution, in the order of the points."""
@@ -260,18 +277,25 @@ class SteadyStates(OfLinear, Result):
         for name in names:
             attributes = {"units": units.get(name, "1")}
             variables[name] = (("branch", *dims), getattr(self, name), attributes)
-        return xarray.Dataset(variables, coords={"branch": list(BRANCHES)})
+        attributes = {"model": self.model.name}
+        return xarray.Dataset(variables, {"branch": list(BRANCHES)}, attributes)
 
 
 @checked
 def find_steady_states(
-    block: Block | DimensionlessBlock, motion: Harmonic, *, order: ArrayLike = 1
+    block: Block | DimensionlessBlock,
+    motion: Harmonic,
+    *,
+    order: ArrayLike = 1,
+    model: ModelChoice = None,
 ) -> SteadyStates:
-    """Find both symmetric steady states of a block under harmonic motion, in closed form.
+    """Find both symmetric steady states of a block under harmonic motion.
 
-    They are those of the linear model and of a symmetric block; `rocksteady.find_orbits` finds the
-    periodic motions of any other block, model and motion.  Over arrays of amplitudes and
-    frequencies there is `rocksteady.formulas.steady_states`.
+    Those of the linear model are a closed form; those of the full equations are its continuation
+    from slender blocks to the block's own slenderness, found by Newton's method.  Either model has
+    both or none.  `rocksteady.find_orbits` finds all periodic motions, of any block and motion.
+    Over arrays of amplitudes and frequencies there is the closed form,
+    `rocksteady.formulas.steady_states`.
 
     Parameters
     ----------
@@ -281,18 +305,22 @@ def find_steady_states(
         Its phase does not matter.
     order
         n = 1, 3, 5, ...: half periods of the motion in one half cycle; one or several.
+    model
+        ``"linear"`` or ``"nonlinear"``; default nonlinear for a `Block`, else linear.
 
     Returns
     -------
     SteadyStates
-        Arrays of shape ``(2, *order.shape)`` for the solutions.
+        Arrays of shape ``(2, *order.shape)`` for the solutions; of the full equations with those of
+        the linear model as `closed_form`.
 
     Raises
     ------
     InputError
         If an order is even, or a value of the motion is outside its range.
     ModelError
-        If the sides of the block differ, one is a wall, or the motion is not `Harmonic`.
+        If the sides of the block differ, one is a wall, the motion is not `Harmonic`, or the
+        nonlinear model meets a block without slenderness.
 
     References
     ----------
@@ -304,19 +332,128 @@ def find_steady_states(
     >>> block = Block.rectangle(width=0.4, height=2.0)
     >>> motion = Harmonic.from_si(block, acceleration_m_s2=3.92, frequency_hz=2.0)
     >>> print(find_steady_states(block, motion).describe().answer.sentence)
-    It can rock steadily at 1.61° (0.142 alpha), out of phase, and that is stable.
+    It can rock steadily at 1.58° (0.14 alpha), out of phase, and that is stable.
     """
     if not isinstance(motion, Harmonic):
         raise ModelError(
             "motion",
             motion,
-            "the closed form is that of harmonic motion",
+            "symmetric steady states are those of harmonic motion",
             "find_orbits takes any periodic motion, simulate any motion",
         )
     refuse_asymmetric(block, "block", "find_steady_states")
-    ratio = block.dimensionless().restitution
-    states = steady_states(motion.amplitude, motion.frequency_ratio, ratio, order=order)
+    return states_of(block, motion.amplitude, motion.frequency_ratio, order, model)
+
+
+def states_of(
+    block: Block | DimensionlessBlock,
+    amplitude: ArrayLike,
+    frequency_ratio: ArrayLike,
+    order: ArrayLike,
+    model: object,
+) -> SteadyStates:
+    """Return the symmetric steady states of a block over broadcast arrays.
+
+    Parameters
+    ----------
+    block
+        Symmetric.
+    amplitude, frequency_ratio, order
+        As for `steady_states`.
+    model
+        As for `find_steady_states`.
+    """
+    if model is None and isinstance(block, Block):
+        model = Nonlinear()
+    restitution = block.dimensionless().restitution
+    if isinstance(chosen_model(model, block), Linear):
+        states = steady_states(amplitude, frequency_ratio, restitution, order=order)
+    else:
+        assert isinstance(block, Block)
+        alpha = block.positive.alpha
+        states, _ = full_states(amplitude, frequency_ratio, restitution, alpha, order=order)
+        states = replace(states, model=chosen_model(model, block))
     return states.for_block(block)
+
+
+def full_states(
+    amplitude: ArrayLike,
+    frequency_ratio: ArrayLike,
+    restitution: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    order: ArrayLike = 1,
+    branch: int | None = None,
+) -> tuple[SteadyStates, Floats]:
+    """Return both branches of the full equations, and the derivatives of their half cycles.
+
+    A state is continued from the closed form where that has a motion and no fold or floor comes in
+    the way.  All others, and the shape of all, come from `half_cycles`.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio, restitution, order
+        As for `steady_states`.
+    alpha
+        Slenderness [rad].
+    branch
+        For starts: one branch alone, without its shape where it is continued.
+
+    Returns
+    -------
+    states
+        Arrays of shape ``(2, *grid)``.
+    jacobian
+        Derivative in (phase, velocity), row by row, of any scale; shape ``(4, 2, *grid)``.
+
+    Examples
+    --------
+    >>> states, _ = full_states(2.0, 4.0, 0.8, 0.3)
+    >>> print(states.peak.round(6), states.admissible)
+    [ 0.181107 -0.040739] [ True False]
+    """
+    closed = steady_states(amplitude, frequency_ratio, restitution, order=order)
+    assert closed.admissible is not None
+    size, ratio, delta = closed.amplitude, closed.frequency_ratio, closed.restitution
+    grids = np.broadcast_arrays(resolved(size), ratio, delta, alpha, closed.order.astype(float))
+    given = [x.ravel() for x in grids]
+    fields = np.full((10, 2, len(given[0])), math.nan)
+    allowed, phase, velocity = (
+        x.reshape(2, -1) for x in (closed.admissible, closed.phase, closed.velocity)
+    )
+    wanted = [branch is None or branch == each for each in BRANCHES]
+    for which, cell in np.argwhere(allowed & np.array(wanted)[:, None]).tolist():
+        a, w, r, lean, n = (x.item(cell) for x in given)
+        begin = Section(1, *clock(phase.item(which, cell)), velocity.item(which, cell))
+        sides = np.array([[r, 1.0, 1.0, lean, LEFT_OUT]] * 2)
+        half = symmetric_from(a, w, sides, int(n), which + 1, begin)
+        if half.found:
+            trace = half.jacobian.phase_by_phase + half.jacobian.speed_by_speed
+            turned = math.pi * half.state.half_cycles + half.state.phase
+            turned -= 2.0 * math.pi * ((turned > math.pi) - (turned <= -math.pi))
+            fields[:3, which, cell] = turned, half.state.speed, trace
+            fields[5:, which, cell] = 1.0, *half.jacobian
+    lacking = np.arange(len(given[0]))
+    if branch is not None:
+        lacking = np.flatnonzero(np.isnan(fields[0, branch - 1]))
+    found = find_half_cycles(*(x[lacking] for x in given))
+    continued = np.isfinite(fields[0][:, lacking])
+    for row in range(10):
+        kept = continued if row not in SHAPE else False
+        fields[row][:, lacking] = np.where(kept, fields[row][:, lacking], found[row])
+    fields = fields.reshape(10, *closed.phase.shape)
+    states = replace(
+        closed,
+        phase=fields[0],
+        velocity_tau=fields[1] / ratio,
+        trace=fields[2],
+        peak=fields[3],
+        extrema=np.nan_to_num(fields[4]).astype(np.int64),
+        admissible=fields[5] == 1.0,
+        model=Nonlinear(),
+        closed_form=closed,
+    )
+    return states, fields[6:]
 
 
 @checked
@@ -330,8 +467,9 @@ def steady_states(
 ) -> SteadyStates:
     """Return both branches of symmetric steady states (eqs 12 to 25) over broadcast arrays.
 
-    They are those of symmetric blocks, of which the restitution is all that counts; the periodic
-    motions of an asymmetric one are found by `rocksteady.find_orbits`.
+    They are those of the linear model and of symmetric blocks, of which the restitution is all that
+    counts; those of the full equations are found by `rocksteady.find_steady_states`, the periodic
+    motions of an asymmetric block by `rocksteady.find_orbits`.
 
     Parameters
     ----------
@@ -406,7 +544,7 @@ def steady_states(
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class SteadyOrbit(OfLinear, Result):
+class SteadyOrbit(Result):
     """One period of a symmetric steady state, as arrays of shape (samples,).
 
     Attributes
@@ -419,6 +557,10 @@ class SteadyOrbit(OfLinear, Result):
         Base acceleration in units of alpha g.
     amplitude, frequency_ratio, restitution, order, branch
         Which steady state it is.
+    verdict
+        "stable", "neutral", "unstable", "grazes", or "inadmissible".
+    model
+        Which equations of motion hold: `Linear` or `Nonlinear`.
     """
 
     tau: Floats
@@ -431,6 +573,8 @@ class SteadyOrbit(OfLinear, Result):
     restitution: float
     order: int
     branch: int
+    verdict: str
+    model: Model = field(default_factory=Linear)
 
     def describe(self) -> Description:
         """Return which steady state it is, and its extremes."""
@@ -442,12 +586,12 @@ class SteadyOrbit(OfLinear, Result):
         return Description(
             f"Steady state, branch {self.branch}: A = {self.amplitude:.6g}, "
             f"Ω = {self.frequency_ratio:.6g}, restitution {self.restitution:.6g}, "
-            f"n = {self.order}, linear model",
+            f"n = {self.order}, {self.model.name} model",
             [
                 *(Fact(name, value) for name, value in given.items()),
                 Fact("samples", len(self.tau), "samples"),
                 Fact("peak", peak, "largest angle", quantity(peak, "alpha")),
-                Fact("model", "linear", "model"),
+                Fact("model", self.model.name, "model"),
             ],
         )
 
@@ -512,8 +656,7 @@ def compute_steady_orbit(
             "it must be odd, so that the impact in the middle is a sample",
             "give an odd number, as 801",
         )
-    a, w, r, n = validated_grid(amplitude, frequency_ratio, restitution, order)
-    states = steady_states(a, w, r, order=n, with_shapes=False)
+    states = steady_states(amplitude, frequency_ratio, restitution, order=order)
     if states.region == 4:
         raise InputError(
             "amplitude",
@@ -521,25 +664,51 @@ def compute_steady_orbit(
             f"a symmetric steady state needs {float(states.existence):.6g} or above (eq 23)",
             "raise the amplitude, or lower the frequency ratio",
         )
-    amplitude = float(resolved(a))
-    orbit = symmetric_orbit(amplitude, float(w), float(r), int(n), which)
-    half = (samples + 1) // 2
-    length = int(n) * math.pi
+    return orbit_of(states, which, samples)
+
+
+def orbit_of(states: SteadyStates, branch: int, samples: int = 801) -> SteadyOrbit:
+    """Return one period of a steady state at the only point of a grid, admissible or not.
+
+    Parameters
+    ----------
+    states
+        With shapes, and with a state.
+    branch, samples
+        As for `compute_steady_orbit`.
+    """
+    a, w, r = (x.item() for x in (states.amplitude, states.frequency_ratio, states.restitution))
+    n, which = states.order.item(), branch - 1
+    half, length = (samples + 1) // 2, n * math.pi
     tau = np.linspace(0.0, length, half)
-    motion = np.empty((2, half))
-    fill_half_cycle(amplitude, float(w), int(n), orbit, tau / float(w), motion)
+    phase = states.phase[which].item()
+    if states.block is not None and isinstance(states.model, Nonlinear):
+        given = float(resolved(states.amplitude)), w, r, states.block.positive.alpha, float(n)
+        motion = compute_course(given, phase, tau / w)
+    else:
+        amplitude = float(resolved(states.amplitude))
+        orbit = symmetric_orbit(amplitude, w, r, n, branch)
+        motion = np.empty((2, half))
+        fill_half_cycle(amplitude, w, n, orbit, tau / w, motion)
     angle = np.concatenate([motion[0], -motion[0, 1:]])
     velocity = np.concatenate([motion[1], -motion[1, 1:]])
     tau = np.concatenate([tau, length + tau[1:]])
+    assert states.admissible is not None
     return SteadyOrbit(
         tau=tau,
         angle=angle,
         velocity=velocity,
-        velocity_tau=velocity / float(w),
-        excitation=float(a) * sin(tau + orbit.phase),
-        amplitude=float(a),
-        frequency_ratio=float(w),
-        restitution=float(r),
-        order=int(n),
-        branch=which,
+        velocity_tau=velocity / w,
+        excitation=a * sin(tau + phase),
+        amplitude=a,
+        frequency_ratio=w,
+        restitution=r,
+        order=n,
+        branch=branch,
+        verdict=verdict(
+            admissible=states.admissible[which].item(),
+            neutral=states.neutral[which].item(),
+            stable=None if math.isnan(states.trace[which]) else states.stable[which].item(),
+        ),
+        model=states.model,
     )

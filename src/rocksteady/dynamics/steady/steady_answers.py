@@ -26,16 +26,21 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
     block
         The block, without its own restitution where it has no size.
     """
-    limits = {key: peak_unit(block, value) for key, value in values["boundaries"].items()}
+    closed = values.get("closed_form", values)
+    full = closed is not values
+    limits = {key: peak_unit(block, value) for key, value in closed["boundaries"].items()}
+    solved, beside = "linear (exact)", []
+    if full:
+        solved, beside = "full equations", [("closed form", _closed_form(closed, block, limits))]
     order = values["order"]
     name = "" if order == 1 else f" in a period-{order} motion"
     if not values["solutions"]:
-        sentence = f"It cannot rock steadily{name}: that needs {limits['existence']} or more."
-        return Answer(sentence, [("computed", solved_text("linear (exact)", block))])
-    ordered = sorted(
-        values["solutions"], key=lambda each: (not each["stable"], not each["admissible"])
-    )
-    best, second = ordered
+        why = (
+            "the full equations have none" if full else f"that needs {limits['existence']} or more"
+        )
+        sentence = f"It cannot rock steadily{name}: {why}."
+        return Answer(sentence, [*beside, ("computed", solved_text(solved, block))])
+    best, second = _ordered(values["solutions"])
     kind = best["kind"].replace("-", " ")
     words = verdict(**{key: best[key] for key in ("admissible", "neutral", "stable")})
     sentence = f"It cannot rock steadily{name}: both solutions pass through the base."
@@ -52,6 +57,7 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
         impacts += f" ({quantity(order / values['freq_hz'], 's')})"
         speed = f"{angle(abs(best['velocity']) * block.alpha * block.p)}/s after each"
     beyond = BEYOND if best["admissible"] and best["peak"] > 1.0 else ""
+    beyond = beyond.partition(":")[0] if full else beyond
     exists = f"from {limits['existence']} up; a second branch up to {limits['sign']} at most"
     return Answer(
         sentence,
@@ -59,10 +65,25 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
             ("beyond alpha", beyond),
             ("impacts", f"{impacts}, {speed}" if best["admissible"] else ""),
             ("other branch", _other(second, block)),
-            ("exists", "" if beyond else exists),
-            ("computed", f"linear (exact); multipliers {multipliers_text(best['multipliers'])}"),
+            *(beside or [("exists", "" if beyond else exists)]),
+            ("computed", f"{solved}; multipliers {multipliers_text(best['multipliers'])}"),
         ],
     )
+
+
+def _ordered(solutions: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return the solutions, a stable motion first, then any motion."""
+    return sorted(solutions, key=lambda each: (not each["stable"], not each["admissible"]))
+
+
+def _closed_form(values: dict[str, Any], block: AnyBlock, limits: dict[str, str]) -> str:
+    """Return what the linear model has at a point of the full equations."""
+    if not values["solutions"]:
+        return f"none below {limits['existence']} (linear)"
+    best, _ = _ordered(values["solutions"])
+    words = verdict(**{key: best[key] for key in ("admissible", "neutral", "stable")})
+    kind = best["kind"].replace("-", " ")
+    return f"at {tilt_text(block, best['peak'])}, {kind}, {words} (linear)"
 
 
 def _other(solution: dict[str, Any], block: AnyBlock) -> str:
@@ -85,6 +106,7 @@ def grid_answer(states: Any, points: Sequence[dict[str, Any]]) -> Answer:
         Values of its points.
     """
     block, count = states.block, len(points)
+    solved = "linear (exact)" if states.closed_form is None else "full equations"
     solutions = [each for point in points for each in point["solutions"]]
     motions = sum(bool(each["admissible"]) for each in solutions)
     peaks = [each["peak"] for each in solutions if each["stable"]]
@@ -114,7 +136,7 @@ def grid_answer(states: Any, points: Sequence[dict[str, Any]]) -> Answer:
             ("unstable", unstable if motions else ""),
             ("no motion", f"at {plural(nowhere, 'point')}" if nowhere else ""),
             ("over", over),
-            ("computed", solved_text("linear (exact)", block)),
+            ("computed", solved_text(solved, block)),
         ],
     )
 

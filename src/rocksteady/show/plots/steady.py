@@ -11,7 +11,7 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.steady.regions import RegionBoundaries, RegionMap
 from rocksteady.dynamics.steady.response import ResponseCurve
-from rocksteady.dynamics.steady.states import SteadyOrbit, steady_states
+from rocksteady.dynamics.steady.states import SteadyOrbit
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
@@ -129,15 +129,12 @@ def draw_orbit(
     if block is not None:
         seconds = scale_of("pt", block).factor / orbit.frequency_ratio
         across = Scale(seconds, palette.LABELS["half_cycle_s"])
-    place = orbit.amplitude, orbit.frequency_ratio, orbit.restitution
-    states, branch = steady_states(*place, order=orbit.order), orbit.branch - 1
-    look: Any = "-" if states.stable[branch] or states.neutral[branch] else DASHED
-    assert states.admissible is not None
+    looks: dict[str, Any] = {"stable": "-", "neutral": "-", "inadmissible": DOTTED}
     axes.plot(
         across.factor * orbit.tau,
         up.factor * (orbit.excitation if base else orbit.angle),
         color=inks_of(axes).series(role, SHADES)[2 * series % SHADES],
-        ls=look if states.admissible[branch] else DOTTED,
+        ls=looks.get(orbit.verdict, DASHED),
         lw=1.0 if base else None,
         label=label,
     )

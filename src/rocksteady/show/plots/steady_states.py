@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.steady.states import SteadyStates, compute_steady_orbit
+from rocksteady.dynamics.steady.states import SteadyStates, orbit_of
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
@@ -142,18 +142,11 @@ def _alone(values: Floats) -> Floats:
 
 def _orbits(states: SteadyStates, axes: "Axes", legend: LegendPlace | None) -> "Axes":
     """Draw one period of each motion of a point: stable solid, unstable dashed."""
-    amplitude, ratio = states.amplitude.item(), states.frequency_ratio.item()
     assert states.admissible is not None
     for branch in (1, 2):
         if not states.admissible[branch - 1].item():
             continue
-        orbit = compute_steady_orbit(
-            float(amplitude),
-            float(ratio),
-            float(states.restitution.item()),
-            branch=branch,
-            order=int(states.order.item()),
-        )
+        orbit = orbit_of(states, branch)
         stable = bool(states.stable[branch - 1].item())
         plot_steady_orbit(orbit, axes, label=f"branch {branch}, {STABLE[stable]}")
         axes.lines[-1].set(color=inks_of(axes).motion, ls="-" if stable else DASHED)

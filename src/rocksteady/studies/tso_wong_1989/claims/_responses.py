@@ -148,6 +148,7 @@ def larger_block(_: Evidence) -> Finding:
                     amplitude,
                     frequency_hz=hertz,
                     order=order,
+                    model="linear",
                 )
                 for size in sizes
             ]

@@ -73,7 +73,7 @@ class Responses:
             elif self.quantity == "p":
                 block = Block.from_p(alpha=ALPHA, p=value, restitution=RESTITUTION)
                 curve = compute_response_curve(
-                    block, AMPLITUDE, frequency_hz=frequencies, order=self.order
+                    block, AMPLITUDE, frequency_hz=frequencies, order=self.order, model="linear"
                 )
             else:
                 block = DimensionlessBlock(restitution=value)
