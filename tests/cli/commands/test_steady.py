@@ -319,7 +319,10 @@ def test_rows_and_curves_of_a_block_are_of_the_full_equations(tmp_path: Path) ->
         mine = rows[(rows.branch == 1) & np.isclose(rows.frequency_ratio, motion.frequency_ratio)]
         assert mine.peak.item() == first["peak"]
         assert first["peak"] < 0.99 * point["closed_form"]["solutions"][0]["peak"]
-    assert "nonlinear model" in figure.read_text()
+    assert "branch 1, full equations" in figure.read_text()
+    point = "--alpha-rad 0.4 --p-rad-s 2 -r 0.8 -A 2 -W 4"
+    assert rocksteady(f"steady {point} --force --plot", figure).code == 0
+    assert "regions of the linear ones" in figure.read_text()
 
 
 def test_axes_too_long_together_are_refused_before_anything_is_computed() -> None:

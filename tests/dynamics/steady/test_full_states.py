@@ -71,7 +71,7 @@ class Case(NamedTuple):
 
     def miss(self, state: Floats) -> list[float]:
         """What a state fails to be a steady state by."""
-        angle, velocity = self.shot(*state, self.half)
+        angle, velocity = self.shot(float(state[0]), float(state[1]), self.half)
         return [angle, state[1] + self.delta * velocity]
 
     def image(self, phase: float, speed: float) -> Floats:
@@ -115,8 +115,8 @@ def test_both_states_are_where_shots_close(case: Case) -> None:
         found = np.array([states.phase[which], states.velocity[which]])
         shot = root(case.miss, found * 1.0001 + 1e-5, tol=1e-13).x
         np.testing.assert_allclose(found, shot, rtol=1e-8, atol=1e-9)
-        times = case.half * np.arange(1, 400) / 400.0
-        course = case.shots(*found, times)[0]
+        times = np.linspace(0.0, case.half, 401)[1:-1]
+        course = case.shots(float(found[0]), float(found[1]), times)[0]
         assert (course.min() > 0.0) == bool(states.admissible[which])
         inner = course if found[1] > 0.0 else -course
         assert abs(states.peak[which]) == pytest.approx(inner.max(), rel=2e-4)
@@ -152,7 +152,7 @@ def count_of_shots(case: Case) -> int:
         def end(speed: float) -> float:
             return float(case.shot(phase, speed, case.half, 1e-10)[0])
 
-        speed = float(brentq(end, -3.0, 3.0, xtol=1e-12))  # type: ignore[arg-type]
+        speed = float(brentq(end, -3.0, 3.0, xtol=1e-12))
         return speed + case.delta * float(case.shot(phase, speed, case.half, 1e-10)[1])
 
     gaps = [gap(phase) for phase in np.linspace(0.1, 0.1 + 2.0 * math.pi, 31)]
@@ -289,20 +289,29 @@ def test_runs_orbits_and_maps_begin_on_the_state_itself(
         assert alone.orbit.highest == pytest.approx(orbit.highest, rel=1e-12)  # type: ignore[union-attr]
 
 
-def test_states_that_the_closed_form_has_not_can_be_started_on() -> None:
-    # Of branch 2 in region 2 the closed form passes the floor; here the full equations do not.
-    block = Block.from_p(alpha=0.57, p=2.0, restitution=0.49)
-    motion = Harmonic(amplitude=5.0, frequency_ratio=10.5)
-    states = find_steady_states(block, motion)
-    closed = states.closed_form
-    assert closed is not None
-    assert closed.admissible is not None
-    assert states.admissible is not None
-    differ = np.flatnonzero(states.admissible & ~closed.admissible)
-    for which in differ.tolist():
-        start = Steady(branch=which + 1)
-        run = simulate(block, motion, start=start, cycles=1, model="nonlinear")
-        assert len(run.impacts) == 2
+@every(
+    ("alpha", "a", "w", "delta", "n", "branch"),
+    [
+        (0.4214, 1.249, 2.31, 0.4947, 1, 2),
+        (0.5744, 1.378, 10.53, 0.4919, 1, 2),
+        (0.374, 2.959, 2.83, 0.766, 3, 2),
+        (0.585, 7.367, 3.4, 0.714, 3, 1),
+    ],
+)
+def test_a_motion_that_the_closed_form_has_not_can_be_started_on(
+    alpha: float, a: float, w: float, delta: float, n: int, branch: int
+) -> None:
+    block = Block.from_p(alpha=alpha, p=2.0, restitution=delta)
+    motion = Harmonic(amplitude=a, frequency_ratio=w)
+    states = find_steady_states(block, motion, order=n)
+    assert states.closed_form is not None
+    assert states.closed_form.admissible is not None
+    assert not states.closed_form.admissible[branch - 1]
+    start = Steady(branch=branch, order=n, kick=1e-300)
+    run = simulate(block, motion, start=start, cycles=0.6 * n, model="nonlinear")
+    assert float(run.impacts.pt[0]) == pytest.approx(n * math.pi / w, abs=1e-9)
+    after = -float(run.impacts.velocity_after[0])
+    assert after == pytest.approx(float(states.velocity[branch - 1]), rel=1e-8)
 
 
 def test_a_curve_is_that_of_its_points() -> None:

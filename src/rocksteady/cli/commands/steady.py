@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import refuse, require
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
@@ -41,6 +42,10 @@ EXAMPLES = (
     "rocksteady steady -A 1:6:6 -W 0.5:16:400 -r 0.8 --plot response.png\n\n"
     "rocksteady steady --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2 --json"
 )
+
+
+A_MINUTE = 30_000
+"""Points whose full equations take about a minute."""
 
 
 @grouped
@@ -93,7 +98,13 @@ def steady(
     orders = tuple(dict.fromkeys(order or (1,)))
     plane = np.array(amplitudes)[:, np.newaxis], np.array(ratios)
     each = orders[0] if len(orders) == 1 else np.array(orders)[:, np.newaxis, np.newaxis]
-    states = states_of(body, *plane, each, equations)
+    points = len(amplitudes) * len(ratios) * len(orders)
+    if points > A_MINUTE and equations.name == "nonlinear":
+        with progress(f"solving {points:,} points (--model linear: at once)", 1) as done:
+            states = states_of(body, *plane, each, equations)
+            done("points")
+    else:
+        states = states_of(body, *plane, each, equations)
     same = f"--model {model}" if model else ""
     output.write_csv(states.to_dataframe)
     description = states.describe()
@@ -177,5 +188,6 @@ def curves_figure(
     ]
     listed = ", ".join(map(str, orders))
     title = f"Symmetric steady states: restitution {body.restitution:g}, n = {listed}, branch 1"
-    title += f", {model.name} model" if isinstance(body, Block) else ""
+    if isinstance(body, Block):
+        title += ", full equations" if model.name == "nonlinear" else ", linear model"
     return response_figure(curves, hertz=isinstance(body, Block), title=title, page=page)

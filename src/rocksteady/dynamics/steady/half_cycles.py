@@ -8,9 +8,9 @@ half of a steady state where its speeds v at both ends fit an impact::
     g(f) = v(0) + restitution v(T) = 0
 
 In the linear model g is a constant less a sinusoid (eq 20).  In the full equations it still has one
-trough and one crest, so that there are two states or none: branch 1 where g rises, branch 2 where
+valley and one crest, so that there are two states or none: branch 1 where g rises, branch 2 where
 it falls, as in the closed form, to which they lead as the slenderness falls to 0.  They meet at a
-fold, where the trough rises above 0.
+fold, where the valley rises above 0.
 """
 
 import math
@@ -85,15 +85,15 @@ def find_half_cycles(*given: Floats) -> Floats:
     """
     amplitude, ratio, *_, order = given
     counts, span = pieces_of(order, ratio), order * math.pi / ratio
-    found = np.full((10, 2, len(ratio)), math.nan)
-    found[4:6] = 0.0
+    fields = np.full((10, 2, len(ratio)), math.nan)
+    fields[4:6] = 0.0
     for count in np.unique(counts[amplitude > 0.0]).tolist():
         mine = np.flatnonzero((counts == count) & (amplitude > 0.0))
         for some in np.array_split(mine, math.ceil(2 * count * len(mine) / ROOM)):
             points = Points(*(np.tile(x[some], 2)[:, None] for x in (*given, span / count)))
             with np.errstate(all="ignore"):
-                found[:, :, some] = _states(points, count).reshape(10, 2, -1)
-    return found
+                fields[:, :, some] = _states(points, count).reshape(10, 2, -1)
+    return fields
 
 
 def pieces_of(order: Floats, frequency_ratio: Floats) -> NDArray[np.int64]:
@@ -142,7 +142,7 @@ def _states(points: Points, count: int) -> Floats:
         gaps = flights.speeds[:, 0] + part * flights.speeds[:, -1]
         return gaps, flights.early + part * flights.late
 
-    # Trough and crest, first those of the linear model.
+    # Valley and crest, first those of the linear model.
     half, every = len(w) // 2, np.arange(len(w))
     decay = exp(-points.order[:, 0] * math.pi / w)
     steepness = (1.0 - r) / (1.0 + r) * (1.0 - decay) / (1.0 + decay) * w  # P of eq 20
@@ -152,11 +152,11 @@ def _states(points: Points, count: int) -> Floats:
     bare = np.flatnonzero(gaps[:half] >= 0.0)  # near a fold, or without a state
     _find(lambda *at: (gap(*at)[1], size[at[1]]), ends, ends - 1.0, ends + 1.0, bare)
     gaps[bare], _ = gap(ends[bare], bare)
-    (trough, crest), (least, most) = ends.reshape(2, half), gaps.reshape(2, half)
+    (valley, crest), (least, most) = ends.reshape(2, half), gaps.reshape(2, half)
     which = np.flatnonzero(np.tile((least < 0.0) & (most > 0.0), 2))
     apart = acos(np.clip((most + least) / (most - least), -1.0, 1.0))
-    phase = np.concatenate([trough + apart, trough - apart])
-    _find(gap, phase, np.tile(trough, 2), np.concatenate([crest, crest - 2.0 * math.pi]), which)
+    phase = np.concatenate([valley + apart, valley - apart])
+    _find(gap, phase, np.tile(valley, 2), np.concatenate([crest, crest - 2.0 * math.pi]), which)
     result = np.full((10, len(w)), math.nan)
     result[4:6] = 0.0
     if len(which):
@@ -230,9 +230,9 @@ def _find(
             np.where(value < 0.0, here, low[which]),
             np.where(value < 0.0, high[which], here),
         )
-        below, above, there = low[which], high[which], here - value / rate
-        inside = (there - below) * (there - above) <= 0.0
-        phase[which] = np.where(inside, there, 0.5 * (below + above))
+        below, above, target = low[which], high[which], here - value / rate
+        inside = (target - below) * (target - above) <= 0.0
+        phase[which] = np.where(inside, target, 0.5 * (below + above))
         which = which[np.abs(phase[which] - here) > CLOSED]
         if not len(which):
             break

@@ -153,7 +153,7 @@ def compute_response_curve(
     >>> block = Block.from_p(alpha=0.2, p=6.283185307179586, restitution=0.8)
     >>> curve = compute_response_curve(block, 3.0, frequency_hz=[3.0, 4.0, 8.0])
     >>> print(curve.frequency_ratio.round(12), curve.peak.round(5))
-    [3. 4. 8.] [0.41518 0.24397 0.06373]
+    [3. 4. 8.] [0.41243 0.24153 0.06281]
     """
     if (frequency_ratio is None) == (frequency_hz is None):
         raise ModelError(

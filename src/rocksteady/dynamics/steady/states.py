@@ -332,7 +332,7 @@ def find_steady_states(
     >>> block = Block.rectangle(width=0.4, height=2.0)
     >>> motion = Harmonic.from_si(block, acceleration_m_s2=3.92, frequency_hz=2.0)
     >>> print(find_steady_states(block, motion).describe().answer.sentence)
-    It can rock steadily at 1.58° (0.14 alpha), out of phase, and that is stable.
+    It can rock steadily at 1.59° (0.14 alpha), out of phase, and that is stable.
     """
     if not isinstance(motion, Harmonic):
         raise ModelError(
@@ -436,11 +436,11 @@ def full_states(
     lacking = np.arange(len(given[0]))
     if branch is not None:
         lacking = np.flatnonzero(np.isnan(fields[0, branch - 1]))
-    found = find_half_cycles(*(x[lacking] for x in given))
+    others = find_half_cycles(*(x[lacking] for x in given))
     continued = np.isfinite(fields[0][:, lacking])
     for row in range(10):
         kept = continued if row not in SHAPE else False
-        fields[row][:, lacking] = np.where(kept, fields[row][:, lacking], found[row])
+        fields[row][:, lacking] = np.where(kept, fields[row][:, lacking], others[row])
     fields = fields.reshape(10, *closed.phase.shape)
     states = replace(
         closed,
@@ -678,15 +678,14 @@ def orbit_of(states: SteadyStates, branch: int, samples: int = 801) -> SteadyOrb
         As for `compute_steady_orbit`.
     """
     a, w, r = (x.item() for x in (states.amplitude, states.frequency_ratio, states.restitution))
-    n, which = states.order.item(), branch - 1
+    n, which, amplitude = states.order.item(), branch - 1, resolved(states.amplitude).item()
     half, length = (samples + 1) // 2, n * math.pi
     tau = np.linspace(0.0, length, half)
     phase = states.phase[which].item()
     if states.block is not None and isinstance(states.model, Nonlinear):
-        given = float(resolved(states.amplitude)), w, r, states.block.positive.alpha, float(n)
+        given = amplitude, w, r, states.block.positive.alpha, float(n)
         motion = compute_course(given, phase, tau / w)
     else:
-        amplitude = float(resolved(states.amplitude))
         orbit = symmetric_orbit(amplitude, w, r, n, branch)
         motion = np.empty((2, half))
         fill_half_cycle(amplitude, w, n, orbit, tau / w, motion)
@@ -708,7 +707,7 @@ def orbit_of(states: SteadyStates, branch: int, samples: int = 801) -> SteadyOrb
         verdict=verdict(
             admissible=states.admissible[which].item(),
             neutral=states.neutral[which].item(),
-            stable=None if math.isnan(states.trace[which]) else states.stable[which].item(),
+            stable=None if math.isnan(states.trace[which].item()) else states.stable[which].item(),
         ),
         model=states.model,
     )
