@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.kernels.batch.arrival import STATE_COLUMNS
 from rocksteady.kernels.batch.attractors import (
     queued_nonlinear_settle_cells,
     queued_settle_cells,
@@ -28,15 +29,15 @@ from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.core.tuples import Blocks, Cells, Starts, States, SymmetricCells
 from rocksteady.kernels.lanes.driver import lane_fates, queued_lane_fates
-from rocksteady.kernels.lanes.settling import (
-    STATE_COLUMNS,
-    lane_attractors,
-    queued_lane_attractors,
-)
+from rocksteady.kernels.lanes.settling import lane_attractors, queued_lane_attractors
 from rocksteady.kernels.machine_code.device import cells_in, current_device
 from rocksteady.kernels.nonlinear_lanes.loop import (
     nonlinear_lane_fates,
     queued_nonlinear_lane_fates,
+)
+from rocksteady.kernels.nonlinear_lanes.settling import (
+    nonlinear_lane_attractors,
+    queued_nonlinear_lane_attractors,
 )
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
 from rocksteady.kernels.orbits.settle import GROWN, MEMORY
@@ -146,15 +147,15 @@ def _hardest(segments: Floats, blocks: Blocks, *_others: Any) -> tuple[Floats, .
     return (hardest,)
 
 
+_LANE_ROOM = ((1, MEMORY, STATE_COLUMNS), (MEMORY, ORBIT_COLUMNS))
 _SETTLE_ROOM = ((MEMORY, GROWN + 1), (LONGEST_ORBIT, ORBIT_COLUMNS))
 
 FORMS: dict[str, Form] = {
     lane_fates.__name__: Form(queued_lane_fates, length=_shaken_length),
     nonlinear_lane_fates.__name__: Form(queued_nonlinear_lane_fates, length=_shaken_length),
-    lane_attractors.__name__: Form(
-        queued_lane_attractors,
-        room=((1, MEMORY, STATE_COLUMNS), (MEMORY, ORBIT_COLUMNS)),
-        length=_shaken_length,
+    lane_attractors.__name__: Form(queued_lane_attractors, room=_LANE_ROOM, length=_shaken_length),
+    nonlinear_lane_attractors.__name__: Form(
+        queued_nonlinear_lane_attractors, room=_LANE_ROOM, length=_shaken_length
     ),
     settle_cells.__name__: Form(queued_settle_cells, room=_SETTLE_ROOM, length=_shaken_length),
     f"nonlinear_{settle_cells.__name__}": Form(

@@ -15,6 +15,7 @@ from rocksteady.kernels.march import facts, march, replay
 from rocksteady.kernels.march.forces import largest_forces
 from rocksteady.kernels.nonlinear import drive
 from rocksteady.kernels.nonlinear_lanes import loop
+from rocksteady.kernels.nonlinear_lanes import settling as nonlinear_settling
 from rocksteady.kernels.orbits import (
     bounces,
     chains,
@@ -35,6 +36,7 @@ _KERNELS: tuple[Any, ...] = (
     attractors.settle_cells,
     attractors.settle_series_cells,
     settling.lane_attractors,
+    nonlinear_settling.nonlinear_lane_attractors,
     attractors.fill_clocks,
     records.record_fates,
     base_forces.record_forces,

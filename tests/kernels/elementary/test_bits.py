@@ -5,7 +5,13 @@ from fractions import Fraction
 
 import numpy as np
 
-from rocksteady.kernels.elementary.bits import bits_of, float_of, lost_in_product, power_of_two
+from rocksteady.kernels.elementary.bits import (
+    bits_of,
+    float_of,
+    lost_in_product,
+    nearest_whole,
+    power_of_two,
+)
 
 
 def test_bits_there_and_back() -> None:
@@ -17,6 +23,11 @@ def test_bits_there_and_back() -> None:
 def test_powers_of_two() -> None:
     for exponent in range(-1022, 1024):
         assert power_of_two(exponent) == 2.0**exponent
+
+
+def test_the_nearest_whole_number() -> None:
+    for x in (-2.6, -2.4, 0.0, 0.4, 0.6, 1e6 + 0.3):
+        assert nearest_whole(x) == round(x)
 
 
 def test_a_product_and_what_it_lost_are_exact() -> None:

@@ -3,11 +3,7 @@
 import numpy as np
 import pytest
 
-from rocksteady.kernels.lanes._exp_sincos import (
-    growth_and_decay,
-    nearest_whole,
-    turned_by,
-)
+from rocksteady.kernels.lanes._exp_sincos import growth_and_decay, turned_by
 
 ROUNDING = 2.0**-53
 
@@ -26,8 +22,3 @@ def test_small_turns_are_exact_to_rounding() -> None:
             sine, cosine = turned_by(np.sin(angle), np.cos(angle), turn)
             assert abs(sine - np.sin(angle + turn)) < 4.0 * ROUNDING
             assert abs(cosine - np.cos(angle + turn)) < 4.0 * ROUNDING
-
-
-def test_the_nearest_whole_number() -> None:
-    for x in (-2.6, -2.4, 0.0, 0.4, 0.6, 1e6 + 0.3):
-        assert nearest_whole(x) == round(x)

@@ -19,6 +19,7 @@ from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
 from rocksteady.kernels.core.tuples import Cells, Outcomes, SeriesCells, States, SymmetricCells
 from rocksteady.kernels.devices import run_cells
 from rocksteady.kernels.lanes.settling import lane_attractors
+from rocksteady.kernels.nonlinear_lanes.settling import nonlinear_lane_attractors
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.motions.fourier import shares_of
@@ -159,9 +160,8 @@ def settled_cells(
 ) -> Attractors:
     """Return what motions settle to, each from its own state.
 
-    Symmetric blocks are followed side by side in the linear model, until they are near an orbit,
-    all others, those against a wall too, one by one: a cell's answer depends on nothing but the
-    cell.
+    Symmetric blocks are followed side by side until they are near an orbit, all others, those
+    against a wall too, one by one: a cell's answer depends on nothing but the cell.
 
     Parameters
     ----------
@@ -182,8 +182,7 @@ def settled_cells(
     real = np.empty((cells, column.REAL_COLUMNS))
     # A view of it would be read-only, which is another type to the kernel.
     tables = np.broadcast_to(sides, (cells, *sides.shape[-2:])).copy()
-    # Lanes hold the linear model only; its side table has fewer columns.
-    same = alike(tables) & (tables.shape[2] == SIDE_COLUMNS) & (not harmonics)
+    same = alike(tables) & (not harmonics)
     whole[:, column.OUTCOME] = LEFT_OVER
     for step in ("in lanes", "one by one", "left over"):
         left = whole[:, column.OUTCOME] == LEFT_OVER
@@ -200,6 +199,8 @@ def settled_cells(
             total, shares = shares_of(harmonics)
             series = SeriesCells(total * shaken[0], shaken[1], shares, blocks)
             column.settle_series_cells(series, *run)
+        elif step == "in lanes" and tables.shape[2] != SIDE_COLUMNS:
+            run_cells(nonlinear_lane_attractors, Cells(*shaken, blocks), *run)
         elif step == "in lanes":
             ratio = blocks[:, 0, RESTITUTION].copy()
             run_cells(lane_attractors, SymmetricCells(*shaken, ratio), *run)

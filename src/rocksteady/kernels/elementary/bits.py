@@ -26,6 +26,12 @@ def float_of(bits: int) -> float:
 
 
 @inlined
+def nearest_whole(x: float) -> float:
+    """Return the whole number nearest to x; |x| below 2^51."""
+    return (x + ROUND) - ROUND
+
+
+@inlined
 def power_of_two(exponent: int) -> float:
     """Return 2^exponent; the exponent lies in [-1022, 1023]."""
     return float_of((exponent + EXPONENT_BIAS) << MANTISSA_BITS)

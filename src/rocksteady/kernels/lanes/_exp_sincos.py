@@ -10,12 +10,6 @@ MASK = (1 << 11) - 1
 
 
 @inlined
-def nearest_whole(x: float) -> float:
-    """Return the whole number nearest to x; |x| below 2^51."""
-    return (x + ROUND) - ROUND
-
-
-@inlined
 def growth_and_decay(t: float) -> tuple[float, float]:
     """Return e^t - 1 and 1 - e^-t, both without cancellation.
 

@@ -1,5 +1,6 @@
 """Fields of a lane's state, and the codes of its stages."""
 
+from rocksteady.kernels.batch import arrival
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.machine_code.compilation import inlined
 from rocksteady.kernels.machine_code.width import side_by_side
@@ -15,13 +16,10 @@ LAUNCH = 1.0  # at the start of a flight from the floor
 LIFTED = 2.0  # the same, from rest on the other side
 LANDED = 3.0  # the same, after an impact
 SPECIAL = 3.5  # the same, and slow or near the end of the run
-LEAVE = 4.0  # for the march: one flight
+LEAVE = arrival.LEAVE  # for the march: one flight
 ENDED = 5.0  # the run is over, in mid flight
-FALLEN = 6.0
+FALLEN = arrival.FALLEN
 RESTED = 7.0  # for the march, at rest
-LOOKING = 7.25  # at the start of a flight: is there an orbit near?
-SETTLED = 7.5  # the same: it has come so close to one that it is to be computed ...
-ASTRAY = 7.75  # ... or has turned away
 DOWN = 8.0  # the end of a piece with r < 0 is to be looked at
 UP = 9.0  # the same with r > 0
 POLISH = 14.0  # from a guess; the steps are counted on, to one of the `LAST_STEPS`
@@ -106,6 +104,21 @@ DIFFERENCE = SIDED
     GROUPS,  # how many groups have work, in the first lane
 ) = range(2 * SIDED, 2 * SIDED + 48 * LANES, LANES)
 FIELDS = 2 * SIDED // LANES + 48
+
+PLACES = arrival.places_of(
+    count=LANES,
+    stage=STAGE,
+    cell=CELL,
+    phase=PHASE,
+    velocity=VELOCITY,
+    left=LEFT,
+    impacts=IMPACTS,
+    limit=LIMIT,
+    delta=DELTA,
+    time=TIME,
+    reference=REF_PHASE,
+)
+"""Of what an approach to an orbit takes; no lane on such a way leaps over periods."""
 
 LOSS = 2.0**-49  # sixteen roundings: what a computed number may be off, in units of its terms
 FARTHEST = 100.0  # further ahead nothing is known: squares of what has grown are to stay finite

@@ -3,13 +3,10 @@
 from rocksteady.kernels.core.clock import PI_HIGH, PI_LOW
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.elementary.bits import nearest_whole
 from rocksteady.kernels.elementary.circular import sincos_short
 from rocksteady.kernels.lanes import _fields as lane
-from rocksteady.kernels.lanes._exp_sincos import (
-    growth_and_decay,
-    nearest_whole,
-    turned_by,
-)
+from rocksteady.kernels.lanes._exp_sincos import growth_and_decay, turned_by
 from rocksteady.kernels.lanes._fields import LAST_STEPS, working
 from rocksteady.kernels.linear.zeros import reversion
 from rocksteady.kernels.machine_code.compilation import compiled

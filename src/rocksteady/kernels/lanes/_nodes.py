@@ -3,8 +3,9 @@
 from rocksteady.kernels.core.clock import PI_HIGH
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.elementary.bits import nearest_whole
 from rocksteady.kernels.lanes import _fields as lane
-from rocksteady.kernels.lanes._exp_sincos import growth_and_decay, nearest_whole
+from rocksteady.kernels.lanes._exp_sincos import growth_and_decay
 from rocksteady.kernels.lanes._fields import FARTHEST, LOSS, UNKNOWN, weight, working
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 

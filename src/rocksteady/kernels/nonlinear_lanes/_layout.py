@@ -1,5 +1,6 @@
 """Fields and Taylor rows of the lanes, as offsets into one flat array, and the stages of a lane."""
 
+from rocksteady.kernels.batch import arrival
 from rocksteady.kernels.machine_code.width import side_by_side
 
 # 16 or fewer lanes would be unrolled and stay scalar; more than 32 leave the first cache.
@@ -16,10 +17,11 @@ EMPTY = 0.0
 FLYING = 1.0
 LANDED = 2.0  # flying, from an impact that is to be compared with earlier ones
 SLOW = 3.0  # the same, and so slow that it may come to rest
-LEAVE = 4.0  # for the march: one flight
+LEAVE = arrival.LEAVE  # for the march: one flight
 ENDED = 5.0  # the run is over, in mid flight
-FALLEN = 6.0
+FALLEN = arrival.FALLEN
 GIVEN_UP = 7.0
+ASTRAY = arrival.ASTRAY
 
 # Fields of the side that a lane's block is on.
 (
@@ -96,8 +98,24 @@ DIFFERENCE = SIDED
     LAST_VELOCITY,
     BEFORE_PHASE,
     BEFORE_VELOCITY,
-) = range(2 * SIDED, 2 * SIDED + 50 * LANES, LANES)
-FIELDS = 2 * SIDED // LANES + 50
+    MOST,  # impacts of a motion that is followed to its orbit
+) = range(2 * SIDED, 2 * SIDED + 51 * LANES, LANES)
+FIELDS = 2 * SIDED // LANES + 51
+
+PLACES = arrival.places_of(
+    count=LANES,
+    stage=STAGE,
+    cell=CELL,
+    phase=PHASE,
+    velocity=VELOCITY,
+    left=LEFT,
+    impacts=IMPACTS,
+    limit=MOST,
+    delta=DELTA,
+    time=TIME,
+    reference=REF_PHASE,
+)
+"""Of what an approach to an orbit takes; no lane on such a way leaps over periods."""
 
 # Rows of Taylor coefficients, one for each power of time.
 SHAKING = FIELDS * LANES  # of h

@@ -12,8 +12,13 @@ from rocksteady.kernels.core.scatter import largest_restitution
 from rocksteady.kernels.core.tables import Floats, March, free_side
 from rocksteady.kernels.core.tuples import Cells, Fates, Kept, Starts, Tables, Until
 from rocksteady.kernels.core.typed import FALSE, ZERO
-from rocksteady.kernels.machine_code.compilation import allocating, compiled
-from rocksteady.kernels.machine_code.types import Integers1
+from rocksteady.kernels.machine_code.compilation import (
+    allocating,
+    compiled,
+    inlined,
+    inlined_allocating,
+)
+from rocksteady.kernels.machine_code.types import Floats1, Integers1
 from rocksteady.kernels.march.march import nonlinear_march
 from rocksteady.kernels.march.rest import STILL
 from rocksteady.kernels.nonlinear.proofs import bounces_settle, stepped_bounce
@@ -32,6 +37,8 @@ FASTEST = 1e6
 CACHE_LINE = 64
 ALIGNMENT = CACHE_LINE if LANES > 1 else 8
 """Bytes of which the address of the lanes is a multiple: one lane has no vectors to be aligned."""
+ROOM = SIZE + ALIGNMENT // 8
+"""Numbers that hold the lanes, wherever they begin."""
 
 
 @allocating
@@ -72,15 +79,10 @@ def queued_nonlinear_lane_fates(
     amplitude, frequency_ratio, sides = cells
     angle, velocity, phase = starts
     segments = np.zeros((1, columns.NONLINEAR_SEGMENT_COLUMNS))
-    room = np.zeros(SIZE + ALIGNMENT // 8)
-    ahead = (-room.ctypes.data % ALIGNMENT) // 8
-    lanes = room[ahead : ahead + SIZE]
+    lanes = aligned(np.zeros(ROOM))
     if len(amplitude) == 0:
         return
-    for k in range(LANES):  # empty ones fly too, and come to no harm
-        load(lanes, k, ZERO, 1.0, 1.0, sides[0], 0.0)
-        put_lane(lanes, k, March(1, 0.5, 0.0, 0, 0, 0.0, 0, 0), 2)
-        lanes[lane.STAGE + k] = lane.EMPTY
+    fill_empty(lanes, sides[0])
     two_sided = False  # whether any lane has had an unlike block
     fresh = True  # whether there may be cells to take
     busy = 0  # lanes that are not empty
@@ -136,16 +138,38 @@ def queued_nonlinear_lane_fates(
                 return
         if leaping and compare(lanes, most) > 0:
             leap(lanes)
-        expand(lanes)
-        measure(lanes)
-        scale(lanes)
-        count_changes(lanes)
-        find_places(lanes)
-        waiting = finish(lanes, most)
+        waiting = step(lanes, most)
         if two_sided:
             change_sides(lanes)
         if not fresh:
             waiting -= LANES - busy
+
+
+@inlined_allocating
+def aligned(room: Floats1) -> Floats1:
+    """Return the part of a room that the lanes take."""
+    ahead = (-room.ctypes.data % ALIGNMENT) // 8
+    return room[ahead : ahead + SIZE]
+
+
+@compiled
+def fill_empty(lanes: Floats, sides: Floats) -> None:
+    """Fill lanes with a cell that has none: empty ones fly too, and come to no harm."""
+    for k in range(LANES):
+        load(lanes, k, ZERO, 1.0, 1.0, sides, 0.0)
+        put_lane(lanes, k, March(1, 0.5, 0.0, 0, 0, 0.0, 0, 0), 2)
+        lanes[lane.STAGE + k] = lane.EMPTY
+
+
+@inlined
+def step(lanes: Floats, most: int) -> int:
+    """Take all lanes a step further; return how many wait for what loops do not do."""
+    expand(lanes)
+    measure(lanes)
+    scale(lanes)
+    count_changes(lanes)
+    find_places(lanes)
+    return finish(lanes, most)
 
 
 @allocating

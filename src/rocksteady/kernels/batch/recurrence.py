@@ -1,17 +1,24 @@
-"""Returns of lanes to earlier states, and judgement of the orbits behind them."""
+"""Returns of lanes to earlier states, and judgement of the orbits behind them.
+
+A lane of either model remembers its last states after impacts and looks at the same times as
+`rocksteady.kernels.orbits.settle.settle` whether it has come back near one of them.  If so it flies
+on, until it comes back much closer; the scalar code then finds the orbit in a step or two of
+Newton's method and judges it (`computed`).  Whatever else happens (a rest, a motion that does not
+settle, a return that leads to no stable orbit) is left to the scalar code from the start: a cell
+that lanes settle has the answer of that, but for roundings on the way to the orbit.
+"""
 
 import math
 
-from rocksteady.kernels.batch.attractors import note_attractor
+from rocksteady.kernels.batch.arrival import FALLEN, LEAVE, LOOKING, SETTLED, Places
+from rocksteady.kernels.batch.attractors import OUTCOME, note_attractor
 from rocksteady.kernels.core.clock import clock, side_phase
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.law import Law, put_law
+from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.tuples import Outcomes
-from rocksteady.kernels.core.typed import ZERO
-from rocksteady.kernels.lanes import _fields as lane
-from rocksteady.kernels.lanes._arrival import KNOWN_LAW, LOOK, NEXT
-from rocksteady.kernels.lanes._fields import LANES
+from rocksteady.kernels.core.typed import MINUS_ONE, ONE, ZERO, whole
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import (
     Floats2,
@@ -31,21 +38,31 @@ from rocksteady.kernels.orbits.periodic import (
     state_at,
 )
 from rocksteady.kernels.orbits.return_map import (
+    FALL,
+    IMPACT,
+    STAY,
+    UPLIFT,
+    AnyState,
     Jacobian,
     Section,
+    first_passage,
     identity,
+    next_passage,
     product,
 )
 from rocksteady.kernels.orbits.settle import (
     ARRIVED,
+    FALLS,
     MEMORY,
     NEAR,
+    STAYS,
     Near,
     arrives,
     judged,
     returns_to,
     settled_to,
     stable_orbit,
+    unsettled,
 )
 from rocksteady.kernels.orbits.systems import System
 
@@ -65,6 +82,11 @@ TAME = 80.0
 """Growth of a small difference over a return to an orbit up to which it is below 100 nearby, from
 which on `settle` looks for no orbit."""
 
+# What becomes of a lane that has waited.
+OVER = ZERO  # its row is written
+ONWARD = ONE  # as it stands
+FLOWN = whole(2)  # from the state after one more passage
+
 # Columns of the table of watched returns.
 PERIODS = 0
 PASSED = 1  # forcing periods until the look
@@ -77,13 +99,100 @@ RETURN_COLUMNS = 7
 
 
 @compiled
-def returning(lanes: Floats, j: int, memory: Floats3, returns: Floats2, passed: int) -> bool:
+def begun(
+    system: System, start: AnyState, cell: int, table: Floats2, outcomes: Outcomes
+) -> tuple[int, Section]:
+    """Return the first flight of a motion from the floor, and how many impacts are before it.
+
+    Their number is -1 where it is over without one, with its row written, or is left over.
+    """
+    toward = start.side * start.velocity
+    if start.angle == 0.0 and toward > 0.0:
+        return ZERO, Section(start.side, start.half_cycles, start.phase, toward)
+    first = first_passage(system, start)
+    if first.kind in (FALL, STAY):
+        outcome = FALLS if first.kind == FALL else STAYS
+        after = (first.state.half_cycles - start.half_cycles) // 2
+        found = unsettled(outcome, first.state, math.nan, math.nan, after, 0.0)
+        note_attractor(system, found, table, outcomes, cell)
+    elif first.kind in (IMPACT, UPLIFT):
+        return ONE, first.state
+    else:
+        outcomes.whole[cell, OUTCOME] = LEFT_OVER
+    return MINUS_ONE, first.state
+
+
+@compiled
+def attended(
+    lanes: Floats,
+    j: int,
+    places: Places,
+    memory: Floats3,
+    returns: Floats2,
+    system: System,
+    here: Section,
+    start: int,
+    cycles: int,
+    table: Floats2,
+    outcomes: Outcomes,
+) -> tuple[int, Section]:
+    """Help a waiting lane on; return what becomes of it: `OVER`, `ONWARD` or `FLOWN`, and a state.
+
+    Parameters
+    ----------
+    lanes, j, places
+        The lane.
+    memory, returns, table
+        Its states and watched returns, and room for an orbit.
+    system, here
+        Its block, and the state at the start of its flight.
+    start, cycles
+        Half cycles of the shaking at the start, and how many periods it is followed at most.
+    outcomes
+        Receive its row.
+    """
+    stage = lanes[places.stage + j]
+    cell = int(lanes[places.cell + j])
+    passed = (here.half_cycles - start) // 2
+    free = lanes[places.lag + j] == 0.0
+    falls = stage == FALLEN and free
+    if stage == LOOKING:
+        if returning(lanes, j, places, memory, returns, passed):
+            return ONWARD, here
+        if passed < cycles:
+            lanes[places.look + j] = 2.0 * min(passed + passed // 2, cycles)
+            return ONWARD, here
+    if stage == LEAVE:
+        after = next_passage(system, here, -1.0)
+        if after.kind == IMPACT:
+            return FLOWN, after.state
+        falls = after.kind == FALL and free
+    if stage == SETTLED and computed(
+        lanes, j, places, memory, returns, system, here, table, outcomes
+    ):
+        return OVER, here
+    if falls:
+        found = unsettled(FALLS, here, math.nan, math.nan, passed, 0.0)
+        note_attractor(system, found, table, outcomes, cell)
+    else:
+        outcomes.whole[cell, OUTCOME] = LEFT_OVER
+    return OVER, here
+
+
+@compiled
+def returning(
+    lanes: Floats, j: int, places: Places, memory: Floats3, returns: Floats2, passed: int
+) -> bool:
     """Return whether a lane has come back near an earlier state, from now on to be watched.
 
     As `settle` looks, but that the orbit is left to be found when the motion is nearer.
     """
-    count = int(lanes[lane.IMPACTS + j])
-    phase, left, velocity = lanes[lane.PHASE + j], lanes[lane.LEFT + j], lanes[lane.VELOCITY + j]
+    count = int(lanes[places.impacts + j])
+    phase, left, velocity = (
+        lanes[places.phase + j],
+        lanes[places.left + j],
+        lanes[places.velocity + j],
+    )
     # The states on the same side; a motion without rest changes sides with each impact.
     for passages in range(2, min(count, MEMORY), 2):
         row = (count - 1 - passages) & (MEMORY - 1)
@@ -96,13 +205,13 @@ def returning(lanes: Floats, j: int, memory: Floats3, returns: Floats2, passed: 
         returns[j, PERIODS], returns[j, PASSED], returns[j, FIRST] = periods, passed, count
         returns[j, PHASE_THEN], returns[j, VELOCITY_THEN] = phase, velocity
         returns[j, PHASE_BEFORE], returns[j, VELOCITY_BEFORE] = earlier_phase, earlier_velocity
-        lanes[lane.REF_PHASE + j], lanes[lane.REF_VELOCITY + j] = phase, velocity
-        lanes[lane.LAG + j] = passages
-        put_law(lanes, lane.PRODUCT + j, LANES, Law(0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0))
-        lanes[KNOWN_LAW + j] = 0.0
-        lanes[NEXT + j] = count + passages
-        lanes[lane.LIMIT + j] = count + MOST_RETURNS * passages
-        lanes[LOOK + j] = math.inf
+        lanes[places.ref_phase + j], lanes[places.ref_velocity + j] = phase, velocity
+        lanes[places.lag + j] = passages
+        put_law(lanes, places.law + j, places.count, Law(0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0))
+        lanes[places.known + j] = 0.0
+        lanes[places.next + j] = count + passages
+        lanes[places.limit + j] = count + MOST_RETURNS * passages
+        lanes[places.look + j] = math.inf
         return True
     return False
 
@@ -111,6 +220,7 @@ def returning(lanes: Floats, j: int, memory: Floats3, returns: Floats2, passed: 
 def computed(
     lanes: Floats,
     j: int,
+    places: Places,
     memory: Floats3,
     returns: Floats2,
     system: System,
@@ -119,10 +229,10 @@ def computed(
     outcomes: Outcomes,
 ) -> bool:
     """Return whether a motion that is close settles to what `settle` would find; write it."""
-    passages, periods = int(lanes[lane.LAG + j]), int(returns[j, PERIODS])
-    guess = lanes[lane.TIME + j]
+    passages, periods = int(lanes[places.lag + j]), int(returns[j, PERIODS])
+    guess = lanes[places.time + j]
     # Of an orbit that is its own mirror image one half is enough.
-    folded = mirrored(lanes, j, memory, passages, periods)
+    folded = mirrored(lanes, j, places, memory, passages, periods)
     near = Near(False, here, math.inf, Fixed(False, math.inf, identity(), ZERO, ZERO))
     if folded:
         fixed = refined(system, here, passages // 2, periods, guess, table)
@@ -141,7 +251,7 @@ def computed(
         near = stable_orbit(system, then, passages, periods, table)
     if not near.found or growth_over(near.fixed.jacobian) > TAME:
         return False
-    since = (int(lanes[lane.IMPACTS + j]) - int(returns[j, FIRST])) // passages
+    since = (int(lanes[places.impacts + j]) - int(returns[j, FIRST])) // passages
     if since >= returns_to(passages, near.largest):
         return False
     if distance(near.orbit, here) > ARRIVED and not arrives(
@@ -155,21 +265,23 @@ def computed(
     else:
         fill_peaks(system, passages, table)
     found = settled_to(near, passages, periods, passed, 0.0, table)
-    note_attractor(system, found, table, outcomes, int(lanes[lane.CELL + j]))
+    note_attractor(system, found, table, outcomes, int(lanes[places.cell + j]))
     return True
 
 
 @compiled
-def mirrored(lanes: Floats, j: int, memory: Floats3, passages: int, periods: int) -> bool:
+def mirrored(
+    lanes: Floats, j: int, places: Places, memory: Floats3, passages: int, periods: int
+) -> bool:
     """Return whether half of a return was nearly the mirror image of the other half."""
     half = passages // 2
     if half % 2 == 0 or periods % 2 == 0:
         return False
-    row = (int(lanes[lane.IMPACTS + j]) - 1 - half) & (MEMORY - 1)
+    row = (int(lanes[places.impacts + j]) - 1 - half) & (MEMORY - 1)
     # As seen from the side of the flight a mirror image is the same state.
-    between = (memory[j, row, 1] - lanes[lane.LEFT + j]) * math.pi
-    between += (lanes[lane.PHASE + j] - memory[j, row, 0]) - periods * math.pi
-    velocity, earlier = lanes[lane.VELOCITY + j], memory[j, row, 2]
+    between = (memory[j, row, 1] - lanes[places.left + j]) * math.pi
+    between += (lanes[places.phase + j] - memory[j, row, 0]) - periods * math.pi
+    velocity, earlier = lanes[places.velocity + j], memory[j, row, 2]
     slower = abs(earlier - velocity) / max(earlier, SMALLEST_SPEED)
     return bool(max(abs(between), slower) < ALIKE)
 

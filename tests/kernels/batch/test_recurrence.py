@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from rocksteady.kernels.lanes._recurrence import (
+from rocksteady.kernels.batch.recurrence import (
     PHASE_BEFORE,
     PHASE_THEN,
     RETURN_COLUMNS,
