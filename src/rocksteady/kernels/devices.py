@@ -18,6 +18,7 @@ from rocksteady.kernels.batch.attractors import (
     queued_settle_cells,
     settle_cells,
 )
+from rocksteady.kernels.batch.known_orbits import KNOWN_COLUMNS
 from rocksteady.kernels.batch.records import (
     FEW,
     queued_nonlinear_record_fates,
@@ -155,7 +156,9 @@ FORMS: dict[str, Form] = {
     nonlinear_lane_fates.__name__: Form(queued_nonlinear_lane_fates, length=_shaken_length),
     lane_attractors.__name__: Form(queued_lane_attractors, room=_LANE_ROOM, length=_shaken_length),
     nonlinear_lane_attractors.__name__: Form(
-        queued_nonlinear_lane_attractors, room=_LANE_ROOM, length=_shaken_length
+        queued_nonlinear_lane_attractors,
+        room=(_LANE_ROOM[0], (1, KNOWN_COLUMNS), _LANE_ROOM[1]),
+        length=_shaken_length,
     ),
     settle_cells.__name__: Form(queued_settle_cells, room=_SETTLE_ROOM, length=_shaken_length),
     f"nonlinear_{settle_cells.__name__}": Form(

@@ -21,6 +21,8 @@ FAR = 2**40
 """Half cycles of a run, which is to have no end; even, and with room in a double for a phase."""
 CLOSE = 1e-8
 """Distance of a state from the one a return earlier at which the orbit is computed."""
+GRID = 2.0**30
+"""Points of a grid of states for each unit: nearer than CLOSE, above what a law leaves open."""
 LOST = 10.0 * NEAR
 """The same, at which a motion has lost its way to an orbit."""
 MOST_IMPACTS = 3000
@@ -136,3 +138,12 @@ def draw_near(lanes: Floats, j: int, places: Places) -> None:
         further, faster = drawn_near(law, math.inf)
         lanes[places.phase + j] += further
         lanes[places.velocity + j] += faster
+
+
+@compiled
+def draw_to_grid(lanes: Floats, j: int, places: Places) -> None:
+    """Put a lane that is to be computed on a grid, so that others at the orbit are at one state."""
+    speed = lanes[places.velocity + j]
+    if lanes[places.stage + j] == SETTLED and speed > SMALLEST_SPEED:
+        lanes[places.phase + j] = nearest_whole(lanes[places.phase + j] * GRID) / GRID
+        lanes[places.velocity + j] = nearest_whole(speed * GRID) / GRID

@@ -12,6 +12,7 @@ import math
 
 from rocksteady.kernels.batch.arrival import FALLEN, LEAVE, LOOKING, SETTLED, Places
 from rocksteady.kernels.batch.attractors import OUTCOME, note_attractor
+from rocksteady.kernels.batch.known_orbits import answer, is_known, keep, key_of, recalled, row_of
 from rocksteady.kernels.core.clock import clock, side_phase
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.law import Law, put_law
@@ -129,6 +130,7 @@ def attended(
     places: Places,
     memory: Floats3,
     returns: Floats2,
+    known: Floats2,
     system: System,
     here: Section,
     start: int,
@@ -144,6 +146,8 @@ def attended(
         The lane.
     memory, returns, table
         Its states and watched returns, and room for an orbit.
+    known
+        Orbits that have been found (`kernels.batch.known_orbits`).
     system, here
         Its block, and the state at the start of its flight.
     start, cycles
@@ -168,7 +172,7 @@ def attended(
             return FLOWN, after.state
         falls = after.kind == FALL and free
     if stage == SETTLED and computed(
-        lanes, j, places, memory, returns, system, here, table, outcomes
+        lanes, j, places, memory, returns, known, system, here, table, outcomes
     ):
         return OVER, here
     if falls:
@@ -223,6 +227,7 @@ def computed(
     places: Places,
     memory: Floats3,
     returns: Floats2,
+    known: Floats2,
     system: System,
     here: Section,
     table: Floats2,
@@ -233,8 +238,13 @@ def computed(
     guess = lanes[places.time + j]
     # Of an orbit that is its own mirror image one half is enough.
     folded = mirrored(lanes, j, places, memory, passages, periods)
+    key = key_of(system, here, passages, periods, folded)
+    row = row_of(key, known)
+    again = is_known(known, row, key)
     near = Near(False, here, math.inf, Fixed(False, math.inf, identity(), ZERO, ZERO))
-    if folded:
+    if again:
+        near = recalled(known, row)
+    elif folded:
         fixed = refined(system, here, passages // 2, periods, guess, table)
         whole_way = product(fixed.jacobian, fixed.jacobian)
         fixed = Fixed(fixed.found, fixed.residual, whole_way, 2 * fixed.rests, 2 * fixed.grazes)
@@ -244,7 +254,7 @@ def computed(
         fixed = refined(system, here, passages, 2 * periods, guess, table)
         near = judged(system, here, passages, fixed, table)
     if near.found and not in_reach(returns, j, system, near):
-        folded = False
+        row, again, folded = MINUS_ONE, False, False
         turns, phase = clock(returns[j, PHASE_THEN])
         half = turns if here.side > 0 else turns + 1
         then = Section(here.side, half, phase, returns[j, VELOCITY_THEN])
@@ -258,14 +268,19 @@ def computed(
         system, here, near.orbit, passages, near.largest
     ):
         return False
-    passed = int(returns[j, PASSED])
+    passed, cell = int(returns[j, PASSED]), int(lanes[places.cell + j])
+    if again:
+        answer(known, row, passed, cell, outcomes)
+        return True
     if folded:
         fill_peaks(system, passages // 2, table)
         unfold(table, passages // 2, periods)
     else:
         fill_peaks(system, passages, table)
     found = settled_to(near, passages, periods, passed, 0.0, table)
-    note_attractor(system, found, table, outcomes, int(lanes[places.cell + j]))
+    note_attractor(system, found, table, outcomes, cell)
+    if row >= 0:
+        keep(known, row, key, near, cell, outcomes)
     return True
 
 

@@ -15,6 +15,7 @@ from rocksteady.kernels.batch.arrival import (
     watched,
 )
 from rocksteady.kernels.batch.attractors import state_of
+from rocksteady.kernels.batch.known_orbits import KNOWN_COLUMNS
 from rocksteady.kernels.batch.recurrence import FLOWN, OVER, RETURN_COLUMNS, attended, begun
 from rocksteady.kernels.core.queue import enter, queue_of, take, together
 from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats, March
@@ -68,6 +69,7 @@ def queued_lane_attractors(
     sides[:, LEAN] = 1.0
     sides[:, RATE] = 1.0
     returns = np.empty((LANES, RETURN_COLUMNS))
+    known = np.empty((0, KNOWN_COLUMNS))  # to find an orbit costs no more than to look it up
     lanes = np.zeros(FIELDS * LANES)
     sides[:, RESTITUTION] = 0.5
     fill_empty(lanes, sides)
@@ -96,6 +98,7 @@ def queued_lane_attractors(
                         PLACES,
                         memory,
                         returns,
+                        known,
                         system,
                         here,
                         start,

@@ -10,11 +10,13 @@ from rocksteady.kernels.batch.arrival import (
     FAR,
     STATE_COLUMNS,
     draw_near,
+    draw_to_grid,
     expect,
     remember,
     watched,
 )
 from rocksteady.kernels.batch.attractors import OUTCOME, state_of
+from rocksteady.kernels.batch.known_orbits import KNOWN, KNOWN_COLUMNS
 from rocksteady.kernels.batch.recurrence import FLOWN, OVER, RETURN_COLUMNS, attended, begun
 from rocksteady.kernels.core.other_side import unlike
 from rocksteady.kernels.core.queue import LEFT_OVER, enter, queue_of, take
@@ -44,15 +46,19 @@ def nonlinear_lane_attractors(
     left over to that kernel OUTCOME is LEFT_OVER, and the rest means nothing.
     """
     memories = np.empty((1, LANES, MEMORY, STATE_COLUMNS))
+    orbits = np.empty((1, KNOWN, KNOWN_COLUMNS))
     tables = np.empty((1, MEMORY, ORBIT_COLUMNS))
     queue = queue_of(len(cells.amplitude))
-    queued_nonlinear_lane_attractors(queue, memories, tables, cells, states, cycles, outcomes)
+    queued_nonlinear_lane_attractors(
+        queue, memories, orbits, tables, cells, states, cycles, outcomes
+    )
 
 
 @allocating
 def queued_nonlinear_lane_attractors(
     queue: Integers1,
     memories: Floats4,
+    orbits: Floats3,
     tables: Floats3,
     cells: Cells,
     states: States,
@@ -61,12 +67,14 @@ def queued_nonlinear_lane_attractors(
 ) -> None:
     """Do what `nonlinear_lane_attractors` does, for the cells taken from a queue.
 
-    The room of a worker are rows of `memories` and `tables`, whose shapes are (workers, LANES,
-    MEMORY, STATE_COLUMNS) and (workers, MEMORY, ORBIT_COLUMNS).
+    The room of a worker are rows of `memories`, `orbits` and `tables`, whose shapes are (workers,
+    LANES, MEMORY, STATE_COLUMNS), (workers, 1 or more, KNOWN_COLUMNS) and (workers, MEMORY,
+    ORBIT_COLUMNS).
     """
     amplitude, frequency_ratio, blocks = cells
     worker = enter(queue)
-    memory, table = memories[worker], tables[worker]
+    memory, known, table = memories[worker], orbits[worker], tables[worker]
+    known[:, 0] = np.nan
     returns = np.empty((LANES, RETURN_COLUMNS))
     if len(amplitude) == 0:
         return
@@ -84,9 +92,12 @@ def queued_nonlinear_lane_attractors(
                 start, sides = states.half_cycles[cell], blocks[cell]
                 system = make_system(amplitude[cell], frequency_ratio[cell], sides)
                 draw_near(lanes, k, PLACES)
+                draw_to_grid(lanes, k, PLACES)
                 march = taken(lanes, k, start + FAR)
                 here = Section(march.side, march.half_cycles, march.phase, abs(march.velocity))
-                if stage == lane.SLOW:
+                if stage == lane.LEAVE and lanes[lane.START_ANGLE + k] != 0.0:
+                    lanes[lane.STAGE + k] = lane.ASTRAY
+                elif stage == lane.SLOW:
                     sine, _ = sincos_near(lanes[lane.PHASE + k])
                     rests = comes_to_rest(system, here, sine)
                     lanes[lane.STAGE + k] = lane.ASTRAY if rests else lane.LANDED
@@ -97,6 +108,7 @@ def queued_nonlinear_lane_attractors(
                         PLACES,
                         memory,
                         returns,
+                        known,
                         system,
                         here,
                         start,
@@ -121,13 +133,20 @@ def queued_nonlinear_lane_attractors(
                     outcomes.whole[cell, OUTCOME] = LEFT_OVER
                     continue
                 begin_at = state_of(states, cell)
-                impacts, first = begun(make_system(a, w, sides), begin_at, cell, table, outcomes)
-                if impacts < 0:
-                    continue
+                end_half = begin_at.half_cycles + FAR
                 load(lanes, k, cell, a, w, sides, 0.0)
-                put_section(lanes, k, first, begin_at.half_cycles + FAR, impacts)
-                if impacts == 0:
-                    lanes[lane.STAGE + k] = lane.FLYING
+                if begin_at.angle != 0.0:
+                    side, half, phase, angle, velocity = begin_at
+                    put_lane(lanes, k, March(side, angle, velocity, 0, half, phase, 0, 0), end_half)
+                else:
+                    system = make_system(a, w, sides)
+                    impacts, first = begun(system, begin_at, cell, table, outcomes)
+                    if impacts < 0:
+                        lanes[lane.STAGE + k] = lane.EMPTY
+                        continue
+                    put_section(lanes, k, first, end_half, impacts)
+                    if impacts == 0:
+                        lanes[lane.STAGE + k] = lane.FLYING
                 expect(lanes, k, PLACES, cycles)
                 busy += 1
         if busy == 0:
