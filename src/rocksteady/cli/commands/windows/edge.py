@@ -32,7 +32,8 @@ EXAMPLES = (
     "Examples:\n\n"
     "rocksteady edge -A 0.2 -W 2 -r 0.9 --manifolds --plot edge.png\n\n"
     "rocksteady edge -A 2 -W 1.9 -r 0.8 --start steady --side - --direction - --json\n\n"
-    "rocksteady edge -A 0.5 -W 2 -r 0.9 --other 0.2,0.3 --manifolds --csv manifolds.csv"
+    "rocksteady edge -A 0.5 -W 2 -r 0.9 --other 0.2,0.3 --manifolds --csv manifolds.csv\n\n"
+    "rocksteady edge --width-m 0.6 --height-m 2 --accel-g 0.4 --freq-hz 2"
 )
 edge_flag = options.Panel("Edge")
 
