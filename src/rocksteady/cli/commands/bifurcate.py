@@ -24,8 +24,8 @@ HELP = (
     "bifurcations.\n\n"
     "Exactly one of -A, -W and -r is an axis start:stop:count; the others are numbers. Branches "
     "are followed around their folds, and every branch that begins at a bifurcation is followed "
-    "too. They start from the symmetric motions of each order -n in closed form (with --model "
-    "nonlinear from those to which they lead; for a block whose sides differ, from motions with "
+    "too. They start from the symmetric motions of each order -n in closed form (by the full "
+    "equations from those to which they lead; for a block whose sides differ, from motions with "
     "two impacts, by a search, as under --harmonic), and from what two sweeps, upwards and "
     "downwards through the values of the axis, settle to. Exit code 3 where --max-branches "
     "ended the work."
@@ -38,8 +38,7 @@ EXAMPLES = (
     "rocksteady bifurcate -A 0.1:3:600 -W 2 -r 0.8 --csv branches.csv\n\n"
     "rocksteady bifurcate -A 2 -W 1.6:2.4:400 -r 0.8 --harmonic 1,1,0 --harmonic 2,0.3,0\n\n"
     "rocksteady bifurcate --block tso-wong-1989 -A 2 --freq-hz 3.9:5:400 -n 1 -n 3 --json\n\n"
-    "rocksteady bifurcate --alpha-rad 0.25 --radius-m 1 -r 0.85 -A 2 -W 1.4:2.6:200 --model "
-    "nonlinear"
+    "rocksteady bifurcate --alpha-rad 0.25 --radius-m 1 -r 0.85 -A 2 -W 1.4:2.6:200"
 )
 
 

@@ -19,7 +19,7 @@ HELP = (
     "two.\n\n"
     "Exactly two of -A, -W and -r are axes start:stop:count; the third is a number. At count "
     "values of each axis branches of periodic motions are followed across the plane, from the "
-    "symmetric motions of order -n in closed form (with --model nonlinear, those to which they "
+    "symmetric motions of order -n in closed form (by the full equations, those to which they "
     "lead; for a block whose sides differ, motions with two impacts that a search finds); every "
     "bifurcation on them is then followed in both parameters, and so are the curves that meet "
     "at a point of codimension two. Exit code 3 where --max-curves or --max-branches ended the "
@@ -34,8 +34,7 @@ EXAMPLES = (
     "rocksteady curves -W 4.2:6:2 -A 2.5:4.5:2 -r 0.87 -n 3 --plot curves.png\n\n"
     "rocksteady curves -W 1:4:3 -A 0.2:5:3 -r 0.8 --max-impacts 4 --csv curves.csv\n\n"
     "rocksteady curves -r 0.6:0.95:2 -A 1:5:2 -W 5 -n 3 --max-impacts 2 --json\n\n"
-    "rocksteady curves -W 4.2:6:2 -A 2.5:4.5:2 -r 0.87 -n 3 --alpha-rad 0.3 --radius-m 1 "
-    "--model nonlinear --json"
+    "rocksteady curves -W 4.2:6:2 -A 2.5:4.5:2 -r 0.87 -n 3 --alpha-rad 0.3 --radius-m 1 --json"
 )
 
 

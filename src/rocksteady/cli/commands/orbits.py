@@ -20,7 +20,7 @@ HELP = (
     "The periodic motions under harmonic shaking, stable and unstable, with their "
     "multipliers.\n\n"
     "Symmetric ones with two impacts come in closed form, with solutions that pass through the "
-    "floor included, or with --model nonlinear as the motions to which the closed forms lead; "
+    "floor included, or by the full equations as the motions to which the closed forms lead; "
     "the others are found by Newton's method from a grid of states, which is no proof that "
     "there are no more. One of two mirror images is listed."
 )
@@ -34,7 +34,7 @@ EXAMPLES = (
     "rocksteady orbits -A 2 -W 1.9 -r 0.8 --plot orbits.png\n\n"
     "rocksteady orbits --block tso-wong-1989 -A 2 -W 4 --max-period 5 --csv orbits.csv\n\n"
     "rocksteady orbits -A 2 -W 1.78 -r 0.8 --max-period 2 --json\n\n"
-    "rocksteady orbits --alpha-rad 0.3 --radius-m 1 -A 2 -W 4 --model nonlinear --seeds 48"
+    "rocksteady orbits --alpha-rad 0.3 --radius-m 1 -A 2 -W 4 --seeds 48"
 )
 
 

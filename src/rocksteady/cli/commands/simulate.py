@@ -34,8 +34,7 @@ if TYPE_CHECKING:
 
 HELP = (
     "Follow one block through one motion.\n\n"
-    "One time history: every flight in closed form (of the full equations with --model "
-    "nonlinear: to within a tolerance), every impact, overturning proved.\n\n"
+    "One time history: every flight, every impact, overturning proved.\n\n"
     "Without shaking (-A and -W, or --accel-g and --freq-hz) a block that is let go rocks "
     "freely until it rests or overturns. After a pulse (--pulse) and a recorded motion "
     "(--record) too it is followed until then."
@@ -50,7 +49,7 @@ EXAMPLES = (
     "rocksteady simulate --block zhang-makris-2001 --start 0.6,0 --json\n\n"
     "rocksteady simulate --width-m 0.3 --height-m 3 --one-sided --pulse one-sine --accel-g 0.15 "
     "--freq-hz 1\n\n"
-    "rocksteady simulate --width-m 0.4 --height-m 0.8 -A 2 -W 4 --model nonlinear\n\n"
+    "rocksteady simulate --width-m 0.4 --height-m 0.8 -A 2 -W 4\n\n"
     "rocksteady simulate --width-m 1.6 --height-m 9.6 --columns 4 --cap-mass-ratio 2 --mass-kg "
     "4e5 --pulse one-sine --accel-g 0.2 --freq-hz 0.5\n\n"
     "rocksteady simulate --width-m 0.5 --height-m 2 --record example:near-fault --scale 0.5\n\n"

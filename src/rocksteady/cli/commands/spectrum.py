@@ -47,7 +47,7 @@ EXAMPLES = (
     "rocksteady spectrum --record example:near-fault --alpha-deg 10:25:4 --periods-s 0.5:10:400 "
     "--plot spectrum.png\n\n"
     "rocksteady spectrum --record example:near-fault --alpha-rad 0.05:0.45:100 --periods-s "
-    "0.5:10:200 --model nonlinear --plot map.png\n\n"
+    "0.5:10:200 --plot map.png\n\n"
     "rocksteady spectrum --record example:near-fault --record example:soft-soil --alpha-rad 0.2 "
     "--p-rad-s 2 --json\n\n"
     "rocksteady spectrum --record example:near-fault --width-m 0.5 --height-m 1:3:5 --scale 0.2:1:5"

@@ -52,7 +52,7 @@ EXAMPLES = (
     "rocksteady basins -A 0:1.6:33 -W 2 -r 0.9 --plot erosion.png\n\n"
     "rocksteady basins --width-m 0.8 --height-m 3 --record example:firm-ground --scale 0.5 --plot "
     "fates.png\n\n"
-    "rocksteady basins --alpha-rad 0.3 --radius-m 1 -r 0.9 -A 1.5 -W 4 --model nonlinear "
+    "rocksteady basins --alpha-rad 0.3 --radius-m 1 -r 0.9 -A 1.5 -W 4 "
     "--angles=-1.4:1.4:60 --velocities=-1.6:1.6:60"
 )
 
