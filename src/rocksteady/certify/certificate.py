@@ -115,6 +115,7 @@ class Certificate(Result):
             Fact("claim", self.claim, "claim"),
             Fact("reason", self.reason, "reason" if self.reason else ""),
             Fact("bits", self.bits, "bits"),
+            Fact("model", "linear"),
             *self.facts,
             Fact("numbers", {name: list(texts) for name, texts in self.model.items()}),
         ]
@@ -207,12 +208,12 @@ def check_model(block: Block | DimensionlessBlock, model: Model) -> None:
     """
     missing = None
     if not isinstance(model, Linear):
-        missing = "model", "enclosures of the Taylor series of the full equations", "linear model"
+        missing = "model", "enclosures of the Taylor series of the full equations", '"linear"'
     elif block.one_sided:
-        missing = "block", "the reversal of the velocity at a wall", "free block"
+        missing = "block", "the reversal of the velocity at a wall", "a free block"
     elif not block.symmetric:
-        missing = "block", "flights of two kinds for sides that differ", "block of equal sides"
+        missing = "block", "flights of two kinds for sides that differ", "a block of equal sides"
     if missing is not None:
         name, lack, instead = missing
         valid = f"proofs lack {lack}"
-        raise ModelError(name, Words("is not covered by proofs"), valid, f"take the {instead}")
+        raise ModelError(name, Words("is not covered by proofs"), valid, f"take {instead}")

@@ -25,7 +25,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import index_value
-from rocksteady.model.equations import Linear
+from rocksteady.model.equations import ModelChoice, chosen_model
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Fact
@@ -80,7 +80,11 @@ def pulse_content(pulse: Pulse) -> dict[str, Any]:
 
 @checked
 def certify_fate(
-    block: Block | DimensionlessBlock, motion: Pulse | Record, *, most_bits: BitCount = MOST_BITS
+    block: Block | DimensionlessBlock,
+    motion: Pulse | Record,
+    *,
+    model: ModelChoice = None,
+    most_bits: BitCount = MOST_BITS,
 ) -> Certificate:
     """Prove whether a block at rest falls or stands.
 
@@ -91,9 +95,11 @@ def certify_fate(
     Parameters
     ----------
     block
-        A block of equal sides; its equations are the linear ones.
+        A block of equal sides.
     motion
         A record, or a pulse whose shape is exact.
+    model
+        ``"linear"``, the only equations with proofs: give it with a `Block`.
     most_bits
         Precision at which the proof gives up.
 
@@ -110,7 +116,7 @@ def certify_fate(
     >>> certify_fate(block, pulse).claim
     'the block falls: one-sine pulse, A = 2.0, W = 2.0, restitution = 0.9'
     """
-    check_model(block, Linear())
+    check_model(block, chosen_model(model, block))
     samples: list[float] = []
     if isinstance(motion, Pulse):
         numbers = harmonic_numbers(motion.amplitude, motion.frequency_ratio, block.restitution)

@@ -90,7 +90,7 @@ def test_a_block_with_a_size_has_degrees_and_hertz() -> None:
             "other branch": "in phase: 0.326 alpha, unstable",
         }),
         (1.5, 1.0, 1, "at {} alpha, out of phase, but that is unstable.", {
-            "beyond alpha": "the base carries it back: no fall in the linear model",
+            "beyond alpha": "the base carries it back: no fall",
             "exists": "",
         }),
     ],

@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady import Nonlinear
 from rocksteady.calibration import ObjectPrior, Survey
 from rocksteady.measures import Measure
 from rocksteady.risk.back_analysis._analysis import Tried
@@ -63,4 +64,5 @@ def toy_tried(
         shares=np.stack([shares, shares]),
         draws=2,
         seconds=0.0,
+        model=Nonlinear(),
     )

@@ -114,6 +114,7 @@ def try_all(
         shares=shares,
         draws=draws,
         seconds=time.perf_counter() - begun,
+        model=Nonlinear(),
     )
 
 

@@ -11,13 +11,19 @@ from rocksteady.cli.console.outputs import NEGATIVE, announce_file
 from rocksteady.cli.console.refusals import FlagError, missing, needs, refuse, require
 from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, ShakingFlags
+from rocksteady.cli.flags.block_and_shaking import (
+    BlockFlags,
+    PulseFlags,
+    ShakingFlags,
+    equations_for,
+)
 from rocksteady.cli.flags.groups import OutputFlags, check_ending, grouped
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.equations import Linear, Model
 from rocksteady.results.answer import MOST_FACTS, Answer, left_out
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.numbers import plural
@@ -32,7 +38,8 @@ HELP = (
     "symmetry breakings and period doublings over -A LOW:HIGH; fate: a block at rest falls or "
     "stands under a pulse or a record; region: the symmetric motion over -A LOW:HIGH and -W "
     "LOW:HIGH; chaos: every sequence of flights is a motion.\n\n"
-    "Proofs are of the linear model and of blocks whose sides are alike. Needs the extra proof "
+    "Proofs are of the linear model (--model linear beside a block of known slenderness) and of "
+    "blocks whose sides are alike. Needs the extra proof "
     "(python-flint). --out writes a certificate, which --check, or the program of --print-checker "
     "by itself, proves again. Exit code 3 where a proof is undecided; of --check 0 holds, "
     "1 refused, 3 undecided."
@@ -71,6 +78,7 @@ def certify(
     pulse: PulseFlags,
     recorded: RecordFlags,
     reading: ReadingFlags,
+    model: str | None = options.model(),
     what: Annotated[
         str | None, typer.Argument(metavar="WHAT", help="Prove this: " + ", ".join(KINDS) + ".")
     ] = None,
@@ -141,11 +149,15 @@ def certify(
     require(f"certify {what}", {"block": block.given, "motion": moved}, KINDS[what])
     if what == "fate":
         body = recorded.block(block) if of_record else block.described()
-        certificates = [_fate(body, shaking, pulse, recorded, reading)]
+        equations = equations_for(model, body)
+        certificates = [_fate(body, shaking, pulse, recorded, reading, equations)]
     else:
         idle = {"--record": next(iter(recorded.record or ()), None), **reading.given}
         refuse(idle, f"a proof of {what} is of lasting shaking", "leave it out, or prove a fate")
         body = block.described()
+        from rocksteady.certify.certificate import check_model
+
+        check_model(body, equations_for(model, body))
         if what == "region":
             return _region(output, body, shaking, order, out)
         certificates = _proofs(what, body, shaking, kind)
@@ -207,17 +219,19 @@ def _fate(
     pulse: PulseFlags,
     recorded: RecordFlags,
     reading: ReadingFlags,
+    model: Model,
 ) -> "Certificate":
     """Return the certificate of a run under a pulse or a record."""
     from rocksteady.certify.fate import certify_fate
 
     refuse({"--vertical": recorded.vertical}, "proofs lack vertical motion")
     if recorded.record:
-        return certify_fate(body, recorded.scaled(recorded.recording(reading).record))
+        record = recorded.scaled(recorded.recording(reading).record)
+        return certify_fate(body, record, model=model)
     if not pulse.given:
         raise missing("--pulse", valid="a pulse or a record is needed", hint="add --pulse one-sine")
     motion = pulse.of(shaking.at(body), phase=None, reverse=recorded.reverse)
-    return certify_fate(body, reading.on_floor(motion, body))
+    return certify_fate(body, reading.on_floor(motion, body), model=model)
 
 
 def _proofs(
@@ -240,7 +254,7 @@ def _proofs(
         from rocksteady.certify.orbit import certify_orbit
         from rocksteady.dynamics.orbits.search import find_orbits
 
-        orbits = find_orbits(body, shaking.at(body))
+        orbits = find_orbits(body, shaking.at(body), model=Linear())
         return [certify_orbit(orbit) for orbit in orbits if not orbit.rest_phases]
     from rocksteady.certify.point import SIGNS, certify_point
     from rocksteady.dynamics.continuation.branches import BranchOptions
@@ -249,7 +263,9 @@ def _proofs(
     within = _ends("--amplitude/-A", shaking.amplitude)
     motion = replace(shaking, amplitude=str(within[1])).at(body)
     search = BranchOptions(doublings=DOUBLINGS)
-    diagram = find_bifurcations(body, motion, "amplitude", within=within, values=0, search=search)
+    diagram = find_bifurcations(
+        body, motion, "amplitude", within=within, values=0, search=search, model=Linear()
+    )
     points = [each.point for each in diagram.points if each.point.type in SIGNS]
     known = {(each.impacts, round(each.amplitude, PLACES)) for each in points}
     further = () if diagram.cascade is None else diagram.cascade.points
@@ -344,7 +360,12 @@ def _leave(
             tables=[Table("certificates", rows, columns)],
             answer=Answer(sentence, facts=shown),
         ),
-        values={"proved": 0 < proved == len(rows), "claim": sentence, "certificates": rows},
+        values={
+            "proved": 0 < proved == len(rows),
+            "claim": sentence,
+            "model": "linear",
+            "certificates": rows,
+        },
         after=after,
         decided=decided,
         wrap=True,

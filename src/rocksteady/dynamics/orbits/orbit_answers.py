@@ -145,7 +145,7 @@ def orbits_answer(
         left_out(sum(left.values()), kinds),
         (
             "beyond alpha",
-            f"{plural(reaching, 'motion')}: no fall in the linear model" if reaching else "",
+            f"{plural(reaching, 'motion')}: {BEYOND}" if reaching else "",
         ),
         ("searched", f"{seeds} x {seeds} starts may miss some{images}"),
     ]

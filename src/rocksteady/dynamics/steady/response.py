@@ -118,7 +118,7 @@ def compute_response_curve(
     branch: Literal[1, 2] = 1,
     model: ModelChoice = None,
 ) -> ResponseCurve:
-    """Return the peak of a symmetric steady state against frequency (eqs 7, 19, 21, 22).
+    """Return the peak of a linear steady state against frequency (eqs 7, 19, 21, 22).
 
     Parameters
     ----------

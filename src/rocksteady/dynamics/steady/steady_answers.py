@@ -12,7 +12,7 @@ from rocksteady.model.facts import AnyBlock, peak_unit, solved_text, tilt_text
 from rocksteady.results.answer import Answer
 from rocksteady.results.numbers import angle, number, plural, quantity
 
-BEYOND = "the base carries it back: no fall in the linear model"
+BEYOND = "the base carries it back: no fall"
 """Of a motion whose tilt exceeds alpha."""
 
 

@@ -359,6 +359,7 @@ class Assessment(Result):
                 Fact("measure", measure.key),
                 Fact("records", self.fragility.records, "records"),
                 Fact("runs", self.fragility.runs, "runs"),
+                Fact("model", self.fragility.model.name, "model"),
             ]
         words = rocking_words(self.qualification) if self.qualification else ""
         shown = ("top moves", words) if words else ("", "")

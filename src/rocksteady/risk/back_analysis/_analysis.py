@@ -6,6 +6,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.model.checks.confidence import CONFIDENCE
+from rocksteady.model.equations import Model
 from rocksteady.risk.back_analysis._chances import Levels, chances, log_likelihoods
 from rocksteady.risk.back_analysis._density import Plane, level_of, tempered
 from rocksteady.risk.back_analysis._held_out import HeldOut, hold_out, unchecked
@@ -31,6 +32,8 @@ class Tried:
         As `fall_shares` returns them.
     draws, seconds
         Draws of each object at each scale, and the time of the runs.
+    model
+        Equations of motion of the runs.
     """
 
     names: tuple[str, ...]
@@ -40,6 +43,7 @@ class Tried:
     shares: Floats
     draws: int
     seconds: float
+    model: Model
 
 
 def analyse(survey: Survey, tried: Tried, noise: OutcomeErrors, scan: ScanOptions) -> BackAnalysis:
@@ -102,6 +106,7 @@ def analyse(survey: Survey, tried: Tried, noise: OutcomeErrors, scan: ScanOption
         draws=tried.draws,
         runs=int(tried.draws * tried.shares[0].size),
         seconds=tried.seconds,
+        model=tried.model,
     )
     return replace(result, warnings=remarks_on(result))
 

@@ -157,6 +157,7 @@ def back_analyse(
             shares=shares,
             draws=draws,
             seconds=time.perf_counter() - begun,
+            model=equations,
         )
         return analyse(survey, made, known.noise, options)
 

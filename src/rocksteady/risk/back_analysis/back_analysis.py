@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range
+from rocksteady.model.equations import Model
 from rocksteady.results.answer import Answer, doubt
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, number_or_none, plural, quantity
@@ -84,6 +85,8 @@ class BackAnalysis(Result):
         1 over the sum of squared weights of records.
     runs, seconds
         Number of runs, and time that they took.
+    model
+        Equations of motion of the runs.
     warnings
         Sentences on what makes the result doubtful.
     """
@@ -112,6 +115,7 @@ class BackAnalysis(Result):
     draws: int
     runs: int
     seconds: float
+    model: Model
     warnings: tuple[str, ...] = ()
 
     @property
@@ -265,6 +269,7 @@ class BackAnalysis(Result):
                 ),
                 Fact("draws", self.draws, "Draws of each object at each scale"),
                 Fact("runs", self.runs, "Runs", f"{self.runs:,}"),
+                Fact("model", self.model.name, "Equations of motion"),
                 Fact("sources", dict(self.survey.sources)),
                 Fact("warnings", list(self.warnings)),
             ],

@@ -100,7 +100,7 @@ def predict(
         from rocksteady.show.figures.observations import predictions_figure
 
         output.write_plot(lambda page: predictions_figure(predictions, page=page))
-    output.leave("predict", description)
+    output.leave("predict", description, after={"model": stored.model.name})
 
 
 def _refuse_idle(
