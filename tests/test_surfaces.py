@@ -98,7 +98,7 @@ def test_the_tilt_of_a_steady_motion(tmp_path: Path) -> None:
         assert agree(printed(r"([\d.]+)° (?:=|\()", text), degrees)
         assert agree(printed(r"\(?([\d.]+) alpha", text), peak)
     # What it settles to is the same motion, by another command.
-    other, found, _ = asked(f"attractor {POINT} --model nonlinear", tmp_path)
+    other, found, _ = asked(f"attractor {POINT}", tmp_path)
     assert found["peaks"][0] == pytest.approx(peak, rel=1e-9)
     assert agree(printed(r"([\d.]+) alpha", other.out), peak)
 

@@ -85,8 +85,8 @@ def _settles(attractor: Any) -> str:
 
 
 def beyond_alpha(orbit: Any) -> bool:
-    """Return whether a motion of the linear model tilts beyond alpha."""
-    return bool(orbit.model.name == "linear" and max(orbit.highest, -orbit.lowest) > 1.0)
+    """Return whether a motion tilts beyond alpha."""
+    return bool(max(orbit.highest, -orbit.lowest) > 1.0)
 
 
 def _period(orbit: Any) -> str:

@@ -133,7 +133,7 @@ def compute_response_curve(
     branch
         1 or 2.
     model
-        ``"linear"`` or ``"nonlinear"``; default nonlinear for a `Block`, else linear.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
 
     Returns
     -------

@@ -306,7 +306,7 @@ def find_steady_states(
     order
         n = 1, 3, 5, ...: half periods of the motion in one half cycle; one or several.
     model
-        ``"linear"`` or ``"nonlinear"``; default nonlinear for a `Block`, else linear.
+        ``"linear"`` or ``"nonlinear"``; by default nonlinear for a `Block`.
 
     Returns
     -------
@@ -363,8 +363,6 @@ def states_of(
     model
         As for `find_steady_states`.
     """
-    if model is None and isinstance(block, Block):
-        model = Nonlinear()
     restitution = block.dimensionless().restitution
     if isinstance(chosen_model(model, block), Linear):
         states = steady_states(amplitude, frequency_ratio, restitution, order=order)
