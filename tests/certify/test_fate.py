@@ -34,7 +34,7 @@ def synthetic(seed: int, peak: float, samples: int = 4001) -> rs.Record:
 
 def agrees(block: rs.Block | rs.DimensionlessBlock, motion: rs.Pulse | rs.Record) -> None:
     """The fate that is proved is that of the march."""
-    certificate = certify_fate(block, motion)
+    certificate = certify_fate(block, motion, model="linear")
     assert certificate.proved, certificate.reason
     run = rs.simulate(block, motion, model=rs.Linear())
     falls = run.status == rs.Status.OVERTURNED
@@ -66,8 +66,8 @@ def test_all_test_records_are_decided(case: tuple[int, float]) -> None:
 
 
 def test_a_record_needs_more_bits_than_a_double_has() -> None:
-    assert certify_fate(BLOCK, synthetic(2, 4.0)).bits > 53
-    undecided = certify_fate(BLOCK, synthetic(2, 4.0), most_bits=53)
+    assert certify_fate(BLOCK, synthetic(2, 4.0), model="linear").bits > 53
+    undecided = certify_fate(BLOCK, synthetic(2, 4.0), model="linear", most_bits=53)
     assert undecided.verdict == "undecided"
     assert "with 53 bits" in undecided.reason
 

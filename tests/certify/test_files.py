@@ -24,7 +24,7 @@ def test_each_kind_is_checked_by_its_program(tmp_path: Path) -> None:
         certify_region((1.9, 2.1), (1.9, 2.1), 0.8, most_boxes=500).to_json(), encoding="utf-8"
     )
     assert check_certificate(file, leaves=50).holds
-    fate = certify_fate(BLOCK, synthetic(1, 6.0, samples=801))
+    fate = certify_fate(BLOCK, synthetic(1, 6.0, samples=801), model="linear")
     file.write_text(fate.to_json(), encoding="utf-8")
     assert check_certificate(file, accelerations_m_s2=fate.samples).holds
     assert check_certificate(file).verdict == "refused"

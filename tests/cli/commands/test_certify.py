@@ -137,7 +137,7 @@ def test_samples_of_a_record_replace_no_file_of_another(tmp_path: Path) -> None:
     record, out = tmp_path / "run.txt", tmp_path / "run.json"
     at2(record, samples()[:200])
     kept = record.read_bytes()
-    command = "certify fate --width-m 0.4 --height-m 2 --record"
+    command = "certify fate --width-m 0.4 --height-m 2 --model linear --record"
     assert "this file is read" in refused(command, record, "--out", out, "--force")
     assert record.read_bytes() == kept
     assert not out.exists()

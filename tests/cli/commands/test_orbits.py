@@ -98,7 +98,7 @@ def test_the_answer_lists_the_stable_motions_first_and_starts_on_one() -> None:
     assert lines[2].split()[1:3] == ["stable", stable["kind"]]
     assert lines[2].split()[5:7] == [f"{peak:.3f}" for peak in stable["peaks"]]
     beyond = sum(max(map(abs, each["peaks"])) > 1.0 for each in values if each["admissible"])
-    assert f"{beyond} motions: no fall" in ran.out
+    assert f"{beyond} motions: the base carries it back: no fall" in ran.out
     assert "11 more with --more: 10 unstable, 1 inadmissible" in ran.out
     command = ran.out.partition("next: rocksteady ")[2].replace("\\\n ", "").strip()
     reached = rocksteady(f"{command} --json").json
