@@ -115,7 +115,6 @@ class Certificate(Result):
             Fact("claim", self.claim, "claim"),
             Fact("reason", self.reason, "reason" if self.reason else ""),
             Fact("bits", self.bits, "bits"),
-            Fact("model", "linear"),
             *self.facts,
             Fact("numbers", {name: list(texts) for name, texts in self.model.items()}),
         ]

@@ -275,7 +275,6 @@ class ProvedRegion(Result):
                 Fact("shares", self.shares),
                 *(Fact("", None, label, words) for label, words in parts),
                 Fact("boxes", count, "boxes", f"{count:,}"),
-                Fact("model", "linear"),
             ],
             answer=Answer(headline[:1].upper() + headline[1:], facts=parts),
         )

@@ -134,7 +134,7 @@ def test_a_mirrored_state_leads_to_the_mirrored_state(
         assert apart(here.state.mirrored, there.state or state) < max(slack, 1e-9)
 
 
-def test_neither_the_phase_of_the_shaking_nor_the_size_of_the_block_counts() -> None:
+def test_of_the_linear_model_neither_phase_nor_size_counts() -> None:
     state = ImpactState(side=1, phase=2.8, speed=0.7)
     expected = returns(2.0, 4.0)(state)
     block = Block.from_radius(alpha=0.2, radius=3.0, restitution=0.8)

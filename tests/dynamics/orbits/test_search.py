@@ -438,7 +438,7 @@ def test_on_a_still_base_there_is_none_that_a_search_could_find(restitution: flo
     assert at(0.0, 2.0, restitution, seeds=8) == ()
 
 
-def test_a_physical_block_has_the_orbits_of_its_restitution() -> None:
+def test_of_the_linear_model_a_block_has_the_orbits_of_its_restitution() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=1.0)
     found = find_orbits(HOUSNER, shaking, max_period=1, seeds=10, model="linear")
     plain = at(2.0, 4.0, HOUSNER.dimensionless().restitution, max_period=1, seeds=10)

@@ -299,6 +299,7 @@ def _region(
     further = "" if out is None else f"rocksteady certify --check {quoted(out)}"
     description = region.describe()
     after = {"proved": region.decided > 0.0, "claim": description.headline, "bits": BITS}
+    after["model"] = "linear"
     after["file"] = None if out is None else str(out)
     output.leave("certify", description, after=after, follow_up=further)
     return 0
@@ -330,7 +331,7 @@ def _leave(
     """Print one certificate, or a list of them."""
     proved = sum(each.proved for each in certificates)
     decided = all(each.verdict != "undecided" for each in certificates)
-    after: dict[str, Any] = {"file": None if out is None else str(out)}
+    after: dict[str, Any] = {"model": "linear", "file": None if out is None else str(out)}
     if len(certificates) == 1:
         further = ""
         if out is not None and certificates[0].proved:
@@ -360,12 +361,7 @@ def _leave(
             tables=[Table("certificates", rows, columns)],
             answer=Answer(sentence, facts=shown),
         ),
-        values={
-            "proved": 0 < proved == len(rows),
-            "claim": sentence,
-            "model": "linear",
-            "certificates": rows,
-        },
+        values={"proved": 0 < proved == len(rows), "claim": sentence, "certificates": rows},
         after=after,
         decided=decided,
         wrap=True,

@@ -13,6 +13,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.confidence import CONFIDENCE
+from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Description, Fact
@@ -150,6 +151,11 @@ class Assessment(Result):
     risks: tuple[Risk, ...] = ()
     motions: tuple[Record | BaseMotion, ...] = ()
     seconds: float = 0.0
+
+    @property
+    def model(self) -> Model | None:
+        """Equations of motion of the runs; None where it slides."""
+        return None if self.fragility is None else self.fragility.model
 
     @property
     def curve(self) -> FragilityCurve | TwoStageCurve | None:

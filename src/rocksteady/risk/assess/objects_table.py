@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds
-from rocksteady.model.equations import Nonlinear
+from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -111,6 +111,11 @@ class ObjectsTable(Result):
     seconds: float
 
     @property
+    def model(self) -> Model:
+        """Equations of motion of the runs."""
+        return Nonlinear()
+
+    @property
     def meets_target(self) -> bool:
         """Whether every object stands, or is below the target."""
         return all(row["verdict"] in MET for row in self.rows)
@@ -168,7 +173,7 @@ class ObjectsTable(Result):
         facts = [
             Fact("objects", len(self.rows), "objects"),
             Fact("records", self.records, "records"),
-            Fact("model", Nonlinear().name, "model"),
+            Fact("model", self.model.name, "model"),
             Fact("pga_g", self.pga_g),
             Fact("pgv_m_s", self.pgv_m_s),
             Fact("demand", demand, "demand"),
