@@ -23,7 +23,6 @@ from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.equations import Linear, Model
 from rocksteady.results.answer import MOST_FACTS, Answer, left_out
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.numbers import plural
@@ -149,8 +148,7 @@ def certify(
     require(f"certify {what}", {"block": block.given, "motion": moved}, KINDS[what])
     if what == "fate":
         body = recorded.block(block) if of_record else block.described()
-        equations = equations_for(model, body)
-        certificates = [_fate(body, shaking, pulse, recorded, reading, equations)]
+        certificates = [_fate(body, shaking, pulse, recorded, reading, equations_for(model, body))]
     else:
         idle = {"--record": next(iter(recorded.record or ()), None), **reading.given}
         refuse(idle, f"a proof of {what} is of lasting shaking", "leave it out, or prove a fate")
@@ -219,7 +217,7 @@ def _fate(
     pulse: PulseFlags,
     recorded: RecordFlags,
     reading: ReadingFlags,
-    model: Model,
+    model: Any,
 ) -> "Certificate":
     """Return the certificate of a run under a pulse or a record."""
     from rocksteady.certify.fate import certify_fate
@@ -254,7 +252,7 @@ def _proofs(
         from rocksteady.certify.orbit import certify_orbit
         from rocksteady.dynamics.orbits.search import find_orbits
 
-        orbits = find_orbits(body, shaking.at(body), model=Linear())
+        orbits = find_orbits(body, shaking.at(body), model="linear")
         return [certify_orbit(orbit) for orbit in orbits if not orbit.rest_phases]
     from rocksteady.certify.point import SIGNS, certify_point
     from rocksteady.dynamics.continuation.branches import BranchOptions
@@ -264,7 +262,7 @@ def _proofs(
     motion = replace(shaking, amplitude=str(within[1])).at(body)
     search = BranchOptions(doublings=DOUBLINGS)
     diagram = find_bifurcations(
-        body, motion, "amplitude", within=within, values=0, search=search, model=Linear()
+        body, motion, "amplitude", within=within, values=0, search=search, model="linear"
     )
     points = [each.point for each in diagram.points if each.point.type in SIGNS]
     known = {(each.impacts, round(each.amplitude, PLACES)) for each in points}

@@ -22,6 +22,7 @@ from rocksteady.kernels.lanes.settling import lane_attractors
 from rocksteady.kernels.nonlinear_lanes.settling import nonlinear_lane_attractors
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.equations import OfLinear
 from rocksteady.model.motions.fourier import shares_of
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import INFINITELY_MANY, NO_START, NO_START_LABEL, AttractorKind
@@ -49,7 +50,7 @@ KIND_OUTPUT = Output(
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Attractors(Result):
+class Attractors(OfLinear, Result):
     """Attractors of many motions, as arrays of shape (cells,).
 
     Attributes
@@ -110,6 +111,7 @@ class Attractors(Result):
             facts=[
                 Fact("motions", len(rows), "motions", f"{len(rows):,}"),
                 Fact("kinds", dict(counts), "kinds", words),
+                Fact("model", self.model.name, "model"),
             ],
             tables=[Table("attractors", rows, columns, kind=lambda row: str(row["kind"]))],
         )
