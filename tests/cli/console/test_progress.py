@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import pytest
 
+from rocksteady.cli.console import terminal
 from rocksteady.cli.console.progress import Meter, clock_text, progress, sweeping
 from tests.every import every
 
@@ -137,6 +138,24 @@ def test_the_rate_is_that_of_the_last_half_minute(monkeypatch: pytest.MonkeyPatc
             clock.now += 1.0
             meter(cells)
     assert meter.rate == pytest.approx(10.0)
+
+
+@every(("cells", "said"), [(9000, False), (20_000, True)])
+def test_a_run_of_more_than_a_minute_suggests_once_what_is_faster(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], cells: int, said: bool
+) -> None:
+    clock = Clock(monkeypatch)
+    meter = Meter(cells, lambda _: None)
+    terminal.suggest("--model linear")
+    meter(0)
+    for _ in range(60):  # 150 cells a second: 58 s or 131 s are left when that is known
+        clock.now += 1.0
+        meter(150)
+    assert capsys.readouterr().err == ("rocksteady: --model linear\n" if said else "")
+    terminal.suggest("--model linear")
+    terminal.drop_notes()
+    terminal.say_suggestion()
+    assert capsys.readouterr().err == ""
 
 
 @every(

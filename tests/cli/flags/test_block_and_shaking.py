@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, Pulse
+from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -236,6 +237,16 @@ def test_the_nonlinear_model_needs_a_slenderness_and_has_flags_of_its_own() -> N
         equations_for("linear", SIZED, 1e-8)
     with pytest.raises(FlagError, match="only the nonlinear model has it"):
         refuse_of_linear("linear", "vertical", "up.AT2")
+
+
+@every(("model", "motion", "suggested"), [(None, Still(), True), ("nonlinear", Still(), False)])
+def test_full_equations_that_nobody_asked_for_suggest_the_linear_ones(
+    model: str | None, motion: Still, suggested: bool, capsys: pytest.CaptureFixture[str]
+) -> None:
+    terminal.drop_notes()
+    equations_for(model, SIZED, motion)
+    terminal.say_suggestion()
+    assert capsys.readouterr().err.startswith("rocksteady: --model linear") is suggested
 
 
 def test_only_flags_that_are_given_count() -> None:

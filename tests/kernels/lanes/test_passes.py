@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from rocksteady.kernels.batch import arrival
 from rocksteady.kernels.core.tables import March
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._fields import FIELDS, GROUP, LANES, weight, working
@@ -143,9 +144,9 @@ def test_the_census_counts_each_kind_of_stage_apart() -> None:
             lane.ENDED,
             lane.FALLEN,
             lane.RESTED,
-            lane.LOOKING,
-            lane.SETTLED,
-            lane.ASTRAY,
+            arrival.LOOKING,
+            arrival.SETTLED,
+            arrival.ASTRAY,
         ],
         "special": [lane.SPECIAL],
     }

@@ -2,11 +2,9 @@
 
 import math
 from concurrent.futures import ThreadPoolExecutor
-from typing import NamedTuple
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.kernels.batch.attractors import (
     AFTER,
@@ -19,151 +17,24 @@ from rocksteady.kernels.batch.attractors import (
     OUTCOME,
     PASSAGES,
     PERIODS,
-    REAL_COLUMNS,
     RESTS,
     SYMMETRIC,
-    WHOLE_COLUMNS,
-    fill_clocks,
-    settle_cells,
 )
-from rocksteady.kernels.core import tuples
 from rocksteady.kernels.core.queue import LEFT_OVER
-from rocksteady.kernels.core.tables import RESTITUTION
-from rocksteady.kernels.core.tuples import Outcomes, States, SymmetricCells
-from rocksteady.kernels.lanes.settling import lane_attractors
+from rocksteady.kernels.core.tuples import Outcomes
 from rocksteady.kernels.orbits.closed_form import symmetric_orbit
-from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
-from rocksteady.kernels.orbits.return_map import AnyState
-from rocksteady.kernels.orbits.settle import (
-    FALLS,
-    LONGEST_ORBIT,
-    MEMORY,
-    PERIODIC,
-    STAYS,
-    UNSETTLED,
-    settle,
-)
-from rocksteady.kernels.orbits.systems import make_system
+from rocksteady.kernels.orbits.settle import FALLS, PERIODIC, STAYS, UNSETTLED
 from tests.every import every
-from tests.kernels.tables import both_sides
+from tests.kernels.settling import (
+    Integers,
+    by_lanes,
+    check_against_scalar,
+    one_by_one,
+    random_cells,
+    starting,
+    unit,
+)
 from tests.strategies import PLAIN, sample_size
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
-
-DIGITS_LOST = math.log(1e10)
-"""Growth of a small difference from which on two computations may part: one rounding becomes as
-large as the differences by which `settle` decides."""
-
-
-class Cells(NamedTuple):
-    amplitude: Floats
-    frequency: Floats
-    restitution: Floats
-    side: Integers
-    angle: Floats
-    velocity: Floats
-    half_cycles: Integers
-    phase: Floats
-
-    def some(self, chosen: Integers) -> "Cells":
-        a, w, r, side, angle, velocity, half, phase = self
-        return Cells(
-            a[chosen],
-            w[chosen],
-            r[chosen],
-            side[chosen],
-            angle[chosen],
-            velocity[chosen],
-            half[chosen],
-            phase[chosen],
-        )
-
-
-def empty(count: int) -> Outcomes:
-    return Outcomes(np.zeros((count, WHOLE_COLUMNS), np.int64), np.zeros((count, REAL_COLUMNS)))
-
-
-def by_lanes(cells: Cells, cycles: int) -> Outcomes:
-    found = empty(len(cells.amplitude))
-    lane_attractors(SymmetricCells(*cells[:3]), States(*cells[3:]), cycles, found)
-    return found
-
-
-def one_by_one(cells: Cells, cycles: int) -> Outcomes:
-    found = empty(len(cells.amplitude))
-    sides = np.ones((len(cells.amplitude), 2, 3))
-    sides[:, :, RESTITUTION] = cells.restitution[:, np.newaxis]
-    shaken = tuples.Cells(cells.amplitude, cells.frequency, sides)
-    settle_cells(shaken, States(*cells[3:]), cycles, found)
-    return found
-
-
-def unit(count: int) -> Cells:
-    """Return work unit B1 on a grid of count x count."""
-    w, a = np.meshgrid(np.linspace(1.0, 12.0, count), np.linspace(1.0, 6.0, count))
-    return starting(a.ravel(), w.ravel(), 0.8, 0.0, 0.3, 0.0)
-
-
-def starting(*columns: ArrayLike) -> Cells:
-    """Return cells of amplitude, frequency, restitution, angle, velocity and any phase."""
-    given = np.broadcast_arrays(*(np.asarray(column, dtype=np.float64) for column in columns))
-    a, w, r, angle, velocity, phase = (column.copy() for column in given)
-    half, rest = np.zeros(len(a), np.int64), np.zeros(len(a))
-    fill_clocks(phase, half, rest)
-    side = np.sign(np.where(angle != 0.0, angle, velocity)).astype(np.int64)
-    return Cells(a, w, r, side, angle, velocity, half, rest)
-
-
-def random_cells(seed: int, count: int) -> Cells:
-    """Return blocks at rest, leaning and in flight; below, at and above uplift; slow and fast."""
-    rng = np.random.default_rng(seed)
-    some = rng.random((3, count))
-    a = np.where(some[0] < 0.2, rng.uniform(0.8, 1.2, count), rng.uniform(0.9, 7.0, count))
-    w = 10.0 ** rng.uniform(-0.3, 1.3, count)
-    angle = np.where(some[1] < 0.4, rng.uniform(-0.7, 0.7, count), 0.0)
-    velocity = np.where(some[2] < 0.7, rng.normal(0.0, 0.4, count), 0.0)
-    r = rng.uniform(0.2, 0.97, count)
-    return starting(a, w, r, angle, velocity, rng.uniform(-10.0, 10.0, count))
-
-
-def growth(cells: Cells, cell: int, cycles: int) -> float:
-    """Return the logarithm of the largest growth of a small difference on the way of a cell."""
-    memory, table = np.zeros((MEMORY, ORBIT_COLUMNS)), np.zeros((LONGEST_ORBIT, ORBIT_COLUMNS))
-    a, w, r, side, angle, velocity, half, phase = (column[cell].item() for column in cells)
-    system = make_system(a, w, both_sides(r))
-    return settle(
-        system, AnyState(side, half, phase, angle, velocity), cycles, memory, table
-    ).growth
-
-
-def check_against_scalar(cells: Cells, cycles: int) -> tuple[int, int]:
-    """Hold the lanes against the scalar code; return how many they leave, and how many differ.
-
-    Cells may differ only where rounding decides.
-    """
-    lanes, plain = by_lanes(cells, cycles), one_by_one(cells, cycles)
-    done = lanes.whole[:, OUTCOME] != LEFT_OVER
-    differ = done & (lanes.whole != plain.whole).any(axis=1)
-    for cell in np.flatnonzero(differ):
-        assert growth(cells, int(cell), cycles) > DIGITS_LOST, cell
-    same = done & ~differ
-    orbits = same & (plain.whole[:, OUTCOME] == PERIODIC)
-    for column, tolerance in (
-        (ORBIT_SPEED, 1e-9),
-        (HIGHEST, 1e-9),
-        (LOWEST, 1e-9),
-        (LYAPUNOV, 1e-6),
-    ):
-        assert np.abs(lanes.real[orbits, column] - plain.real[orbits, column]).max() < tolerance
-    turn = 2.0 * math.pi
-    turned = lanes.real[orbits, ORBIT_PHASE] - plain.real[orbits, ORBIT_PHASE]
-    assert np.abs(turned - turn * np.round(turned / turn)).max() < 1e-9
-    assert np.isnan(lanes.real[same & ~orbits]).all()
-    # What the lanes do not settle they leave: rests, and what does not settle at all.
-    assert not (plain.whole[same, RESTS] > 0).any()
-    assert {PERIODIC, FALLS} <= set(plain.whole[same, OUTCOME].tolist()) <= {PERIODIC, FALLS, STAYS}
-    return int(np.count_nonzero(~done)), int(np.count_nonzero(differ))
 
 
 def test_random_cells_settle_as_one_by_one() -> None:
@@ -235,8 +106,9 @@ def test_a_motion_that_starts_on_an_unstable_orbit_never_settles_to_that(
         assert abs(real[ORBIT_SPEED] - speed) > 1e-3 * speed
 
 
-def test_neighbours_change_nothing() -> None:
-    cells = random_cells(3, sample_size(1000, 12))
+@pytest.mark.parametrize("nonlinear", [False, True])
+def test_neighbours_change_nothing(nonlinear: bool) -> None:
+    cells = random_cells(3, sample_size(1000, 12), nonlinear=nonlinear)
     cycles = sample_size(100, 30)
     whole = by_lanes(cells, cycles)
     order = np.random.default_rng(0).permutation(len(cells.amplitude))
@@ -257,8 +129,9 @@ def test_neighbours_change_nothing() -> None:
         assert all(same(rows, part) for rows, part in zip(found, parts, strict=True))
 
 
-def test_a_mirrored_start_settles_to_the_mirror_image() -> None:
-    cells = random_cells(4, sample_size(1000, 20))
+@pytest.mark.parametrize("nonlinear", [False, True])
+def test_a_mirrored_start_settles_to_the_mirror_image(nonlinear: bool) -> None:
+    cells = random_cells(4, sample_size(1000, 20), nonlinear=nonlinear)
     image = cells._replace(
         side=-cells.side,
         angle=-cells.angle,
@@ -291,5 +164,7 @@ def test_bounces_without_loss_are_left_over() -> None:
     assert by_lanes(cells, 200).whole[:, OUTCOME].tolist() == [LEFT_OVER] * 2
 
 
-def test_no_cells_at_all() -> None:
-    by_lanes(unit(2).some(np.zeros(0, np.int64)), 10)
+@pytest.mark.parametrize("nonlinear", [False, True])
+def test_no_cells_at_all(nonlinear: bool) -> None:
+    nothing = np.zeros(0, np.int64)
+    by_lanes(random_cells(0, 2, nonlinear=nonlinear).some(nothing), 10)

@@ -16,6 +16,8 @@ LINE_AFTER = 30.0
 """Seconds after which one is due in any case."""
 QUIET = 2.0
 """Seconds before a sweep prints its first line: a shorter one prints none."""
+LONG = 60.0
+"""Seconds that are left from which on a sweep says how it would be faster."""
 LATELY = 30
 """Seconds over which the rate of a sweep is taken: cells are faster here and slower there."""
 
@@ -157,6 +159,8 @@ class Meter:
             self._began, self.there = self._last, cells
         if not self._marks or self._last - self._marks[-1][0] >= 1.0:
             self._marks.append((self._last, self.passed))
+        if self.seconds >= QUIET and self.rate and self.left > LONG:
+            terminal.say_suggestion()
         self._show(self)
 
     @property

@@ -35,6 +35,7 @@ arguments: list[str] = []
 """Command line of the program, as typed."""
 
 _notes: list[str] = []
+_suggestions: list[str] = []
 
 
 def note(words: str) -> None:
@@ -51,6 +52,18 @@ def say_notes() -> None:
 def drop_notes() -> None:
     """Forget the lines that are kept."""
     _notes.clear()
+    _suggestions.clear()
+
+
+def suggest(words: str) -> None:
+    """Keep what a run that turns out to be long would do better with."""
+    _suggestions[:] = [words]
+
+
+def say_suggestion() -> None:
+    """Print what is kept for a long run, once."""
+    while _suggestions:
+        say(_suggestions.pop())
 
 
 def say(words: str) -> None:

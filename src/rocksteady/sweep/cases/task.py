@@ -17,7 +17,7 @@ Cases = Callable[..., Mapping[str, Array]]
 CellRange = tuple[int, int]
 """First cell, and the one after the last."""
 
-LONG_ENOUGH = 0.04
+LONG_ENOUGH = 0.1
 """Seconds of a call beside which what it costs to make one does not count."""
 GROWTH = 8
 """How many times as many cells the next call takes where even that will be short."""
