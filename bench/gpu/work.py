@@ -40,6 +40,7 @@ SECONDS = {
     "lane_fates": 3e-6,
     "nonlinear_lane_fates": 6e-5,
     "lane_attractors": 5e-6,
+    "nonlinear_lane_attractors": 1e-4,
     "settle_cells": 1e-4,
     "nonlinear_settle_cells": 3e-3,
     "record_fates": 1e-4,

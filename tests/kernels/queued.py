@@ -34,6 +34,7 @@ from rocksteady.kernels.lanes.settling import lane_attractors
 from rocksteady.kernels.machine_code.device import Form, cells_in
 from rocksteady.kernels.machine_code.width import side_by_side
 from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
+from rocksteady.kernels.nonlinear_lanes.settling import nonlinear_lane_attractors
 from tests.kernels.tables import sampled
 from tests.records import synthetic
 
@@ -87,6 +88,10 @@ def of_lane_attractors() -> tuple[Any, ...]:
     return settling(SymmetricCells(*FORCED, np.linspace(0.6, 0.9, CELLS)), 40)
 
 
+def of_nonlinear_lane_attractors() -> tuple[Any, ...]:
+    return settling(Cells(*FORCED, sides(nonlinear=True)), 8)
+
+
 def of_records(*, nonlinear: bool) -> tuple[Any, ...]:
     blocks = sides(nonlinear=nonlinear)
     blocks[:, :, LEAN] *= np.array([3.5, 20.0, 1.5, 1.0, 2.5, 3.0, 4.0])[:, np.newaxis]
@@ -109,6 +114,7 @@ CASES: dict[str, tuple[Any, Callable[[], tuple[Any, ...]]]] = {
     "lane_fates": (lane_fates, lambda: of_lanes(nonlinear=False)),
     "nonlinear_lane_fates": (nonlinear_lane_fates, lambda: of_lanes(nonlinear=True)),
     "lane_attractors": (lane_attractors, of_lane_attractors),
+    "nonlinear_lane_attractors": (nonlinear_lane_attractors, of_nonlinear_lane_attractors),
     "settle_cells": (settle_cells, lambda: of_settle(nonlinear=False)),
     "nonlinear_settle_cells": (settle_cells, lambda: of_settle(nonlinear=True)),
     "record_fates": (record_fates, lambda: of_records(nonlinear=False)),
@@ -149,9 +155,10 @@ class Workers:
 def room_of(form: Form) -> tuple[NDArray[np.float64], ...]:
     """Return the room of one worker, which on the host follows many cells side by side."""
     shapes = form.room
-    if form is FORMS["lane_attractors"]:
-        lanes = side_by_side(48)
-        shapes = ((lanes, *shapes[0][1:]), *shapes[1:])
+    lanes = {"lane_attractors": 48, "nonlinear_lane_attractors": 32}
+    for name, most in lanes.items():
+        if form is FORMS[name]:
+            shapes = ((side_by_side(most), *shapes[0][1:]), *shapes[1:])
     return tuple(np.full((1, *shape), np.nan) for shape in shapes)
 
 

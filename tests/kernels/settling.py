@@ -70,7 +70,7 @@ class Cells(NamedTuple):
         return bool(len(self.alpha) and self.alpha[0] > 0.0)
 
     def some(self, chosen: Integers) -> "Cells":
-        return Cells(*(column[chosen] for column in self))
+        return Cells._make(column[chosen] for column in self)
 
 
 def empty(count: int) -> Outcomes:

@@ -1,7 +1,6 @@
 """Attractors of arrays of motions: each as `find_attractor` finds it alone.
 
-One by one that is so to the last bit; in lanes, those of symmetric blocks in the linear model, to
-rounding on the way.
+One by one that is so to the last bit; in lanes, those of symmetric blocks, to rounding on the way.
 """
 
 import math
@@ -56,8 +55,7 @@ def test_each_cell_is_the_attractor_of_its_motion_alone(model: Model) -> None:
         assert found.after[at] == alone.after
         # Without an orbit, and of one that rests, the motion was followed alone.
         orbit = alone.orbit
-        alike = model == Linear() and block.symmetric
-        error = 1e-9 if alike and orbit is not None and not orbit.rest_phases else 0.0
+        error = 1e-9 if block.symmetric and orbit is not None and not orbit.rest_phases else 0.0
         np.testing.assert_allclose(found.lyapunov[at], alone.lyapunov, rtol=0.0, atol=error)
         if orbit is None:
             assert (found.period[at], found.impacts[at], found.side[at]) == (0, 0, 0)
@@ -99,9 +97,8 @@ def test_what_a_device_leaves_over_is_followed_on_the_host(model: Model) -> None
     with on_device(device):
         found = settled(cells)
     wanted = settled(cells)
-    lanes, alone = "queued_lane_attractors", "queued_settle_cells"
-    linear = model == Linear()
-    assert device.ran == ([lanes, alone] if linear else ["queued_nonlinear_settle_cells"])
+    of = "queued_" if model == Linear() else "queued_nonlinear_"
+    assert device.ran == [f"{of}lane_attractors", f"{of}settle_cells"]
     np.testing.assert_array_equal(found.kind, wanted.kind)
     np.testing.assert_array_equal(found.after, wanted.after)
     np.testing.assert_allclose(found.highest, wanted.highest, rtol=1e-9)

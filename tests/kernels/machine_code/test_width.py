@@ -18,7 +18,7 @@ from tests.kernels.queued import CASES, bits
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")
 
 ROOT = Path(__file__).parents[3]
-IN_LANES = ("lane_fates", "nonlinear_lane_fates", "lane_attractors")
+IN_LANES = ("lane_fates", "nonlinear_lane_fates", "lane_attractors", "nonlinear_lane_attractors")
 
 
 def test_a_processor_follows_many_cells_at_a_time_and_a_device_one(

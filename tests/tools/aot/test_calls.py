@@ -19,7 +19,12 @@ from tools.aot.calls.__main__ import large_calls, small_calls
 from tools.aot.calls.drawn import MOTIONS, Drawn
 from tools.aot.calls.recorder import Recorder
 
-LANES = {"lane_attractors", "lane_fates", "nonlinear_lane_fates"}
+LANES = {
+    "lane_attractors",
+    "nonlinear_lane_attractors",
+    "lane_fates",
+    "nonlinear_lane_fates",
+}
 CELLS = LANES | {"fates_of_sides", "settle_cells", "pulse_fates", "record_fates"}
 POINTS = {"fill_steady", "fill_curves"}
 

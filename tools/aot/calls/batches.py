@@ -83,7 +83,10 @@ def record_attractors(
     real = np.zeros((count, REAL_COLUMNS))
     begin = side, angle, velocity, half, rest
     call("settle_cells", a, w, sides, *begin, 100, whole, real)
-    if not nonlinear:
+    if nonlinear:
+        given = a, w, sides, *begin, 100, np.zeros_like(whole), np.zeros_like(real)
+        call("nonlinear_lane_attractors", *given)
+    else:
         r = sides[:, 0, RESTITUTION].copy()
         call("lane_attractors", a, w, r, *begin, 100, np.zeros_like(whole), np.zeros_like(real))
 

@@ -42,7 +42,7 @@ ASTRAY = 7.75  # ... or has turned away
 class Places(NamedTuple):
     """Where the fields of lanes begin in their flat array."""
 
-    count: int  # of lanes
+    width: int  # how many lanes there are
     stage: int
     cell: int
     phase: int
@@ -62,11 +62,11 @@ class Places(NamedTuple):
     area: int
 
 
-def places_of(*, count: int, reference: int, **fields: int) -> Places:
+def places_of(*, width: int, reference: int, **fields: int) -> Places:
     """Return the places of lanes of one model, whose reference (`core.returns`) begins at one."""
     names = ("ref_phase", "ref_velocity", "look", "next", "lag", "known", "law", "_", "area")
-    follow = {name: reference + place * count for place, name in enumerate(names) if name != "_"}
-    return Places(count=count, **fields, **follow)
+    follow = {name: reference + place * width for place, name in enumerate(names) if name != "_"}
+    return Places(width=width, **fields, **follow)
 
 
 @compiled
@@ -112,12 +112,12 @@ def watched(lanes: Floats, j: int, places: Places, landed: bool, rests: bool) ->
     delta = lanes[places.delta + j]
     area = lanes[places.area + j] * (delta * delta if landed else 1.0)
     law, attracted = after_return(
-        law_of(lanes, places.law + j, places.count, area),
+        law_of(lanes, places.law + j, places.width, area),
         back,
         turned if back else 0.0,
         faster if back else 0.0,
     )
-    put_law(lanes, places.law + j, places.count, law)
+    put_law(lanes, places.law + j, places.width, law)
     lanes[places.area + j] = 1.0 if back & (not attracted) else law.area
     lanes[places.known + j] = 1.0 if attracted else lanes[places.known + j]
     astray = back & (apart > LOST)
@@ -134,7 +134,7 @@ def watched(lanes: Floats, j: int, places: Places, landed: bool, rests: bool) ->
 def draw_near(lanes: Floats, j: int, places: Places) -> None:
     """Put a lane whose returns follow the law of a stable orbit where that leads."""
     if lanes[places.stage + j] == SETTLED and lanes[places.known + j] > 0.0:
-        law = law_of(lanes, places.law + j, places.count, lanes[places.area + j])
+        law = law_of(lanes, places.law + j, places.width, lanes[places.area + j])
         further, faster = drawn_near(law, math.inf)
         lanes[places.phase + j] += further
         lanes[places.velocity + j] += faster

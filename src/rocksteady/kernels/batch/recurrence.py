@@ -211,7 +211,7 @@ def returning(
         returns[j, PHASE_BEFORE], returns[j, VELOCITY_BEFORE] = earlier_phase, earlier_velocity
         lanes[places.ref_phase + j], lanes[places.ref_velocity + j] = phase, velocity
         lanes[places.lag + j] = passages
-        put_law(lanes, places.law + j, places.count, Law(0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0))
+        put_law(lanes, places.law + j, places.width, Law(0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0))
         lanes[places.known + j] = 0.0
         lanes[places.next + j] = count + passages
         lanes[places.limit + j] = count + MOST_RETURNS * passages

@@ -10,8 +10,8 @@ depends on the lanes beside it, so neither does the result, to the last bit.
 The parts: `_fields` the fields and stages of a lane, `_both_sides` the constants of the two sides,
 `_exp_sincos` exponential and sine, `_newton` steps towards an impact, `_launching` what a flight
 begins with, `_nodes` whether a piece has an impact, `_passes` the order of these loops, `_periods`
-motions that have become periodic, `driver` the loop that drives them; `_arrival`, `_recurrence` and
-`settling` motions that are followed to their orbits.
+motions that have become periodic, `driver` the loop that drives them, `settling` motions that are
+followed to their orbits.
 
 **No impact can be missed.**  A lane decides only what the argument of `kernels.linear.zeros`
 settles with room to spare; any other flight is left to the scalar `march`, and the lane goes on

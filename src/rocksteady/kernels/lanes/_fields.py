@@ -106,7 +106,7 @@ DIFFERENCE = SIDED
 FIELDS = 2 * SIDED // LANES + 48
 
 PLACES = arrival.places_of(
-    count=LANES,
+    width=LANES,
     stage=STAGE,
     cell=CELL,
     phase=PHASE,

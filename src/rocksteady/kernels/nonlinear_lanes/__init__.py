@@ -8,7 +8,8 @@ Every pass takes all lanes one Taylor step further; steps of all lanes cost alik
 The parts: `_layout` the fields of a lane and its rows of coefficients, `_two_sides` the constants
 of the two sides, `_coefficients` of y, `_steps` the length of a step, `_signs` whether it has an
 impact, `_ends` the impact and what follows it, `_leaps` motions that have become periodic,
-`_transfer` the way in and out, `loop` what drives them.
+`_transfer` the way in and out, `loop` what drives them, `settling` motions that are followed to
+their orbits.
 
 **Steps.**  Coefficients and step are those of `rocksteady.kernels.nonlinear.series`, but that the
 degree is always the highest and the step is shorter, by 7 per cent at most.

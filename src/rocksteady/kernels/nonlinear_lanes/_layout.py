@@ -103,7 +103,7 @@ DIFFERENCE = SIDED
 FIELDS = 2 * SIDED // LANES + 51
 
 PLACES = arrival.places_of(
-    count=LANES,
+    width=LANES,
     stage=STAGE,
     cell=CELL,
     phase=PHASE,

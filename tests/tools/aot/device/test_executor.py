@@ -84,7 +84,8 @@ CASES = {
     "queued_nonlinear_lane_fates": fates(BODY, Nonlinear()),
     "queued_lane_attractors": attractors(ALIKE, None, 200),
     "queued_settle_cells": attractors(UNLIKE, Linear(), 100),
-    "queued_nonlinear_settle_cells": attractors(BODY, Nonlinear(), 30),
+    "queued_nonlinear_lane_attractors": attractors(BODY, Nonlinear(), 30),
+    "queued_nonlinear_settle_cells": attractors(UNLIKE, Nonlinear(), 30),
     "queued_record_fates": ensemble(Linear()),
     "queued_nonlinear_record_fates": ensemble(Nonlinear()),
 }
