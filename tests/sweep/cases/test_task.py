@@ -11,10 +11,12 @@ from rocksteady.errors import InputError
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.cases.task import Task
+from rocksteady.sweep.cases.task import LONG_ENOUGH, Task
 from tests.every import every
 
 GRID = Grid(axes=(Axis(name="a", values=np.arange(1000.0)),))
+UNIT = 25.0 * LONG_ENOUGH
+"""Seconds here, in which a call of 1/25 is long enough."""
 
 
 def task_of(cases: Any, batch: int = 64) -> Task:
@@ -36,13 +38,15 @@ def test_calls_grow_while_they_are_short(
     seconds_a_cell: float, sizes: list[int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     called: list[int] = []
-    monkeypatch.setattr(f"{Task.__module__}.time.monotonic", lambda: seconds_a_cell * sum(called))
+    monkeypatch.setattr(
+        f"{Task.__module__}.time.monotonic", lambda: UNIT * seconds_a_cell * sum(called)
+    )
 
     def double(a: NDArray[np.float64]) -> dict[str, Any]:
         called.append(len(a))
         return {"double": 2.0 * a}
 
-    answer = task_of(double).run((10, 1000), 99.0)
+    answer = task_of(double).run((10, 1000), 99.0 * UNIT)
     assert answer.stop == 1000
     assert called[:5] == sizes
     assert sum(called) == 990
@@ -66,13 +70,15 @@ def test_a_job_begins_where_another_has_come_to(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     called: list[int] = []
-    monkeypatch.setattr(f"{Task.__module__}.time.monotonic", lambda: seconds_a_cell * sum(called))
+    monkeypatch.setattr(
+        f"{Task.__module__}.time.monotonic", lambda: UNIT * seconds_a_cell * sum(called)
+    )
 
     def double(a: NDArray[np.float64]) -> dict[str, Any]:
         called.append(len(a))
         return {"double": 2.0 * a}
 
-    answer = task_of(double).run((0, sum(sizes)), 60.0, many)
+    answer = task_of(double).run((0, sum(sizes)), 60.0 * UNIT, many)
     assert called == sizes
     assert answer.many == next_many
 
@@ -82,13 +88,13 @@ def test_slow_cells_are_left_to_others_when_the_time_is_over(
     seconds: float, calls: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     called: list[int] = []
-    monkeypatch.setattr(f"{Task.__module__}.time.monotonic", lambda: sum(called) / 16)
+    monkeypatch.setattr(f"{Task.__module__}.time.monotonic", lambda: UNIT * sum(called) / 16)
 
     def slow(a: NDArray[np.float64]) -> dict[str, Any]:
         called.append(len(a))
         return {"double": 2.0 * a}
 
-    answer = task_of(slow).run((0, 1000), seconds)
+    answer = task_of(slow).run((0, 1000), UNIT * seconds)
     assert called == [1] * calls
     assert answer.stop == calls
     assert answer.arrays["double"].tolist() == list(range(0, 2 * calls, 2))

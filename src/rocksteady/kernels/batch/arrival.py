@@ -13,7 +13,7 @@ from rocksteady.kernels.core.law import after_return, drawn_near, law_of, put_la
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.bits import nearest_whole
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.machine_code.types import Floats3
+from rocksteady.kernels.machine_code.types import Floats2, Floats3
 from rocksteady.kernels.orbits.periodic import SMALLEST_SPEED
 from rocksteady.kernels.orbits.settle import FIRST_LOOK, MEMORY, NEAR
 
@@ -40,9 +40,9 @@ ASTRAY = 7.75  # ... or has turned away
 
 
 class Places(NamedTuple):
-    """Where the fields of lanes begin in their flat array."""
+    """Where the fields of lanes begin in their flat array, and how many lanes there are."""
 
-    width: int  # how many lanes there are
+    width: int
     stage: int
     cell: int
     phase: int
@@ -62,11 +62,18 @@ class Places(NamedTuple):
     area: int
 
 
-def places_of(*, width: int, reference: int, **fields: int) -> Places:
-    """Return the places of lanes of one model, whose reference (`core.returns`) begins at one."""
-    names = ("ref_phase", "ref_velocity", "look", "next", "lag", "known", "law", "_", "area")
-    follow = {name: reference + place * width for place, name in enumerate(names) if name != "_"}
-    return Places(width=width, **fields, **follow)
+class Room(NamedTuple):
+    """What lanes that look for orbits share."""
+
+    memory: Floats3  # last states of each lane, shape (lanes, MEMORY, STATE_COLUMNS)
+    returns: Floats2  # returns that are watched, shape (lanes, RETURN_COLUMNS)
+    known: Floats2  # orbits that have been found: `kernels.batch.known_orbits`
+    table: Floats2  # room for an orbit, shape (MEMORY, ORBIT_COLUMNS)
+
+
+def places_of(width: int, *own: int, reference: int) -> Places:
+    """Return the places of the lanes of a model, in order; those of `core.returns` from one on."""
+    return Places(width, *own, *(reference + width * field for field in (0, 1, 2, 3, 4, 5, 6, 8)))
 
 
 @compiled
@@ -131,19 +138,15 @@ def watched(lanes: Floats, j: int, places: Places, landed: bool, rests: bool) ->
 
 
 @compiled
-def draw_near(lanes: Floats, j: int, places: Places) -> None:
-    """Put a lane whose returns follow the law of a stable orbit where that leads."""
-    if lanes[places.stage + j] == SETTLED and lanes[places.known + j] > 0.0:
+def draw_near(lanes: Floats, j: int, places: Places, on_grid: bool) -> None:
+    """Put a lane to be computed where the law of its returns leads; `on_grid` if others are too."""
+    if lanes[places.stage + j] != SETTLED:
+        return
+    if lanes[places.known + j] > 0.0:
         law = law_of(lanes, places.law + j, places.width, lanes[places.area + j])
         further, faster = drawn_near(law, math.inf)
         lanes[places.phase + j] += further
         lanes[places.velocity + j] += faster
-
-
-@compiled
-def draw_to_grid(lanes: Floats, j: int, places: Places) -> None:
-    """Put a lane that is to be computed on a grid, so that others at the orbit are at one state."""
-    speed = lanes[places.velocity + j]
-    if lanes[places.stage + j] == SETTLED and speed > SMALLEST_SPEED:
-        lanes[places.phase + j] = nearest_whole(lanes[places.phase + j] * GRID) / GRID
-        lanes[places.velocity + j] = nearest_whole(speed * GRID) / GRID
+    if on_grid and lanes[places.velocity + j] > SMALLEST_SPEED:
+        for place in (places.phase + j, places.velocity + j):
+            lanes[place] = nearest_whole(lanes[place] * GRID) / GRID

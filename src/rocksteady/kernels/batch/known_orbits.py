@@ -21,7 +21,7 @@ from rocksteady.kernels.orbits.systems import System
 
 KNOWN = 64
 """Rows of orbits on the host: more than the passages of those in a usual basin."""
-Key = tuple[float, float, float, float, float, float, float, float, float, float, float, float]
+Key = tuple[float, ...]
 
 # Columns: the key, the orbit, and the outcome of a cell.
 NEAR_AT = 12
@@ -33,19 +33,10 @@ KNOWN_COLUMNS = REAL_AT + REAL_COLUMNS
 @compiled
 def key_of(system: System, here: Section, passages: int, periods: int, folded: bool) -> Key:
     """Return all that a search for an orbit near a state depends on, of a symmetric block."""
+    begin = (here.phase, here.speed, 1.0 * here.side, 1.0 * (here.half_cycles % 2))
+    way = (1.0 * passages, 1.0 * periods, 1.0 * folded, system.left_out)
     return (
-        here.phase,
-        here.speed,
-        1.0 * here.side,
-        1.0 * (here.half_cycles % 2),
-        1.0 * passages,
-        1.0 * periods,
-        1.0 * folded,
-        system.amplitude,
-        system.frequency,
-        system.restitution[0],
-        system.alpha[0],
-        system.left_out,
+        begin + way + (system.amplitude, system.frequency, system.restitution[0], system.alpha[0])
     )
 
 
@@ -68,19 +59,10 @@ def is_known(known: Floats2, row: int, key: Key) -> bool:
 @compiled
 def recalled(known: Floats2, row: int) -> Near:
     """Return the orbit of a row; how exact it is is not kept."""
-    orbit = Section(
-        int(known[row, NEAR_AT]),
-        int(known[row, NEAR_AT + 1]),
-        known[row, NEAR_AT + 2],
-        known[row, NEAR_AT + 3],
-    )
-    jacobian = Jacobian(
-        known[row, NEAR_AT + 5],
-        known[row, NEAR_AT + 6],
-        known[row, NEAR_AT + 7],
-        known[row, NEAR_AT + 8],
-    )
-    return Near(True, orbit, known[row, NEAR_AT + 4], Fixed(True, math.nan, jacobian, ZERO, ZERO))
+    kept = known[row, NEAR_AT:WHOLE_AT]
+    orbit = Section(int(kept[0]), int(kept[1]), kept[2], kept[3])
+    jacobian = Jacobian(kept[5], kept[6], kept[7], kept[8])
+    return Near(True, orbit, kept[4], Fixed(True, math.nan, jacobian, ZERO, ZERO))
 
 
 @compiled
@@ -88,12 +70,12 @@ def keep(known: Floats2, row: int, key: Key, near: Near, cell: int, outcomes: Ou
     """Keep an orbit and the outcome of the cell that settles to it."""
     for column in range(NEAR_AT):
         known[row, column] = key[column]
-    orbit, jacobian = near.orbit, near.fixed.jacobian
-    known[row, NEAR_AT], known[row, NEAR_AT + 1] = orbit.side, orbit.half_cycles
-    known[row, NEAR_AT + 2], known[row, NEAR_AT + 3] = orbit.phase, orbit.speed
-    known[row, NEAR_AT + 4] = near.largest
+    (side, half, phase, speed), jacobian = near.orbit, near.fixed.jacobian
+    begin = (1.0 * side, 1.0 * half, phase, speed)
     for place in range(4):
+        known[row, NEAR_AT + place] = begin[place]
         known[row, NEAR_AT + 5 + place] = jacobian[place]
+    known[row, NEAR_AT + 4] = near.largest
     for column in range(WHOLE_COLUMNS):
         known[row, WHOLE_AT + column] = outcomes.whole[cell, column]
     for column in range(REAL_COLUMNS):

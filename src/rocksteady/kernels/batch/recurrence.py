@@ -10,14 +10,14 @@ that lanes settle has the answer of that, but for roundings on the way to the or
 
 import math
 
-from rocksteady.kernels.batch.arrival import FALLEN, LEAVE, LOOKING, SETTLED, Places
+from rocksteady.kernels.batch.arrival import FALLEN, LEAVE, LOOKING, SETTLED, Places, Room
 from rocksteady.kernels.batch.attractors import OUTCOME, note_attractor
 from rocksteady.kernels.batch.known_orbits import answer, is_known, keep, key_of, recalled, row_of
 from rocksteady.kernels.core.clock import clock, side_phase
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.law import Law, put_law
 from rocksteady.kernels.core.queue import LEFT_OVER
-from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.tables import Floats, March
 from rocksteady.kernels.core.tuples import Outcomes
 from rocksteady.kernels.core.typed import MINUS_ONE, ONE, ZERO, whole
 from rocksteady.kernels.machine_code.compilation import compiled
@@ -100,27 +100,38 @@ RETURN_COLUMNS = 7
 
 
 @compiled
-def begun(
-    system: System, start: AnyState, cell: int, table: Floats2, outcomes: Outcomes
-) -> tuple[int, Section]:
-    """Return the first flight of a motion from the floor, and how many impacts are before it.
+def begun(system: System, start: AnyState, cell: int, table: Floats2, outcomes: Outcomes) -> March:
+    """Return the first flight of a motion from the floor, after as many impacts as it has.
 
     Their number is -1 where it is over without one, with its row written, or is left over.
     """
-    toward = start.side * start.velocity
-    if start.angle == 0.0 and toward > 0.0:
-        return ZERO, Section(start.side, start.half_cycles, start.phase, toward)
+    side, half_cycles, phase, angle, velocity = start
+    if angle == 0.0 and side * velocity > 0.0:
+        return march_from(Section(side, half_cycles, phase, side * velocity), ZERO)
     first = first_passage(system, start)
+    if first.kind in (IMPACT, UPLIFT):
+        return march_from(first.state, ONE)
     if first.kind in (FALL, STAY):
         outcome = FALLS if first.kind == FALL else STAYS
-        after = (first.state.half_cycles - start.half_cycles) // 2
+        after = (first.state.half_cycles - half_cycles) // 2
         found = unsettled(outcome, first.state, math.nan, math.nan, after, 0.0)
         note_attractor(system, found, table, outcomes, cell)
-    elif first.kind in (IMPACT, UPLIFT):
-        return ONE, first.state
     else:
         outcomes.whole[cell, OUTCOME] = LEFT_OVER
-    return MINUS_ONE, first.state
+    return march_from(first.state, MINUS_ONE)
+
+
+@compiled
+def march_from(state: Section, impacts: int) -> March:
+    """Return a march at a state after so many impacts."""
+    side, half_cycles, phase, speed = state
+    return March(side, 0.0, side * speed, ZERO, half_cycles, phase, impacts, ZERO)
+
+
+@compiled
+def section_of(march: March) -> Section:
+    """Return the state of a march at the start of a flight from the floor."""
+    return Section(march.side, march.half_cycles, march.phase, abs(march.velocity))
 
 
 @compiled
@@ -128,27 +139,22 @@ def attended(
     lanes: Floats,
     j: int,
     places: Places,
-    memory: Floats3,
-    returns: Floats2,
-    known: Floats2,
+    room: Room,
     system: System,
-    here: Section,
+    march: March,
     start: int,
     cycles: int,
-    table: Floats2,
     outcomes: Outcomes,
-) -> tuple[int, Section]:
-    """Help a waiting lane on; return what becomes of it: `OVER`, `ONWARD` or `FLOWN`, and a state.
+) -> tuple[int, March]:
+    """Help a waiting lane on; return what becomes of it, `OVER`, `ONWARD` or `FLOWN`, and where.
 
     Parameters
     ----------
     lanes, j, places
         The lane.
-    memory, returns, table
-        Its states and watched returns, and room for an orbit.
-    known
-        Orbits that have been found (`kernels.batch.known_orbits`).
-    system, here
+    room
+        What lanes share.
+    system, march
         Its block, and the state at the start of its flight.
     start, cycles
         Half cycles of the shaking at the start, and how many periods it is followed at most.
@@ -157,40 +163,38 @@ def attended(
     """
     stage = lanes[places.stage + j]
     cell = int(lanes[places.cell + j])
+    here = section_of(march)
     passed = (here.half_cycles - start) // 2
     free = lanes[places.lag + j] == 0.0
     falls = stage == FALLEN and free
     if stage == LOOKING:
-        if returning(lanes, j, places, memory, returns, passed):
-            return ONWARD, here
+        if returning(lanes, j, places, room, passed):
+            return ONWARD, march
         if passed < cycles:
             lanes[places.look + j] = 2.0 * min(passed + passed // 2, cycles)
-            return ONWARD, here
+            return ONWARD, march
     if stage == LEAVE:
         after = next_passage(system, here, -1.0)
         if after.kind == IMPACT:
-            return FLOWN, after.state
+            return FLOWN, march_from(after.state, march.impacts + 1)
         falls = after.kind == FALL and free
-    if stage == SETTLED and computed(
-        lanes, j, places, memory, returns, known, system, here, table, outcomes
-    ):
-        return OVER, here
+    if stage == SETTLED and computed(lanes, j, places, room, system, here, outcomes):
+        return OVER, march
     if falls:
         found = unsettled(FALLS, here, math.nan, math.nan, passed, 0.0)
-        note_attractor(system, found, table, outcomes, cell)
+        note_attractor(system, found, room.table, outcomes, cell)
     else:
         outcomes.whole[cell, OUTCOME] = LEFT_OVER
-    return OVER, here
+    return OVER, march
 
 
 @compiled
-def returning(
-    lanes: Floats, j: int, places: Places, memory: Floats3, returns: Floats2, passed: int
-) -> bool:
+def returning(lanes: Floats, j: int, places: Places, room: Room, passed: int) -> bool:
     """Return whether a lane has come back near an earlier state, from now on to be watched.
 
     As `settle` looks, but that the orbit is left to be found when the motion is nearer.
     """
+    memory, returns = room.memory, room.returns
     count = int(lanes[places.impacts + j])
     phase, left, velocity = (
         lanes[places.phase + j],
@@ -225,15 +229,13 @@ def computed(
     lanes: Floats,
     j: int,
     places: Places,
-    memory: Floats3,
-    returns: Floats2,
-    known: Floats2,
+    room: Room,
     system: System,
     here: Section,
-    table: Floats2,
     outcomes: Outcomes,
 ) -> bool:
     """Return whether a motion that is close settles to what `settle` would find; write it."""
+    memory, returns, known, table = room
     passages, periods = int(lanes[places.lag + j]), int(returns[j, PERIODS])
     guess = lanes[places.time + j]
     # Of an orbit that is its own mirror image one half is enough.

@@ -105,19 +105,8 @@ DIFFERENCE = SIDED
 ) = range(2 * SIDED, 2 * SIDED + 48 * LANES, LANES)
 FIELDS = 2 * SIDED // LANES + 48
 
-PLACES = arrival.places_of(
-    width=LANES,
-    stage=STAGE,
-    cell=CELL,
-    phase=PHASE,
-    velocity=VELOCITY,
-    left=LEFT,
-    impacts=IMPACTS,
-    limit=LIMIT,
-    delta=DELTA,
-    time=TIME,
-    reference=REF_PHASE,
-)
+_OWN = STAGE, CELL, PHASE, VELOCITY, LEFT, IMPACTS, LIMIT, DELTA, TIME
+PLACES = arrival.places_of(LANES, *_OWN, reference=REF_PHASE)
 """Of what an approach to an orbit takes; no lane on such a way leaps over periods."""
 
 LOSS = 2.0**-49  # sixteen roundings: what a computed number may be off, in units of its terms

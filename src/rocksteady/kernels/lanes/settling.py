@@ -6,19 +6,13 @@ whose motion overturns or settles to an orbit without rest, as `kernels.batch.re
 
 import numpy as np
 
-from rocksteady.kernels.batch.arrival import (
-    FAR,
-    STATE_COLUMNS,
-    draw_near,
-    expect,
-    remember,
-    watched,
-)
+from rocksteady.kernels.batch import arrival
+from rocksteady.kernels.batch.arrival import FAR, STATE_COLUMNS, Room
 from rocksteady.kernels.batch.attractors import state_of
 from rocksteady.kernels.batch.known_orbits import KNOWN_COLUMNS
 from rocksteady.kernels.batch.recurrence import FLOWN, OVER, RETURN_COLUMNS, attended, begun
 from rocksteady.kernels.core.queue import enter, queue_of, take, together
-from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats, March
+from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats
 from rocksteady.kernels.core.tuples import Outcomes, States, SymmetricCells
 from rocksteady.kernels.core.typed import FALSE, ZERO
 from rocksteady.kernels.lanes import _fields as lane
@@ -27,9 +21,8 @@ from rocksteady.kernels.lanes._loading import load, put_lane, taken
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._passes import at_nodes, begin, census, fill_empty, in_need, step
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
-from rocksteady.kernels.machine_code.types import Floats2, Floats3, Floats4, Integers1
+from rocksteady.kernels.machine_code.types import Floats3, Floats4, Integers1
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
-from rocksteady.kernels.orbits.return_map import Section
 from rocksteady.kernels.orbits.settle import MEMORY
 from rocksteady.kernels.orbits.systems import make_system
 
@@ -64,12 +57,11 @@ def queued_lane_attractors(
     """
     amplitude, frequency_ratio, restitution = cells
     worker = enter(queue)
-    memory, table = memories[worker], tables[worker]
     sides = np.zeros((2, 3))
     sides[:, LEAN] = 1.0
     sides[:, RATE] = 1.0
-    returns = np.empty((LANES, RETURN_COLUMNS))
-    known = np.empty((0, KNOWN_COLUMNS))  # to find an orbit costs no more than to look it up
+    returns, known = np.empty((LANES, RETURN_COLUMNS)), np.empty((0, KNOWN_COLUMNS))
+    room = Room(memories[worker], returns, known, tables[worker])
     lanes = np.zeros(FIELDS * LANES)
     sides[:, RESTITUTION] = 0.5
     fill_empty(lanes, sides)
@@ -88,29 +80,17 @@ def queued_lane_attractors(
                     start = states.half_cycles[cell]
                     sides[:, RESTITUTION] = restitution[cell]
                     system = make_system(amplitude[cell], frequency_ratio[cell], sides)
-                    draw_near(lanes, j, PLACES)
+                    arrival.draw_near(lanes, j, PLACES, FALSE)
                     march = taken(lanes, j, start + FAR, sides)
-                    speed = abs(march.velocity)
-                    here = Section(march.side, march.half_cycles, march.phase, speed)
-                    end, after = attended(
-                        lanes,
-                        j,
-                        PLACES,
-                        memory,
-                        returns,
-                        known,
-                        system,
-                        here,
-                        start,
-                        cycles,
-                        table,
-                        outcomes,
+                    end, march = attended(
+                        lanes, j, PLACES, room, system, march, start, cycles, outcomes
                     )
                     if end == OVER:
                         lanes[lane.STAGE + j] = lane.EMPTY
                         busy -= 1
                     elif end == FLOWN:
-                        put_section(lanes, j, after, start + FAR, march.impacts + 1, sides)
+                        put_lane(lanes, j, march, start + FAR, sides)
+                        lanes[lane.STAGE + j] = lane.LANDED
                     else:
                         lanes[lane.STAGE + j] = lane.LAUNCH
                 while lanes[lane.STAGE + j] == lane.EMPTY and fresh:
@@ -121,16 +101,15 @@ def queued_lane_attractors(
                     a, w = amplitude[cell], frequency_ratio[cell]
                     sides[:, RESTITUTION] = restitution[cell]
                     begin_at = state_of(states, cell)
-                    impacts, first = begun(
-                        make_system(a, w, sides), begin_at, cell, table, outcomes
-                    )
-                    if impacts < 0:
+                    system = make_system(a, w, sides)
+                    march = begun(system, begin_at, cell, room.table, outcomes)
+                    if march.impacts < 0:
                         continue
                     load(lanes, j, cell, a, w, sides, 0.0)
-                    put_section(lanes, j, first, begin_at.half_cycles + FAR, impacts, sides)
-                    if impacts == 0:
-                        lanes[lane.STAGE + j] = lane.LAUNCH
-                    expect(lanes, j, PLACES, cycles)
+                    put_lane(lanes, j, march, begin_at.half_cycles + FAR, sides)
+                    if march.impacts > 0:
+                        lanes[lane.STAGE + j] = lane.LANDED
+                    arrival.expect(lanes, j, PLACES, cycles)
                     busy += 1
             if together(busy) == 0:
                 return
@@ -140,7 +119,7 @@ def queued_lane_attractors(
             continue
         else:
             bounces = step(lanes, numbers, bounces)
-        remember(lanes, PLACES, working(lanes), memory)
+        arrival.remember(lanes, PLACES, working(lanes), room.memory)
         watch(lanes)
         numbers, delays = begin(lanes, delays, FALSE)
 
@@ -151,15 +130,4 @@ def watch(lanes: Floats) -> None:
     for j in range(working(lanes)):
         stage = lanes[lane.STAGE + j]
         rests = (stage == lane.LAUNCH) & (lanes[lane.VELOCITY + j] == 0.0)
-        lanes[lane.STAGE + j] = watched(lanes, j, PLACES, stage == lane.LANDED, rests)
-
-
-@compiled
-def put_section(
-    lanes: Floats, j: int, state: Section, end_half: int, impacts: int, sides: Floats2
-) -> None:
-    """Give a lane a state after so many impacts."""
-    side, half_cycles, phase, speed = state
-    march = March(side, 0.0, side * speed, ZERO, half_cycles, phase, impacts, ZERO)
-    put_lane(lanes, j, march, end_half, sides)
-    lanes[lane.STAGE + j] = lane.LANDED
+        lanes[lane.STAGE + j] = arrival.watched(lanes, j, PLACES, stage == lane.LANDED, rests)

@@ -102,19 +102,8 @@ DIFFERENCE = SIDED
 ) = range(2 * SIDED, 2 * SIDED + 51 * LANES, LANES)
 FIELDS = 2 * SIDED // LANES + 51
 
-PLACES = arrival.places_of(
-    width=LANES,
-    stage=STAGE,
-    cell=CELL,
-    phase=PHASE,
-    velocity=VELOCITY,
-    left=LEFT,
-    impacts=IMPACTS,
-    limit=MOST,
-    delta=DELTA,
-    time=TIME,
-    reference=REF_PHASE,
-)
+_OWN = STAGE, CELL, PHASE, VELOCITY, LEFT, IMPACTS, MOST, DELTA, TIME
+PLACES = arrival.places_of(LANES, *_OWN, reference=REF_PHASE)
 """Of what an approach to an orbit takes; no lane on such a way leaps over periods."""
 
 # Rows of Taylor coefficients, one for each power of time.
