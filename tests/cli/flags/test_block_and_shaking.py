@@ -239,12 +239,12 @@ def test_the_nonlinear_model_needs_a_slenderness_and_has_flags_of_its_own() -> N
         refuse_of_linear("linear", "vertical", "up.AT2")
 
 
-@every(("model", "motion", "suggested"), [(None, Still(), True), ("nonlinear", Still(), False)])
+@every(("model", "suggested"), [(None, True), ("nonlinear", False)])
 def test_full_equations_that_nobody_asked_for_suggest_the_linear_ones(
-    model: str | None, motion: Still, suggested: bool, capsys: pytest.CaptureFixture[str]
+    model: str | None, suggested: bool, capsys: pytest.CaptureFixture[str]
 ) -> None:
     terminal.drop_notes()
-    equations_for(model, SIZED, motion)
+    equations_for(model, SIZED)
     terminal.say_suggestion()
     assert capsys.readouterr().err.startswith("rocksteady: --model linear") is suggested
 
