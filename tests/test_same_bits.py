@@ -52,7 +52,7 @@ EXACT_MATH = words(
 EXACT_UFUNCS = words(
     """
     absolute add bitwise_and bitwise_or bitwise_xor ceil conjugate copysign degrees divide equal
-    floor floor_divide fmax fmin fmod greater greater_equal invert isfinite isinf isnan ldexp
+    floor floor_divide fmax fmin fmod frexp greater greater_equal invert isfinite isinf isnan ldexp
     left_shift less less_equal logical_and logical_not logical_or logical_xor maximum minimum
     multiply negative nextafter not_equal radians reciprocal remainder right_shift rint sign
     signbit spacing sqrt square subtract trunc

@@ -42,6 +42,7 @@ export const signatures = {
   settle_cells: { takes: [Cells, States, 'i', Outcomes], gives: null },
   settle_series_cells: { takes: [SeriesCells, States, 'i', Outcomes], gives: null },
   lane_attractors: { takes: [SymmetricCells, States, 'i', Outcomes], gives: null },
+  nonlinear_lane_attractors: { takes: [Cells, States, 'i', Outcomes], gives: null },
   fill_clocks: { takes: ['f1', 'i1', 'f1'], gives: null },
   record_fates: { takes: ['f2', Blocks, 'i', PeakFates], gives: null },
   record_forces: { takes: ['f2', Blocks, 'f3', 'i', 'f2'], gives: null },

@@ -4,6 +4,8 @@
 the steps of `loop.nonlinear_lane_fates`.
 """
 
+import math
+
 import numpy as np
 
 from rocksteady.kernels.batch import arrival
@@ -74,7 +76,7 @@ def queued_nonlinear_lane_attractors(
     worker = enter(queue)
     returns = np.empty((LANES, RETURN_COLUMNS))
     room = Room(memories[worker], returns, orbits[worker], tables[worker])
-    room.known[:, 0] = np.nan
+    room.known[:, 0] = math.nan
     if len(amplitude) == 0:
         return
     lanes = aligned(np.zeros(ROOM))

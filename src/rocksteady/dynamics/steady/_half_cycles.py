@@ -100,7 +100,7 @@ def pieces_of(order: Floats, frequency_ratio: Floats) -> NDArray[np.int64]:
     """Return the number of pieces of each half cycle, a power of 2."""
     span = order * math.pi
     _, power = np.frexp(np.maximum(span / frequency_ratio / LONGEST, span / WIDEST))
-    count: NDArray[np.int64] = 2 ** power.astype(np.int64)
+    count: NDArray[np.int64] = np.left_shift(1, power.astype(np.int64))
     return count
 
 
