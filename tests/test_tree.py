@@ -25,6 +25,7 @@ STARTED = {
 TWICE = {
     frozenset({"kernels/linear", "kernels/nonlinear"}),  # one thing in both models
     frozenset({"kernels/march", "kernels/nonlinear"}),
+    frozenset({"kernels/lanes", "kernels/nonlinear_lanes"}),
     frozenset({"show/plots", "show/figures"}),  # a thing and its figure
 }
 """Folders of one layer that may have files of one name."""

@@ -25,7 +25,6 @@ from rocksteady import (
     compute_erosion,
     compute_fate_basins,
     compute_noise_fates,
-    compute_response_curve,
     compute_rocking_spectrum,
     find_attractor,
     find_bifurcation_curves,
@@ -193,7 +192,6 @@ def test_what_only_the_linear_model_has_is_asked_for_by_name() -> None:
     erosion = EVERY["compute_erosion"]
     assert erosion(BLOCK).heteroclinic is None
     assert erosion(BLOCK, model="linear").heteroclinic == erosion(BARE).heteroclinic
-    assert compute_response_curve(BLOCK, 2.0, frequency_ratio=[4.0]).to_dict()["model"] == "linear"
 
 
 @every("tolerance", [0.0, 1e-14, 0.1, float("nan"), "fine"])

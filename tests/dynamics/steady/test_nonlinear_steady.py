@@ -150,7 +150,9 @@ def test_cells_of_a_map_begin_where_a_single_motion_does() -> None:
                     continue
                 assert kind == alone.kind.value
                 if alone.orbit is not None:
-                    assert float(found.highest[i, j]) == alone.orbit.highest
+                    assert float(found.highest[i, j]) == pytest.approx(
+                        alone.orbit.highest, rel=1e-12
+                    )
 
 
 @every("w", [0.7, 2.0, 8.0])

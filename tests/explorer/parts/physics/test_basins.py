@@ -1,5 +1,6 @@
 """Basins of the page against `compute_basins`, cell by cell."""
 
+import functools
 from typing import Any
 
 import numpy as np
@@ -91,12 +92,14 @@ def test_cells_labels_attractors_and_shares_are_those_of_the_package(in_node: In
                 continue
             orbit = attractor.orbit
             assert own["orbit"]["period"] == orbit.period
-            assert (own["orbit"]["highest"], own["orbit"]["lowest"]) == (
-                orbit.highest,
-                orbit.lowest,
+            # The package follows full equations in lanes, and the page one by one: where Newton's
+            # method begins differs, and the last digits do.
+            near = functools.partial(pytest.approx, rel=1e-11 if alpha else 0.0, abs=0.0)
+            assert (own["orbit"]["highest"], own["orbit"]["lowest"]) == near(
+                (orbit.highest, orbit.lowest)
             )
             assert own["orbit"]["states"] == [
-                {"side": state.side, "phase": state.phase, "speed": state.speed}
+                near({"side": state.side, "phase": state.phase, "speed": state.speed})
                 for state in orbit.states
             ]
         middles = found["middles"]

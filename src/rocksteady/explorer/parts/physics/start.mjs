@@ -143,8 +143,10 @@ export function steadyStart(
   let { phase, velocity } = solution, turn = 0, rate = 0;
   if (given.nonlinear) {
     const half = nonlinearHalf(kernels, given, branch, phase, velocity);
+    // As Python keeps them: the phase in (-pi, pi], the velocity by the phase of the shaking.
     phase = half.state.half_cycles * Math.PI + half.state.phase;
-    velocity = half.state.speed;
+    phase -= 2 * Math.PI * (Number(phase > Math.PI) - Number(phase <= -Math.PI));
+    velocity = frequencyRatio * (half.state.speed / frequencyRatio);
     const trace = half.jacobian.phase_by_phase + half.jacobian.speed_by_speed;
     if (!(Math.abs(trace) < 1 + restitution * restitution)) {
       const { phase_by_phase, phase_by_speed, speed_by_phase, speed_by_speed } = half.jacobian;
