@@ -18,8 +18,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.arrays import order_of_orbit, resolved, validated_grid
-from rocksteady.dynamics.steady._state_facts import describe_grid, describe_point, solution_rows
 from rocksteady.dynamics.steady._half_cycles import compute_course, find_half_cycles
+from rocksteady.dynamics.steady._state_facts import describe_grid, describe_point, solution_rows
 from rocksteady.dynamics.steady.regions import REGIONS
 from rocksteady.dynamics.steady.verdicts import half_cycle_pairs, squared_pairs, verdict
 from rocksteady.errors import InputError, ModelError, Words
