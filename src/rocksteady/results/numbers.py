@@ -1,7 +1,10 @@
 """Numbers as engineers write them: three significant digits, a unit, no exponent where it fits."""
 
 import math
+from typing import Final
 
+CONFIDENCE: Final = 0.9
+"""Default confidence of every interval."""
 DIGITS = 3
 """Default number of significant digits of a number in a text."""
 LEAST_PERCENT, LEAST_WHOLE_PERCENT, MOST_PERCENT = 0.1, 9.95, 99.5
@@ -123,6 +126,19 @@ def chance(probability: float | None, of: int = 0) -> str:
         return "> 99 %"
     decimals = 1 if 0.0 < percents < LEAST_WHOLE_PERCENT else 0
     return f"{percents:.{decimals}f} %"
+
+
+def share_of(share: float | None) -> str:
+    """Return a counted share in per cent, "none" of none; empty where there is none.
+
+    Examples
+    --------
+    >>> share_of(0.11), share_of(0.0), share_of(None)
+    ('11 %', 'none', '')
+    """
+    if share is None:
+        return ""
+    return chance(share) if share else "none"
 
 
 def interval(band: tuple[float | None, float | None] | None, confidence: float) -> str:

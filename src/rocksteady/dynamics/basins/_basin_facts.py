@@ -11,7 +11,6 @@ from rocksteady.dynamics.basins.window import axis_facts, window_text
 from rocksteady.dynamics.orbits.orbit_facts import plain_orbit
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import in_g
-from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.model.facts import (
     amplitude_text,
     block_text,
@@ -22,7 +21,7 @@ from rocksteady.model.facts import (
 )
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import CONFIDENCE, number, plural
 
 
 def basins_described(basins: Any) -> Description:

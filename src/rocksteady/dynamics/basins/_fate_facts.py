@@ -10,12 +10,11 @@ from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
 from rocksteady.dynamics.basins.basin_answers import fates_answer
 from rocksteady.dynamics.basins.window import axis_facts, window_text
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.model.facts import block_text, case_text
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, number_or_none, quantity
+from rocksteady.results.numbers import CONFIDENCE, number, number_or_none, quantity
 
 
 def fates_headline(fates: Any) -> str:

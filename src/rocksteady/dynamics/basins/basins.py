@@ -41,13 +41,14 @@ from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.confidence import CONFIDENCE, Confidence
+from rocksteady.model.checks.confidence import Confidence
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion, largest_amplitude
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
 from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import CONFIDENCE
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells

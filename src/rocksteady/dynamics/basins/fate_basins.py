@@ -21,7 +21,7 @@ from rocksteady.kernels.core.tables import JUMP, LEAN, RATE
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.confidence import CONFIDENCE, Confidence
+from rocksteady.model.checks.confidence import Confidence
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -30,6 +30,7 @@ from rocksteady.model.motions.segments import Motion
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import CONFIDENCE
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output

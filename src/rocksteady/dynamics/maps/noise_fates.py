@@ -28,7 +28,6 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.confidence import (
-    CONFIDENCE,
     CONFIDENCE_TEXT,
     Confidence,
     share_interval,
@@ -43,7 +42,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, quantity
+from rocksteady.results.numbers import CONFIDENCE, number, quantity
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid

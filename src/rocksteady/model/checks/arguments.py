@@ -59,6 +59,8 @@ CHECKED_INSIDE_OF: Final = frozenset(
         ("check_boundary", "labels"),
         ("compute_basin_entropy", "labels"),
         ("compute_uncertainty_exponent", "labels"),
+        ("compute_risk", "fragility"),
+        ("check_hazard_branches", "fragility"),
     }
 )
 """Likewise of other types, each in one function."""

@@ -71,6 +71,7 @@ RESTITUTION: Final = Bounds(
     "r is its square, so take sqrt(r)",
 )
 """Of impacts on the base."""
+FRICTION: Final = Bounds(0.0, 100.0, "[]", "give the coefficient of friction, as 0.4")
 WALL_RESTITUTION: Final = Bounds(
     0.0,
     1.0,

@@ -7,9 +7,8 @@ from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.model.checks.bounds import Bounds
+from rocksteady.results.numbers import CONFIDENCE
 
-CONFIDENCE: Final = 0.9
-"""Default confidence of every interval."""
 Confidence = Annotated[float, Bounds(0.0, 1.0, "()", "give 0.9 for 90 %")]
 CONFIDENCE_TEXT: Final = f"{100.0 * CONFIDENCE:g} % interval"
 """Heading of an interval of that confidence."""

@@ -13,11 +13,11 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.basins.measures.entropy import label_array
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.confidence import CONFIDENCE, CONFIDENCE_TEXT, Confidence
+from rocksteady.model.checks.confidence import CONFIDENCE_TEXT, Confidence
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_SIZES, NOT_IDENTIFIED, TOO_FEW
-from rocksteady.results.numbers import plural
+from rocksteady.results.numbers import CONFIDENCE, plural
 from rocksteady.results.result import Result
 
 Probe = Literal["states", "boxes"]

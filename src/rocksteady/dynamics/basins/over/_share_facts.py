@@ -9,7 +9,6 @@ from rocksteady.dynamics.basins.window import axis_facts, coordinates_of, window
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of
 from rocksteady.dynamics.parameters import AXES, SYMBOLS
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.model.facts import (
     amplitude_text,
     block_text,
@@ -19,7 +18,7 @@ from rocksteady.model.facts import (
 from rocksteady.model.units import CONVERSIONS
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import CONFIDENCE, number, plural
 
 if TYPE_CHECKING:
     import xarray

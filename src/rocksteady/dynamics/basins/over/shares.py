@@ -37,7 +37,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.confidence import CONFIDENCE, Confidence, share_interval
+from rocksteady.model.checks.confidence import Confidence, share_interval
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
 from rocksteady.model.motions.fourier import (
@@ -48,6 +48,7 @@ from rocksteady.model.motions.fourier import (
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Description
+from rocksteady.results.numbers import CONFIDENCE
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
