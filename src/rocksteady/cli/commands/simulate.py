@@ -20,6 +20,7 @@ from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, refuse_
 from rocksteady.cli.flags.start import StartFlags, refuse_without_shaking
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.fourier import PeriodicMotion
@@ -52,7 +53,7 @@ EXAMPLES = (
     "rocksteady simulate --width-m 0.4 --height-m 0.8 -A 2 -W 4\n\n"
     "rocksteady simulate --width-m 1.6 --height-m 9.6 --columns 4 --cap-mass-ratio 2 --mass-kg "
     "4e5 --pulse one-sine --accel-g 0.2 --freq-hz 0.5\n\n"
-    "rocksteady simulate --width-m 0.5 --height-m 2 --record example:near-fault --scale 0.5\n\n"
+    "rocksteady simulate --width-m 0.5 --height-m 2 --record example:near-fault --friction 0.4\n\n"
     "rocksteady simulate --block tso-wong-1989 -A 4 -W 1.5 --animate fall.gif"
 )
 
@@ -81,6 +82,11 @@ def simulate(
         default=100,
     ),
     mass_kg: float | None = options.mass_flag(),
+    friction: float | None = options.block_flag(
+        "--friction MU",
+        "Set the coefficient of friction between block and base: a run that needs more slides, "
+        "and the answer says so.",
+    ),
     model: str | None = options.model(),
     tolerance: float | None = options.tolerance(),
 ) -> None:
@@ -96,6 +102,7 @@ def simulate(
         "--width-m 0.6 --height-m 2 --record example:near-fault",
     )
     body = recorded.block(block) if of_record else block.described()
+    check_friction(friction, body)
     motion: Motion | Record = Still()
     if series.given and (of_record or pulse.given or not shaking.given):
         raise FlagError(
@@ -141,7 +148,7 @@ def simulate(
             cycles=50.0 if cycles is None else cycles,
             model=equations,
         )
-    description = with_neighbours(trajectory, notes, mass_kg)
+    description = with_neighbours(trajectory, notes, mass_kg, friction)
     write_files(trajectory, description, output, film, samples)
     output.leave(
         "simulate",
@@ -181,8 +188,33 @@ def next_command(
     return options.follow_up("attractor", shaking, series, reading, block)
 
 
+def check_friction(friction: float | None, body: Block | DimensionlessBlock) -> None:
+    """Refuse a coefficient of friction outside its range, or of a block without a size.
+
+    Raises
+    ------
+    InputError, FlagError
+        If it is.
+    """
+    if friction is None:
+        return
+    from rocksteady.model.checks.bounds import FRICTION
+
+    FRICTION("--friction", friction)
+    if not isinstance(body, Block):
+        raise FlagError(
+            "--friction",
+            friction,
+            "friction is compared with forces, which need a block with a size",
+            "describe it, as --width-m 0.32 --height-m 1.8, or leave it out",
+        )
+
+
 def with_neighbours(
-    trajectory: "Trajectory", notes: dict[str, list[str]], mass_kg: float | None = None
+    trajectory: "Trajectory",
+    notes: dict[str, list[str]],
+    mass_kg: float | None = None,
+    friction: float | None = None,
 ) -> Description:
     """Return the description of a run with its neighbours, and with notes on its record.
 
@@ -194,10 +226,12 @@ def with_neighbours(
         What was done to its record, by the key of JSON.
     mass_kg
         Mass of the block, for the force on its base; without one there is none.
+    friction
+        Coefficient of friction, with which the run may slide; None where it is not known.
     """
     from rocksteady.dynamics.history.neighbours import check_neighbours
 
-    description = trajectory.describe(mass_kg=mass_kg)
+    description = trajectory.describe(mass_kg=mass_kg, friction=friction)
     facts, remarks, answer = [*description.facts], [*description.notes], description.answer
     if isinstance(trajectory.block, Block) and not isinstance(
         trajectory.motion, PeriodicMotion | Still
@@ -205,7 +239,7 @@ def with_neighbours(
         neighbours = check_neighbours(trajectory)
         facts.append(neighbours.fact)
         remarks = [*neighbours.notes, *remarks]
-        answer = neighbours.answer
+        answer = neighbours.answer_with(friction)
     for key, lines in notes.items():
         label = key.partition("_")[0] if lines else ""
         facts.append(Fact(key, lines, label, "\n".join(lines)))

@@ -1,10 +1,12 @@
 """Answer of a time history: whether it falls, rests or rocks, when, and why."""
 
 import math
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Final
 
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.gravity import ROUNDED
+from rocksteady.model.checks.bounds import FRICTION
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
@@ -18,7 +20,11 @@ if TYPE_CHECKING:
     from rocksteady.model.motions.segments import Motion
 
 
-def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
+ROCKING_ALONE: Final = "without sliding"
+"""Label of how a run ends that takes more friction than there is."""
+
+
+def answer_of(run: "Physical", words: Mapping[str, str], friction: float | None) -> Answer:
     """Return the sentence and the facts of a run.
 
     Parameters
@@ -27,6 +33,8 @@ def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
         The run.
     words
         Words of its facts by their JSON keys.
+    friction
+        Coefficient of friction that is given; None where it is not.
     """
     falls = run.status is Status.OVERTURNED
     tilt = words.get("peak") or " and ".join(
@@ -35,7 +43,7 @@ def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
     impacts = plural(run.impact_count, "impact")
     top = run.top_displacement_m if words.get("peak") else None  # both sides' tilts fill the line
     tilt += f"; {impacts}" + (f"; top moves {length(top)}" if top else "")
-    friction = words.get("friction_needed")
+    needed = words.get("friction_needed")
     lifts = "" if run.uplift_g is None else quantity(run.uplift_g, "g")
     if isinstance(run.block, Block) and run.block.parts and lifts:
         lifts += " as one body"  # where there is no room for the block
@@ -44,11 +52,64 @@ def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
     facts = [
         ("largest tilt", "" if falls or not run.peak else tilt),
         ("lifts at", lifts),
-        ("friction needed", f"{friction}, or it slides" if friction else ""),
+        ("friction needed", f"{needed}, or it slides" if needed and friction is None else ""),
+        ("friction", friction_words(run, friction)),
         (GIVEN, run.block.describe().headline),
         ("computed", run.model.name),
     ]
-    return Answer(f"{sentence(run)}.", facts)
+    return sliding_or(run, sentence(run), facts, friction)
+
+
+def sliding_or(
+    run: "Physical",
+    ended: str,
+    facts: Sequence[tuple[str, str | Callable[[], str]]],
+    friction: float | None,
+) -> Answer:
+    """Return the answer of a run, whose end is a fact alone where it slides.
+
+    Parameters
+    ----------
+    run
+        The run.
+    ended
+        How it ends by rocking alone, without a stop.
+    facts
+        What else is said of it.
+    friction
+        As for `answer_of`.
+    """
+    if not slides(run, friction):
+        return Answer(f"{ended}.", facts)
+    assert friction is not None
+    assert run.friction_needed is not None
+    needed = run.friction_needed
+    takes = f"it needs a friction of {number(needed)}" if needed < math.inf else "no friction holds"
+    alone = (ROCKING_ALONE, ended[0].lower() + ended[1:])
+    return Answer(f"It slides: {takes}, given {number(friction)}.", [alone, *facts])
+
+
+def slides(run: "Physical", friction: float | None) -> bool:
+    """Return whether a run takes more friction than is given.
+
+    Raises
+    ------
+    InputError
+        If the friction is outside its range.
+    """
+    if friction is None:
+        return False
+    needed = run.friction_needed or 0.0
+    return needed > FRICTION("friction", friction) * (1.0 + ROUNDED)
+
+
+def friction_words(run: "Physical", friction: float | None) -> str:
+    """Return the friction that a run needs beside the one that is given; empty without."""
+    falls_short = slides(run, friction)
+    if friction is None or run.friction_needed is None:
+        return ""
+    words = f"needs {number(run.friction_needed)}, given {number(friction)}"
+    return f"{words}: it slides" if falls_short else words
 
 
 def sentence(run: "Physical") -> str:

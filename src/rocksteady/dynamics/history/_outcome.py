@@ -4,8 +4,9 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from rocksteady.dynamics.history._answer import answer_of
+from rocksteady.dynamics.history._answer import answer_of, friction_words
 from rocksteady.dynamics.history._physical import Physical
+from rocksteady.errors import ModelError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
@@ -24,18 +25,30 @@ DECIDED_BY_ROUNDING = 1e12
 class Described(Physical, Result):
     """A run that describes itself."""
 
-    def describe(self, *, mass_kg: float | None = None) -> Description:
+    def describe(
+        self, *, mass_kg: float | None = None, friction: float | None = None
+    ) -> Description:
         """Return how it ended, its peaks, times and inputs.
 
         Parameters
         ----------
         mass_kg
             Mass of the block [kg], for the force on its base; default none.
+        friction
+            Coefficient of friction between block and base, with which a run that needs more is one
+            that slides; None (default) where it is not known.
+
+        Raises
+        ------
+        ModelError
+            If there is a friction, and the block has no size or the base impulses.
         """
-        return description_of(self, mass_kg)
+        return description_of(self, mass_kg, friction)
 
 
-def description_of(run: Described, mass_kg: float | None = None) -> Description:
+def description_of(
+    run: Described, mass_kg: float | None = None, friction: float | None = None
+) -> Description:
     """Return the facts and notes of a time history."""
     facts = [
         Fact("model", run.model.name),
@@ -47,7 +60,7 @@ def description_of(run: Described, mass_kg: float | None = None) -> Description:
         *_times(run),
         *motion_facts(run.block, run.motion, run.vertical),
         *_body(run),
-        *_demands(run),
+        *_demands(run, friction),
         *_qualification(run, mass_kg),
     ]
     grown = run.growth
@@ -64,7 +77,10 @@ def description_of(run: Described, mass_kg: float | None = None) -> Description:
     words = f"{outcome(run)}: {run.block.describe().headline} on {motion}"
     texts = {fact.key or fact.label: fact.text for fact in facts}
     return Description(
-        f"{words}, {run.model.name} model", facts, notes=notes, answer=answer_of(run, texts)
+        f"{words}, {run.model.name} model",
+        facts,
+        notes=notes,
+        answer=answer_of(run, texts, friction),
     )
 
 
@@ -155,26 +171,36 @@ def _body(run: Described) -> Iterator[Fact]:
         yield Fact("block", run.block.to_dict())
 
 
-def _demands(run: Described) -> Iterator[Fact]:
+def _demands(run: Described, friction: float | None) -> Iterator[Fact]:
     """Yield what lifts the block, what the base does, and the friction it takes."""
-    if run.uplift_g is None or run.pga_g is None:
+    shaken = run.uplift_g is not None and run.pga_g is not None
+    if run.uplift_g is not None and run.pga_g is not None:
+        reached = quantity(run.floor_pga_g or run.pga_g, "g")
+        words = f"{quantity(run.uplift_g, 'g')}; the base reaches {reached}"
+        yield Fact("uplift_g", run.uplift_g, "uplift at", words)
+        yield Fact("pga_g", run.pga_g)
+        if run.floor_pga_g is not None:
+            yield Fact("floor_pga_g", run.floor_pga_g)
+    if not shaken and friction is None:
         return
-    reached = quantity(run.floor_pga_g or run.pga_g, "g")
-    words = f"{quantity(run.uplift_g, 'g')}; the base reaches {reached}"
-    yield Fact("uplift_g", run.uplift_g, "uplift at", words)
-    yield Fact("pga_g", run.pga_g)
-    if run.floor_pga_g is not None:
-        yield Fact("floor_pga_g", run.floor_pga_g)
     needed = run.friction_needed
-    finite = None if needed is None or math.isinf(needed) else needed
-    text = "" if needed is None else number(needed)
+    if needed is None:
+        raise ModelError(
+            "friction",
+            friction,
+            "it is that of a Block on a base without impulses",
+            "leave it out, or give a block with a size and a motion of finite acceleration",
+        )
+    text = number(needed)
     if run.block.one_sided:
         text += ", away from the wall"
-    elif needed is not None and needed == run.friction_at_impacts:
+    elif needed == run.friction_at_impacts:
         text += ", for impacts"
     shown: dict[str, Any] = {"label": "friction needed", "text": text} if needed else {}
-    yield Fact("friction_needed", finite, **shown)
+    yield Fact("friction_needed", None if math.isinf(needed) else needed, **shown)
     yield Fact("friction_at_impacts", run.friction_at_impacts)
+    if friction is not None:
+        yield Fact("friction", friction, "friction", friction_words(run, friction))
 
 
 def _qualification(run: Described, mass_kg: float | None) -> Iterator[Fact]:

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
+from rocksteady.dynamics.history._resting import resting_ratio
 from rocksteady.dynamics.history.lowering import mass_centres, weight_kn
 from rocksteady.dynamics.history.samples import Flights, Impacts, Samples
 from rocksteady.dynamics.history.start import State
@@ -229,11 +230,16 @@ class Physical:
         return State(angle=float(motion.angle), velocity=float(motion.velocity), phase=phase)
 
     @property
-    def _shaken_block(self) -> Block | None:
-        """The block, if it has a size and the base a motion that ends, of finite acceleration."""
-        endless = isinstance(self.motion, PeriodicMotion | Still) and self.vertical is None
+    def _carried_block(self) -> Block | None:
+        """The block, if it has a size and the base a finite acceleration."""
         struck = self.segments[:, columns.JUMP].any()
-        return self.block if isinstance(self.block, Block) and not (endless or struck) else None
+        return self.block if isinstance(self.block, Block) and not struck else None
+
+    @property
+    def _shaken_block(self) -> Block | None:
+        """The same, if the base has a motion that ends."""
+        endless = isinstance(self.motion, PeriodicMotion | Still) and self.vertical is None
+        return None if endless else self._carried_block
 
     @cached_property
     def uplift_g(self) -> float | None:
@@ -271,25 +277,30 @@ class Physical:
 
     @cached_property
     def friction_needed(self) -> float | None:
-        """Least coefficient of friction that keeps the rocking block from sliding.
+        """Least coefficient of friction that keeps the block from sliding, up to overturning.
 
-        The largest ratio of horizontal and vertical force at the pivot while the block rocks, up
-        to overturning, or the need of its impacts (`friction_at_impacts`) where that is larger;
-        infinite where the vertical force vanishes.  None where `uplift_g` is, or if the block never
-        rocks.  For one against a wall neither impacts nor what the wall takes of the base shear
-        while the block rests on it count.
+        The largest ratio of horizontal and vertical force: at the pivot while the block rocks, at
+        its base while it rests, or of its impacts (`friction_at_impacts`); infinite where the
+        vertical force vanishes.  None without a size, or if the base has impulses.  Of one against
+        a wall neither impacts nor what drives it into the wall count.
         """
-        if self._forces is None:
+        block = self._carried_block
+        if block is None:
             return None
-        return max(self._forces[2], self.friction_at_impacts or 0.0)
+        rocking = 0.0 if self._forces is None else self._forces[2]
+        until = self.end_time_pt if self.overturn_time_pt is None else self.overturn_time_pt
+        resting = block.alpha * resting_ratio(
+            self.segments, self.flights, until, one_sided=block.one_sided
+        )
+        return max(rocking, resting, self.friction_at_impacts or 0.0)
 
     @cached_property
     def friction_at_impacts(self) -> float | None:
         """Least coefficient of friction that the impacts up to overturning need.
 
-        None where `uplift_g` is, without impacts, or against a wall.
+        None where `friction_needed` is, without impacts, or against a wall.
         """
-        block = self._shaken_block
+        block = self._carried_block
         if block is None or block.one_sided:
             return None
         count = self._facts.passing if self._facts.passing >= 0 else len(self.rows)
@@ -306,7 +317,7 @@ class Physical:
         together.  The impacts, which last no time here, are left out.  None where `uplift_g` is, or
         if the block never rocks.
         """
-        return self._forces and self._forces[:2]
+        return None if self._shaken_block is None else self._forces and self._forces[:2]
 
     def base_force_kn(self, mass_kg: float) -> tuple[float, float] | None:
         """Return the largest horizontal and vertical force on the base while the block rocks [kN].
@@ -413,13 +424,13 @@ class Physical:
 
         None if it never rocks, or where the forces are not known.
         """
-        if self._shaken_block is None:
+        if self._carried_block is None:
             return None
         rows, last = self._rows, self._facts.last
         if self._facts.passing >= 0:
             rows, last = rows[: self._facts.passing + 1], self._facts.since
         largest = np.empty(FORCES)
-        centres = mass_centres(self._shaken_block)
+        centres = mass_centres(self._carried_block)
         largest_forces(self._tables, rows, last, centres, largest)
         across, down, ratio = largest.tolist()
         return None if math.isnan(across) else (across, down, ratio)

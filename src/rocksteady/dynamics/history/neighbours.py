@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from rocksteady.dynamics.history._answer import sentence
+from rocksteady.dynamics.history._answer import ROCKING_ALONE, sentence, slides, sliding_or
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import Rest, Start, State
 from rocksteady.dynamics.history.trajectory import Trajectory
@@ -151,8 +151,12 @@ class Neighbours(Result):
     @property
     def answer(self) -> Answer:
         """The answer of the case, with what its neighbours say on it."""
+        return self.answer_with(None)
+
+    def answer_with(self, friction: float | None) -> Answer:
+        """Return the same for a coefficient of friction, with which the case may slide."""
         case = self.case
-        given, falls = case.describe().answer, case.status is Status.OVERTURNED
+        given, falls = case.describe(friction=friction).answer, case.status is Status.OVERTURNED
         assert given is not None
         others = self.runs - self.fall if falls else self.fall
         verb = "stand" if falls else "fall"
@@ -163,11 +167,12 @@ class Neighbours(Result):
         elif self.agree:
             words = "and so do" if falls else "and"
             words += f" all {self.runs} neighbours" + ("" if falls else " stand")
-        facts = [fact for fact in given.facts if fact[1]]
+        facts = [fact for fact in given.facts if fact[1] and fact[0] != ROCKING_ALONE]
         facts[-1] = ("computed", f"{case.model.name}; neighbours {RANGE}")
         place = [label for label, _ in facts].index(GIVEN) - 1 if len(facts) > 2 else 0
-        facts.insert(max(place, 0), ("stands at", self._stands))
-        return Answer(f"{sentence(case)}, {words}.", facts)
+        if not slides(case, friction):
+            facts.insert(max(place, 0), ("stands at", self._stands))
+        return sliding_or(case, f"{sentence(case)}, {words}", facts, friction)
 
     def _stands(self) -> str:
         """Return the largest factor at which neither it nor a neighbour falls, in words."""
