@@ -48,14 +48,11 @@ from .show.plots.records import plot_response_spectra as response_spectra
 from .show.plots.risk.assessment import plot_assessment as assessment
 from .show.plots.risk.floor_spectra import plot_floor_spectra as floor_spectra
 from .show.plots.risk.fragility import plot_fragility as fragility
-from .show.plots.risk.fragility import plot_fragility_states as fragility_states
 from .show.plots.risk.hazard import plot_risk as risk
 from .show.plots.risk.hazard_curve import plot_hazard_curve as hazard_curve
 from .show.plots.risk.objects import plot_objects as objects
 from .show.plots.risk.plan import plot_plan as plan
 from .show.plots.risk.screens import plot_screens as screens
-from .show.plots.risk.surface import plot_fragility_surface as fragility_surface
-from .show.plots.risk.tornado import plot_measure_efficiency as measure_efficiency
 from .show.plots.risk.tornado import plot_tornado as tornado
 from .show.plots.value_rows import plot_rows as rows
 from .show.plots.spectra import plot_rocking_spectrum as rocking_spectrum
@@ -90,15 +87,12 @@ __all__ = [
     "fate_basins",
     "floor_spectra",
     "fragility",
-    "fragility_states",
-    "fragility_surface",
     "free_rocking",
     "hazard_curve",
     "husid",
     "integrated_record",
     "learning",
     "manifolds",
-    "measure_efficiency",
     "multipliers",
     "neighbours",
     "noise_fates",

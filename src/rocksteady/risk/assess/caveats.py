@@ -8,7 +8,8 @@ The outcome of a single record is no prediction: slightly stronger or weaker sha
 fall into survival and back. Rely on the share of many records.
 An object may fall at one level and survive a higher one. Outcomes are reported as computed; none \
 is sorted or smoothed.
-The curve belongs to these records: a suite with another ratio of PGV to PGA gives another curve.
+Shares belong to these records: another suite, of other durations, gives others. The interval is \
+of the records alone, not of doubts about the object.
 Vertical motion can change single outcomes and shares: run the records with and without it. In \
 runs it has the sign of its file; a peak that is stated counts in the worse direction.
 Restitution in tests is often above Housner's value e; by default a band from e to min(0.98, sqrt \

@@ -1,10 +1,10 @@
-"""Many objects under one demand: a probability, a colour and a sentence for each."""
+"""Many objects at once: a table in, a counted answer for each."""
 
 import time
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any, Final
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -12,102 +12,72 @@ from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
+from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.doubts import MOST_MISFIT
-from rocksteady.results.numbers import counted, number, number_or_none, plural, quantity
+from rocksteady.results.numbers import number, plural, share_of
 from rocksteady.results.result import Result
-from rocksteady.risk.assess._answers import EACH, answer_of_table
-from rocksteady.risk.assess._demand_level import PEAKS, DemandLevel, demand_level
-from rocksteady.risk.assess._probability import (
-    NO_ANSWER,
-    AtDemand,
-    Onset,
-    Probability,
-    count_at_demand,
-    fit_fragilities,
-    onset_of,
-    probability_of,
-)
-from rocksteady.risk.assess._verdicts import (
-    AMBER,
-    MET,
-    WORDS,
-    colour_of,
-    peak_words,
-    verdict_of,
-    with_article,
-)
+from rocksteady.results.stated import share_words
+from rocksteady.risk.assess._judging import Judged, band_of, judge_objects
+from rocksteady.risk.assess._sentences import WORDS
+from rocksteady.risk.assess.assessment import answer_facts, screen_of
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.building import Building
-from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
+from rocksteady.risk.assess.described.schema import Value
 from rocksteady.risk.assess.placed_objects import (
     PGA,
     PGV,
     PlacedObjects,
+    peaks_of,
     place_objects,
     with_demand,
 )
-from rocksteady.risk.assess.two_numbers import assess_by_formula, share_words
+from rocksteady.risk.counted.suite import Peaks, Suite
+from rocksteady.risk.counted.verdict import CODES, LEAST, VERDICTS, Verdict
 from rocksteady.risk.ensemble.qualification import (
     FORCES,
     OUTPUTS,
     forces_of_rocking,
     most_of_rocking,
-    runs_near,
 )
-from rocksteady.risk.fragility.damage_states import OVERTURNED
-from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.screens.friction import uplift_acceleration_g
 from rocksteady.seismic.measures.free_sides import first_side
-from rocksteady.seismic.measures.scalar import Measure
 from rocksteady.sweep.run import Execution
 
-if TYPE_CHECKING:
-    import xarray
-
-METHOD = (
-    "Each object is assessed as one of its own file: by the curve through its runs at all levels "
-    "and restitutions, or, where no curve can be fitted, by the share of its runs at the demand; "
-    "over PGV it is of the runs that lift."
-)
-ORDER = {"red": 0, "amber": 1, "grey": 2, "green": 3}
-"""Place of a colour on the screen: an object without an answer comes before what is safe."""
+OPEN: Final[tuple[Verdict, ...]] = ("slides", "not-shown", "no-answer")
+"""Verdicts that are neither above nor below a target."""
+EACH = "the demand of each object"
+MOST_ROWS = 5
+"""Kinds of objects on a screen."""
 
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ObjectsTable(Result):
-    """Objects under one demand, from `rocksteady.assess_objects`.
+    """Answers for count objects, from `rocksteady.assess_objects`.
 
     Attributes
     ----------
     rows
-        One mapping per object, in the order given: ``name``, ``kind``, ``building``, ``floor`` and
-        its number ``storey``, its demand ``pga_g`` and ``pgv_m_s``, on a floor the largest
-        ``floor_pga_g`` of the motions at that PGA, ``alpha_rad``, ``p_rad_s``,
-        ``uplift_pga_g``, ``friction_needed``, ``friction_cause``, ``vertical_g`` and
-        ``vertical_share``, ``lifted``, ``fell`` and ``trials`` of the runs at the demand,
-        ``probability`` (with a PGV of the runs that lift) with its ``basis`` and ``method`` as in
-        `Assessment`, where it was counted its interval from ``band_low`` to ``band_high``, the
-        share ``counted`` at the demand, of those ``tried``, the probability ``by_curve`` and that
-        by the ``closed_form``, ``colour``, ``class``, ``verdict`` and ``sentence``, and as in
-        `Assessment.qualification` ``top_displacement_m``, ``clearance_m`` and ``edge_speed_m_s``,
-        with a mass the `Assessment.base_force_kn` ``base_force_across_kn`` and
-        ``base_force_down_kn``; further columns of its table after them.
+        A row for each object, in the order given: its place and demand, ``verdict`` and the fields
+        of an assessment's JSON, as ``share``, ``low``, ``high`` and ``share_1_1``; ``like``, a
+        number that objects share which are alike in all that the runs depend on; motion of the top,
+        clearance and forces as of an `Assessment`; further columns of its table after them.
     pga_g, pgv_m_s
-        The demand of objects that state none of their own; the motions are scaled to its PGV,
-        without one to its PGA.
+        The demand of objects that state none of their own.
     target_probability
-        Above it an object is red, above a fifth of it amber.
-    records, seconds
-        Number of motions, and time that it took [s].
+        Share that is accepted.
+    suite
+        Motions of the ground.
+    seconds
+        Time that it took [s].
     """
 
     rows: tuple[dict[str, Any], ...]
     pga_g: float | None
     pgv_m_s: float | None
     target_probability: float
-    records: int
+    suite: Suite
     seconds: float
 
     @property
@@ -116,15 +86,30 @@ class ObjectsTable(Result):
         return Nonlinear()
 
     @property
-    def meets_target(self) -> bool:
-        """Whether every object stands, or is below the target."""
-        return all(row["verdict"] in MET for row in self.rows)
+    def records(self) -> int:
+        """Number of motions."""
+        return len(self.suite.motions)
 
     @property
-    def demand(self) -> tuple[float | None, float | None] | None:
-        """PGA [g] and PGV [m/s] of all objects; None where these differ."""
+    def exit_code(self) -> int:
+        """Exit code of a command that checks the verdicts: of the worst row, 1 before 3."""
+        codes = {CODES[verdict] for verdict in self.verdicts}
+        return next((code for code in (1, 3) if code in codes), 0)
+
+    @property
+    def verdicts(self) -> dict[Verdict, int]:
+        """How count objects have which verdict, what asks for something first."""
+        counts = Counter(row["verdict"] for row in self.rows)
+        return {verdict: counts[verdict] for verdict in VERDICTS if counts[verdict]}
+
+    @property
+    def demand(self) -> Peaks | None:
+        """The demand of all objects; None where these differ."""
         peaks = {(row["pga_g"], row["pgv_m_s"]) for row in self.rows}
-        return peaks.pop() if len(peaks) == 1 else None
+        if len(peaks) > 1:
+            return None
+        pga, pgv = peaks.pop()
+        return Peaks(pga_g=pga, pgv_m_s=pgv)
 
     def sorted_by(self, column: str, *, descending: bool = True) -> tuple[dict[str, Any], ...]:
         """Return the rows in the order of a column; those without a value come last.
@@ -151,43 +136,45 @@ class ObjectsTable(Result):
 
     @property
     def worst(self) -> list[dict[str, Any]]:
-        """The rows, by colour, and in each colour the highest probability first."""
-        return sorted(self.sorted_by("probability"), key=lambda row: ORDER[row["colour"]])
+        """The rows, by verdict, and of each verdict the highest share first."""
+        return sorted(self.sorted_by("share"), key=lambda row: VERDICTS.index(row["verdict"]))
+
+    @property
+    def kinds(self) -> list[tuple[dict[str, Any], int]]:
+        """The first row of objects that are alike, and their number; the worst first."""
+        counts = Counter(row["like"] for row in self.rows)
+        seen = dict[int, dict[str, Any]]()
+        for row in self.worst:
+            seen.setdefault(row["like"], row)
+        return [(row, counts[like]) for like, row in seen.items()]
 
     def describe(self) -> Description:
-        """Return how many objects have which colour, and a row for each, the worst first."""
-        colours = Counter(row["colour"] for row in self.rows)
-        counts = {colour: colours[colour] for colour in ("red", "amber", "green", "grey")}
-        target = 100.0 * self.target_probability
+        """Return how many objects have which verdict, and a row for each, the worst first."""
+        target = f"{number(100.0 * self.target_probability)} %"
         columns = [
             Column("name", "object", left=True),
-            Column("probability", "P"),
-            Column("class", "chance", left=True),
-            Column("colour", "colour", left=True),
-            Column("verdict", "verdict", left=True),
+            Column("share", "falls", share_of),
+            Column("low", "from", share_of),
+            Column("high", "to (90 %)", share_of),
+            Column("share_1_1", "at 1.1 x", share_of),
+            Column("verdict", "verdict", lambda verdict: WORDS[verdict], left=True),
         ]
-        peaks = zip(self.demand or (), ("g of PGA", "m/s of PGV"), strict=False)
-        known = [quantity(value, unit) for value, unit in peaks if value is not None]
-        demand = " and ".join(known) or EACH
-        words = ", ".join(f"{count} {colour}" for colour, count in counts.items() if count)
+        demand = EACH if self.demand is None else self.demand.words
+        words = verdict_words(self.verdicts)
         facts = [
             Fact("objects", len(self.rows), "objects"),
+            Fact("kinds", len(self.kinds), "kinds of object"),
             Fact("records", self.records, "records"),
+            Fact("copies", self.suite.copies),
+            Fact("built_in", self.suite.built_in),
             Fact("model", self.model.name, "model"),
             Fact("pga_g", self.pga_g),
             Fact("pgv_m_s", self.pgv_m_s),
             Fact("demand", demand, "demand"),
-            Fact("target_probability", self.target_probability, "target", f"{number(target)} %"),
-            Fact("colours", counts, "colours", words),
-            Fact("method", METHOD),
+            Fact("target_probability", self.target_probability, "target", target),
+            Fact("verdicts", self.verdicts, "verdicts", words),
             Fact("seconds", self.seconds),
         ]
-        colours_mean = (
-            f"Red is a probability above {number(target)} %, amber one above "
-            f"{number(AMBER * target)} %, green one below, or so great a share of the runs at the "
-            f"demand where it is more than {100.0 * MOST_MISFIT:g} points above the curve; grey is "
-            "no answer, because the object slides or its friction is too low for rocking alone."
-        )
         return Description(
             headline=f"{plural(len(self.rows), 'object')} at {demand}: {words}",
             facts=facts,
@@ -196,53 +183,96 @@ class ObjectsTable(Result):
                     "objects",
                     self.worst,
                     columns,
-                    kind=lambda row: str(row["colour"]),
-                    alarm="red",
+                    kind=lambda row: WORDS[row["verdict"]],
+                    alarm=WORDS["red"],
                 )
             ],
-            notes=[colours_mean, METHOD, *CAVEATS],
-            answer=answer_of_table(self, self.worst),
+            notes=CAVEATS,
+            answer=self._answer(),
         )
+
+    def _answer(self) -> Answer:
+        """Return how many objects are above the target, and the worst kinds."""
+        kinds, red = self.kinds, self.verdicts.get("red", 0)
+        demand = EACH if self.demand is None else self.demand.words
+        several = len(kinds) < len(self.rows)
+        objects = plural(len(self.rows), "object")
+        at = f"at {demand}{' on built-in motions' * self.suite.built_in}"
+        target = f"the target of {number(100.0 * self.target_probability)} %"
+        count = sum(row["verdict"] == "red" for row, _ in kinds) if several else red
+        subject = f"{red} of {objects}"
+        if several:
+            subject = f"{count} of {plural(len(kinds), 'kind')} ({subject})"
+        neither = {key: self.verdicts[key] for key in OPEN if key in self.verdicts}
+        others = f"; {verdict_words(neither)}" if neither else ""
+        sentence = f"{subject} {'are' if count > 1 else 'is'} above {target} {at}{others}."
+        if not red:
+            sentence = f"{verdict_words(self.verdicts)} of {objects} {at}, for {target}."
+        rest = kinds[MOST_ROWS:]
+        left = verdict_words(Counter(row["verdict"] for row, _ in rest))
+        needs = [row["friction_needed"] for row in self.rows if row["friction"] is None]
+        facts = [
+            left_out(len(rest), left),
+            ("records", f"{self.records:,}" if not self.suite.built_in else ""),
+            (
+                "friction",
+                f"must be at least {number(max(needs))} where it is not given" if needs else "",
+            ),
+        ]
+        rows = [(row["name"], _row_words(row, count)) for row, count in kinds[:MOST_ROWS]]
+        return Answer(sentence, facts, rows)
+
+
+def verdict_words(counts: Mapping[Verdict, int]) -> str:
+    """Return numbers of verdicts in words, as "2 red, 1 not shown"."""
+    return ", ".join(
+        f"{counts[verdict]:,} {WORDS[verdict]}" for verdict in VERDICTS if verdict in counts
+    )
+
+
+def _row_words(row: Mapping[str, Any], count: int) -> str:
+    """Return verdict and share of objects that are alike."""
+    words = WORDS[row["verdict"]]
+    if row["by"] == "statics" and row["verdict"] != "slides":
+        words += ", by statics"
+    elif row["share"] is not None:
+        band = (row["low"], row["high"])
+        words += f", {share_words(row['fall'], row['runs'], band, row['share'])}"
+    elif row["verdict"] == "no-answer":
+        words += f", {row['records']} of {LEAST} records"
+    return f"{words}; {count:,} alike" if count > 1 else words
 
 
 @checked
 def assess_objects(
     objects: Sequence[DescribedObject],
-    motions: Sequence[Record | BaseMotion],
+    motions: Sequence[Record | BaseMotion] | None = None,
     *,
     buildings: Sequence[Building] = (),
     pga_g: Annotated[float | None, PGA] = None,
     pgv_m_s: Annotated[float | None, PGV] = None,
-    target_probability: Annotated[float, Bounds(0.0, 1.0, "()", "give a probability")] = 0.1,
+    target_probability: Annotated[float, Bounds(0.0, 1.0, "()", "give a share")] = 0.1,
+    stretch: bool = True,
     run: Execution | None = None,
 ) -> ObjectsTable:
-    """Assess many objects under one demand.
+    """Assess count objects at their demands, each kind of object run once.
 
-    Each gets the probability that `assess_object` gives for it under this demand, by the same
-    method: its own runs at all levels and restitutions, with one curve through them.  Bands,
-    sensitivity and remedies are left to `assess_object`.
+    Each gets the counted share and the verdict that `assess_object` gives; curve and sensitivity
+    are left to it.
 
     Parameters
     ----------
     objects
         As `read_objects` returns them; for a range the middle is taken.  Each keeps its own
         vertical motion and its options, the target excepted.
-    motions
-        Records of the ground or the floor, as for `assess_object`.
-    buildings
-        Buildings of the objects that state a floor, as `read_buildings` returns them: each such
-        object has the motions of its floor, made once a floor, and motions and demand are those of
-        the ground.  None by default.
+    motions, buildings, stretch
+        As for `assess_object`.
     pga_g, pgv_m_s
-        Peaks of the demand, [g] and [m/s], of the objects that state none of their own; one of the
-        two at least.  With one alone it is the measure of an object whose own measure needs the
-        other.  An object that the PGA does not lift stands.
+        Peaks of the demand, [g] and [m/s], of the objects that state none of their own.
     target_probability
-        Above it an object is red, above a fifth of it amber; default 0.1.
+        Share that is accepted; default 0.1.
     run
-        Executor, workers, store and progress; default `Execution()`.  Objects on other floors, with
-        other restitutions, or with sides that differ where those of the first do not, have stores
-        of their own beside it, as runs-2.zarr.
+        Executor, workers and progress; default `Execution()`.
 
     Returns
     -------
@@ -265,12 +295,12 @@ def assess_objects(
     ...     DescribedObject(values={"name": name, "geometry": {"width_m": b, "height_m": h}})
     ...     for name, (b, h) in sizes.items()
     ... ]
-    >>> table = assess_objects(objects, make_synthetic_suite(4), pga_g=0.4, pgv_m_s=0.5)
-    >>> [(row["name"], row["colour"], row["verdict"]) for row in table.rows]
-    [('vase', 'red', 'above target'), ('chest', 'green', 'stands')]
+    >>> table = assess_objects(objects, make_synthetic_suite(12), pga_g=0.4, pgv_m_s=0.5)
+    >>> [(row["name"], row["verdict"]) for row in table.rows]
+    [('vase', 'red'), ('chest', 'stands')]
     """
     asked = [with_demand(each, pga_g, pgv_m_s) for each in objects]
-    placed = place_objects(asked, motions, buildings)
+    placed = place_objects(asked, motions, buildings, stretch=stretch)
     return assess_placed(placed, (pga_g, pgv_m_s), target_probability, run=run)
 
 
@@ -286,137 +316,90 @@ def assess_placed(
     `peaks` are the PGA [g] and the PGV [m/s] of the objects that state none of their own.
     """
     began = time.perf_counter()
-    shaken = placed.motions
     asked = [each.with_target(target_probability) for each in placed.objects]
-    intensities = [_measure_of(each) for each in asked]
-    levels = [
-        demand_level(intensity, each.given.demand, moved, each.block, each.source)
-        for each, moved, intensity in zip(asked, shaken, intensities, strict=True)
-    ]
-    onsets = [onset_of(each) for each in asked]
-    rocking = [place for place, onset in enumerate(onsets) if not onset.slides]
-    fitted = fit_fragilities(
-        [asked[place] for place in rocking],
-        [shaken[place] for place in rocking],
-        [intensities[place] for place in rocking],
-        FitOptions(states=[OVERTURNED], bands=None, measures=()),
-        run=run,
-    )
-    fragilities = dict(zip(rocking, fitted, strict=True))
-    inner = None if run is None else replace(run, store=None, progress=None)
-    counts = count_at_demand(asked, shaken, levels, run=inner)
-    rows: list[dict[str, Any]] = []
-    near: dict[int, xarray.Dataset] = {}
-    for place, (each, onset, level) in enumerate(zip(asked, onsets, levels, strict=True)):
-        answer = NO_ANSWER
-        if place in fragilities:
-            share, band = counts[place].share, counts[place].band
-            answer = probability_of(each, onset, fragilities[place], level, share, band)
-        row = _row(each, onset, answer, level, counts[place]) | dict.fromkeys((*OUTPUTS, *FORCES))
-        if place in fragilities and answer.basis != "statics":
-            runs, measure = fragilities[place].ensemble, fragilities[place].measure
-            near[place] = runs_near(runs, level.of(measure, each.block))
-            row |= most_of_rocking(near[place])
+    placed = replace(placed, objects=asked)
+    judged = judge_objects(placed, run=run)
+    forces = _forces(placed, judged, run)
+    likes: dict[object, int] = {}
+    rows = []
+    for each, judgement, force in zip(asked, judged, forces, strict=True):
+        asked_of, vertical = peaks_of(each), each.demand.vertical_at_peak_g
+        friction = repr(each.given.friction)
+        key = (each.block, id(judgement.shaking), asked_of, vertical, band_of(each), friction)
+        row = _row(each, judgement, placed.suite) | {"like": likes.setdefault(key, len(likes))}
+        row |= dict.fromkeys((*OUTPUTS, *FORCES))
+        if judgement.runs is not None and not judgement.stands:
+            row |= most_of_rocking(judgement.runs)
+        row |= dict(zip(FORCES, force or (), strict=False))
         rows.append(row | _kept(each, row))
-    for places in _by_floor(shaken, near):
-        forces = forces_of_rocking(
-            [near[place] for place in places],
-            [asked[place].block for place in places],
-            shaken[places[0]],
-            [asked[place].body.whole_mass_kg for place in places],
-            run=inner,
-        )
-        for place, force in zip(places, forces, strict=True):
-            rows[place] |= dict(zip(FORCES, force or (), strict=False))
     return ObjectsTable(
         rows=tuple(rows),
         pga_g=peaks[0],
         pgv_m_s=peaks[1],
         target_probability=target_probability,
-        records=len(placed.suite),
+        suite=placed.suite,
         seconds=placed.seconds + time.perf_counter() - began,
     )
 
 
-def _by_floor(
-    motions: Sequence[Sequence[Record | BaseMotion]], places: Iterable[int]
-) -> list[list[int]]:
-    """Return the numbers of the objects that stand on each floor."""
+def _forces(
+    placed: PlacedObjects, judged: Sequence[Judged], run: Execution | None
+) -> list[tuple[float, float] | None]:
+    """Return the forces on the base of each object with a mass that was counted."""
     floors: dict[int, list[int]] = {}
-    for place in places:
-        floors.setdefault(id(motions[place]), []).append(place)
-    return list(floors.values())
+    for place, judgement in enumerate(judged):
+        if judgement.runs is not None and judgement.shaking is not None and not judgement.stands:
+            floors.setdefault(id(judgement.shaking), []).append(place)
+    forces: list[tuple[float, float] | None] = [None] * len(judged)
+    inner = None if run is None else replace(run, store=None, progress=None)
+    for places in floors.values():
+        shaking = judged[places[0]].shaking
+        assert shaking is not None
+        runs = [each for place in places if (each := judged[place].runs) is not None]
+        values = forces_of_rocking(
+            runs,
+            [placed.objects[place].block for place in places],
+            shaking.motions,
+            [placed.objects[place].body.whole_mass_kg for place in places],
+            run=inner,
+        )
+        for place, force in zip(places, values, strict=True):
+            forces[place] = force
+    return forces
 
 
-def _measure_of(described: DescribedObject) -> Measure:
-    """Return an object's measure of intensity; of a demand with one peak alone that peak."""
-    options, demand = described.given.assessment, described.given.demand
-    measure = Measure(options.intensity_measure, options.period_s)
-    peak = PEAKS.get(measure.name)
-    if peak is None or getattr(demand, peak) is not None:
-        return measure
-    return Measure("pga_g" if demand.pgv_m_s is None else "pgv_m_s")
-
-
-def _row(
-    described: DescribedObject,
-    onset: Onset,
-    answer: Probability,
-    level: DemandLevel,
-    counts: AtDemand,
-) -> dict[str, Any]:
+def _row(described: DescribedObject, judged: Judged, suite: Suite) -> dict[str, Any]:
     """Return the row of an object."""
-    block, demand, target = (
-        described.block,
-        described.demand,
-        described.given.assessment.target_probability,
-    )
-    closed, on_floor = None, described.on_floor
-    if (
-        not on_floor
-        and demand.pga_g is not None
-        and demand.pgv_m_s is not None
-        and not block.one_sided
-    ):
-        closed = assess_by_formula(
-            block,
-            demand.pga_g,
-            demand.pgv_m_s,
-            vertical_g=demand.vertical_g,
-            vertical_share=demand.vertical_share,
-        ).probability
-    colour = colour_of(answer.value, target)
-    side, need = first_side(block), onset.friction_needed
+    block, demand, given = described.block, described.demand, described.given
+    side = first_side(block)
+    uplift = uplift_acceleration_g(block, demand.vertical_at_peak_g)
+    sentence = screen_of(described, judged, suite).sentence
+    answer = answer_facts(judged, built_in=suite.built_in)
     return {
         "name": described.name,
-        "kind": described.given.kind,
-        "building": described.given.building,
-        "floor": described.given.floor,
+        "kind": given.kind,
+        "building": given.building,
+        "floor": given.floor,
         "storey": described.storey,
-        "pga_g": described.given.demand.pga_g,
-        "pgv_m_s": described.given.demand.pgv_m_s,
+        "pga_g": given.demand.pga_g,
+        "pgv_m_s": given.demand.pgv_m_s,
         "floor_pga_g": demand.pga_g if described.on_floor else None,
-        "colour": colour,
-        "class": WORDS[colour],
-        "probability": answer.value,
-        "basis": answer.basis,
-        "method": answer.method,
-        "counted": number_or_none(counts.share),
-        "by_curve": answer.by_curve,
-        "closed_form": closed,
-        **{key: count for key, count in counts._asdict().items() if key != "band"},
-        "band_low": answer.band and answer.band[0],
-        "band_high": answer.band and answer.band[1],
+        **{fact.key: fact.value for fact in answer if fact.key not in ("doubts", "conditions")},
         "alpha_rad": side.alpha,
         "p_rad_s": side.p,
-        "uplift_pga_g": uplift_acceleration_g(block, demand.vertical_at_peak_g),
-        "friction_needed": need and need.largest,
-        "friction_cause": need and need.cause,
+        "uplift_pga_g": uplift,
+        "friction": _friction(given.friction),
         "vertical_g": demand.vertical_g,
         "vertical_share": demand.vertical_share,
-        "verdict": verdict_of(answer, target),
-        "sentence": _sentence(described, answer, level, counts),
+        "sentence": f"{described.label}: {sentence[0].lower()}{sentence[1:]}",
     }
+
+
+def _friction(given: Value | None) -> str | None:
+    """Return a friction as a table of objects takes it, as "0.3:0.5"; None of none."""
+    if given is None:
+        return None
+    return ":".join(dict.fromkeys(f"{end:g}" for end in bounds_of(given)))
 
 
 def _kept(described: DescribedObject, row: Mapping[str, object]) -> dict[str, str]:
@@ -424,31 +407,3 @@ def _kept(described: DescribedObject, row: Mapping[str, object]) -> dict[str, st
     return {
         (f"{key} (given)" if key in row else key): text for key, text in described.extra.items()
     }
-
-
-def _sentence(
-    described: DescribedObject, answer: Probability, level: DemandLevel, counts: AtDemand
-) -> str:
-    """Return the one sentence on an object."""
-    name, fell, runs = described.label, counts.fell, plural(counts.tried, "run")
-    if level.measure.given_uplift:
-        runs += " that lift"
-    if answer.value is None and answer.basis is not None:
-        return f"No answer yet for {name}: no run lifts at {with_article(level.words)}."
-    if answer.value is None:
-        return f"{name} slides at {_peak(described)}: rocking is no answer."
-    if answer.basis == "statics":
-        return f"{name} stands: {_peak(described)} does not lift it."
-    if answer.by_curve is None:  # a share is no smaller than one of the runs
-        return f"{name}: {counted(fell, f'its {runs}')} at {with_article(level.words)}."
-    decides = ", which decides" if answer.basis == "count" else ""
-    share = share_words(answer.by_curve).lower()
-    return (
-        f"{name}: {share} objects of its shape and size would fall at "
-        f"{with_article(level.words)}; of its {runs} there {fell or 'none'} fell{decides}."
-    )
-
-
-def _peak(described: DescribedObject) -> str:
-    """Return the peak acceleration of an object's demand in words."""
-    return peak_words(described.demand, on_floor=described.on_floor)

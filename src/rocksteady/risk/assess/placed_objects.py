@@ -1,19 +1,25 @@
-"""Objects at their places: the motions of the floor of each, and how many runs they have."""
+"""Objects at their places, each with motions that have the peaks of its demand."""
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
+
+import numpy as np
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
-from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.risk.assess._counts import Motions
-from rocksteady.risk.assess._probability import onset_of
-from rocksteady.risk.assess._sensitivity import band_of
-from rocksteady.risk.assess.described.building import Building, on_floors
+from rocksteady.model.motions.floor import Floor
+from rocksteady.risk.assess.described.building import Building, floor_of
 from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.risk.counted.built_in import make_built_in_suite
+from rocksteady.risk.counted.suite import PGA as PGA_MEASURE
+from rocksteady.risk.counted.suite import PGV as PGV_MEASURE
+from rocksteady.risk.counted.suite import Motion, Peaks, Shaking, Suite, across, distinct
+from rocksteady.risk.observations.files.toml_tables import named
+from rocksteady.seismic.measures.scalar import Measure, compute_measure
+from rocksteady.seismic.spectra.grounds import grounds_of
 
 PGA = Bounds(0.0, 10.0, "(]", "give the peak in g; 0.3 is usual")
 PGV = Bounds(0.0, 10.0, "(]", "give the peak in m/s; 0.4 is usual")
@@ -27,36 +33,38 @@ class PlacedObjects:
     ----------
     objects
         Each with its demand and the peaks of its floor.
-    motions
-        A list for each object, the same one on one floor.
+    shakings
+        Motions of each at its demand, the same on one floor at one demand; of a demand with a
+        vertical motion those that have one, and None where none has.
+    plain
+        Likewise all motions, of a demand with a vertical motion; else None.
     suite
-        Motions of the ground.
+        Motions of the ground, or built-in ones.
     seconds
-        Time that making the motions of the floors took.
+        Time that making the motions took.
     """
 
     objects: Sequence[DescribedObject]
-    motions: Sequence[Motions]
-    suite: Motions
+    shakings: Sequence[Shaking | None]
+    plain: Sequence[Shaking | None]
+    suite: Suite
     seconds: float
-
-    @property
-    def cells(self) -> int:
-        """How many runs the ensembles have; an object that slides has none."""
-        grounds = len(self.suite) + sum(isinstance(each, BaseMotion) for each in self.suite)
-        count = 0
-        for each in self.objects:
-            if not onset_of(each).slides:
-                options = each.given.assessment
-                ways = grounds * (1 if each.block.symmetric else 2)
-                count += ways * options.levels * band_of(each, most=options.draws).draws
-        return count
 
 
 def place_objects(
-    objects: Sequence[DescribedObject], motions: Motions, buildings: Sequence[Building] = ()
+    objects: Sequence[DescribedObject],
+    motions: Sequence[Motion] | None,
+    buildings: Sequence[Building] = (),
+    *,
+    floor: Floor | None = None,
+    stretch: bool = True,
 ) -> PlacedObjects:
-    """Return objects with the motions of their floors, made once a floor.
+    """Return objects with motions of their floors that have the peaks of their demands.
+
+    Parameters
+    ----------
+    objects, motions, buildings, floor, stretch
+        As for `assess_objects`.
 
     Raises
     ------
@@ -65,15 +73,76 @@ def place_objects(
     """
     began = time.perf_counter()
     for name, things in (("objects", objects), ("motions", motions)):
-        if not things:
+        if things is not None and not len(things):
             raise InputError(name, [], "there must be one or more", "give a list")
-    standing, shaken = on_floors(objects, motions, buildings)
+    if motions is not None:
+        grounds_of(list(motions))  # refused where one is no record
+    suite = make_built_in_suite()
+    if motions is not None:
+        kept = distinct(motions)
+        suite = Suite(motions=kept, copies=len(motions) - len(kept))
+    made: dict[tuple[Floor | None, Peaks, bool], Shaking | None] = {}
+    standing, shakings, plain = [], [], []
+
+    def shaken(stood: Floor | None, demand: Peaks, *, lifted: bool) -> Shaking | None:
+        key = (stood, demand, lifted)
+        if key not in made:
+            kept = [each for each in suite.motions if has_vertical(each) or not lifted]
+            whole = replace(suite, motions=kept, floor=stood)
+            made[key] = whole.at(demand, stretch=stretch) if kept else None
+        return made[key]
+
+    for each in objects:
+        demand = peaks_of(each, built_in=suite.built_in)
+        storey, stated = floor_of(each, buildings)
+        stood = stated if stated is not None or each.given.floor is not None else floor
+        vertical = each.given.demand.vertical_g > 0.0
+        shaking = shaken(stood, demand, lifted=vertical)
+        beside = shaken(stood, demand, lifted=False) if vertical else None
+        on_it = _amplified(shaking or beside)
+        standing.append(replace(each, amplified=on_it, storey=storey))
+        shakings.append(shaking)
+        plain.append(beside)
     return PlacedObjects(
         objects=standing,
-        motions=shaken,
-        suite=[*motions],
+        shakings=shakings,
+        plain=plain,
+        suite=suite,
         seconds=time.perf_counter() - began,
     )
+
+
+def has_vertical(motion: Motion) -> bool:
+    """Return whether a motion has a vertical component."""
+    return getattr(motion, "vertical", None) is not None
+
+
+def peaks_of(described: DescribedObject, *, built_in: bool = False) -> Peaks:
+    """Return the peaks of an object's demand.
+
+    Raises
+    ------
+    ModelError
+        If it states none, or one alone and there are no records.
+    """
+    demand = described.given.demand
+    peaks = Peaks(pga_g=demand.pga_g, pgv_m_s=demand.pgv_m_s)
+    missing = [key for key in ("pga_g", "pgv_m_s") if getattr(peaks, key) is None]
+    if len(missing) == 2:
+        raise ModelError(
+            named(described.source, "demand", "pga_g"),
+            Words("is missing, and so is pgv_m_s"),
+            "runs are counted at a peak acceleration, a peak velocity or both",
+            "give the peaks that the object is to stand",
+        )
+    if missing and built_in:
+        raise ModelError(
+            named(described.source, "demand", missing[0]),
+            Words("is missing"),
+            "built-in motions are made of both peaks",
+            "give both peaks, or records",
+        )
+    return peaks
 
 
 @checked
@@ -97,6 +166,25 @@ def with_demand(
             "pga_g, pgv_m_s",
             Words(f"are both missing of {described.name}"),
             "objects are assessed at a peak velocity, a peak acceleration or both",
-            "give the PGV, and the PGA where it is known",
+            "give the PGA, the PGV or both",
         )
     return described.with_peaks(pga_g=pga_g, pgv_m_s=pgv_m_s)
+
+
+def _amplified(shaking: Shaking | None) -> tuple[float, float]:
+    """Return by how much the floor multiplies PGA and PGV, the largest of the motions."""
+    if shaking is None or all(across(each).ground is None for each in shaking.motions):
+        return 1.0, 1.0
+
+    def most(measure: Measure) -> float:
+        return float(
+            np.max(
+                [
+                    compute_measure(across(each), measure)
+                    / compute_measure(across(each).reference, measure)
+                    for each in shaking.motions
+                ]
+            )
+        )
+
+    return most(PGA_MEASURE), most(PGV_MEASURE)

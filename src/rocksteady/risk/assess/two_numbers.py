@@ -9,13 +9,14 @@ from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.bounds import FRICTION
 from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import chance, number, quantity
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
-from rocksteady.risk.screens.demand import FRICTION, PGA, PGV, Demand
+from rocksteady.risk.screens.demand import PGA, PGV, Demand
 from rocksteady.risk.screens.friction import (
     FrictionNeed,
     Mode,

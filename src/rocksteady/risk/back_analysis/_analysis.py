@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.model.equations import Model
+from rocksteady.results.numbers import CONFIDENCE
 from rocksteady.risk.back_analysis._chances import Levels, chances, log_likelihoods
 from rocksteady.risk.back_analysis._density import Plane, level_of, tempered
 from rocksteady.risk.back_analysis._held_out import HeldOut, hold_out, unchecked

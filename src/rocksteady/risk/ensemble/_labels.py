@@ -81,6 +81,11 @@ def labelled(
             {"units": "1", "long_name": "factor of all accelerations"},
         ),
     }
+    columns["uplift_scale"] = (
+        ("block", "record", "direction", "vertical"),
+        coordinates["uplift_scale"],
+        {"units": "1", "long_name": "factor of all accelerations above which it lifts"},
+    )
     columns |= side_coordinates(bodies)
     if coordinates["copied"].any():
         words_of_copy = {"long_name": "copy of the run without a vertical component"}

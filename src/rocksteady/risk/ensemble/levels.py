@@ -2,38 +2,23 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
-from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record
-from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.seismic.measures.scalar import DEFAULT, Measure, compute_measure
 from rocksteady.seismic.spectra.grounds import axis_values
-from rocksteady.sweep.cases.spacing import in_equal_ratios
 
 SCALE: Final = "scale"
 """Levels that are plain factors."""
-COUNT: Final = 20
 MOST_LEVELS: Final = 1000
-RANGES: Final = {
-    SCALE: (0.5, 16.0),
-    "p_pgv_per_uplift": (0.15, 3.0),
-    "pgv_m_s": (0.15, 3.0),
-    "pga_per_uplift": (0.7, 14.0),
-    "pga_g": (0.7, 14.0),
-    "sa_g": (0.1, 4.0),
-    "sa_avg_g": (0.1, 4.0),
-}
-"""First and last default level; PGA and Sa over tan alpha, PGV over g tan alpha/p."""
 
 DEFAULT_MEASURES: Final = tuple(
     Measure(name)
@@ -60,11 +45,12 @@ class Levels:
         What the levels are in: an `Measure` that scaling changes, or its name; default
         ``pgv_m_s``.  ``p_pgv_per_uplift`` suits several blocks, ``"scale"`` is plain factors.
     levels
-        Above 0, no two alike, shape (levels,).  By default 20 in equal ratios, chosen for the
-        blocks: about where they begin to fall to where all do.
+        Above 0, no two alike, shape (levels,).  By default `rocksteady.compute_fragility` reaches
+        by itself from where nothing lifts to where nearly all fall; `rocksteady.run_ensemble` needs
+        them.
     beside
-        Measures of each record, as it is, that are kept beside the runs, so that curves over them
-        can be fitted too; by default all that `FitOptions` compares.
+        Measures of each record, as it is, that are kept beside the runs; by default PGA, PGV, Sa
+        and more.
 
     Raises
     ------
@@ -103,7 +89,7 @@ class Levels:
                     "levels",
                     Words(f"has {len(given):,} values"),
                     f"an ensemble takes {MOST_LEVELS} at most",
-                    "give fewer, as 20",
+                    "give fewer",
                 )
             levels = [
                 in_range("levels", level, 1.0 / LARGEST, LARGEST, "[]", hint=hint)
@@ -121,15 +107,23 @@ class Levels:
         """The measure's name in files."""
         return SCALE if self.intensity is None else self.intensity.key
 
-    def levels_for(self, blocks: Sequence[Block]) -> tuple[float, ...]:
-        """Return the levels as given, or by default what suits the blocks."""
-        if self.levels is not None:
-            given: tuple[float, ...] = self.levels  # type: ignore[assignment]
-            return given
-        intensity = self.intensity
-        low, high = RANGES[SCALE if intensity is None else intensity.name]
-        units = [_unit(intensity, block) for block in blocks]
-        return tuple(in_equal_ratios(low * min(units), high * max(units), COUNT))
+    @property
+    def values(self) -> tuple[float, ...]:
+        """The levels.
+
+        Raises
+        ------
+        InputError
+            If none are given.
+        """
+        if self.levels is None:
+            raise InputError(
+                "levels",
+                Words("has no values"),
+                "an ensemble runs at levels that are given; compute_fragility alone finds its own",
+                "give values in the unit of the measure, as [0.2, 0.5, 1.0]",
+            )
+        return tuple(np.asarray(self.levels).tolist())
 
     def at_scale_one(self, records: Sequence[Record], blocks: Sequence[Block]) -> Floats:
         """Return the measure of each record as it is, shape (blocks, records)."""
@@ -146,11 +140,3 @@ def measured(intensity: Measure, records: Sequence[Record], blocks: Sequence[Blo
         for body in bodies
     ]
     return np.array(np.broadcast_to(np.array(rows), (len(blocks), len(records))))
-
-
-def _unit(intensity: Measure | None, block: Block) -> float:
-    """Return what the default levels of a measure are counted in, for a block."""
-    kind: Literal["", "g", "m/s"] = "" if intensity is None else intensity.unit  # type: ignore[assignment]
-    side = first_side(block)
-    uplift = block.gravity * tan(side.alpha)
-    return {"": 1.0, "g": uplift / STANDARD_GRAVITY, "m/s": uplift / side.p}[kind]

@@ -80,13 +80,6 @@ def qualification_of(
     return dict(zip(OUTPUTS, (tops, gaps, edges), strict=True))
 
 
-def runs_near(runs: "xarray.Dataset", level: float) -> "xarray.Dataset":
-    """Return the runs of the level nearest to one."""
-    levels = runs["level"].values
-    nearest = int(np.maximum(levels / level, level / levels).argmin())
-    return runs.isel(level=nearest).load()
-
-
 def most_of_rocking(runs: "xarray.Dataset") -> dict[str, float | None]:
     """Return the values that 84 % of the runs that rock and stand do not exceed; else None.
 

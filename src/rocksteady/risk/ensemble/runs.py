@@ -1,7 +1,6 @@
 """Ensembles: blocks on many records at many levels, restitutions, signs, with vertical motion."""
 
 import functools
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +10,6 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.lowering import weight_kn
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import MASS
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
@@ -19,10 +17,10 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.ensemble._cases import Body, copies_of, fates, ways_to_run, whole
 from rocksteady.risk.ensemble._labels import alike_words, labelled, warnings_of
-from rocksteady.risk.ensemble._uplift import uplift_limits, uplift_times
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.qualification import FORCE_OUTPUTS, qualification_of
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+from rocksteady.risk.ensemble.uplift import uplift_scales, uplift_times
 from rocksteady.risk.ensemble.ways import Ways
 from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel
 from rocksteady.seismic.spectra.grounds import (
@@ -49,7 +47,7 @@ def run_ensemble(
     blocks: Block | Sequence[Block],
     motions: Record | BaseMotion | Sequence[Record | BaseMotion],
     *,
-    levels: Levels | None = None,
+    levels: Levels,
     restitution: RestitutionBand | None = None,
     ways: Ways | None = None,
     mass_kg: float | Sequence[float] | None = None,
@@ -70,7 +68,7 @@ def run_ensemble(
         A record or several, or `BaseMotion` of a horizontal and a vertical record, which are scaled
         by the same factor.
     levels
-        The levels, and what they are in; default `Levels()`.
+        The levels, with values, and what they are in.
     restitution
         The band of restitutions; default `RestitutionBand()`.
     ways
@@ -93,15 +91,16 @@ def run_ensemble(
         without uplift), with a mass ``base_force_across_kn`` and ``base_force_down_kn`` (as
         `Trajectory.base_force_kn`, nan of a fall and without uplift), over ``block``, ``record``,
         ``direction``, ``vertical``, ``draw`` and ``level``.  Coordinates are ``scale``, the factor
-        of the accelerations, ``restitution``, ``alpha`` and ``p``, and ``im_NAME`` for each measure
-        of the records as they are; and, where some records alone have a vertical component,
-        ``copied``, true of the runs with it of the others.
+        of the accelerations, ``uplift_scale``, that above which it lifts, ``restitution``,
+        ``alpha`` and ``p``, and ``im_NAME`` for each measure of the records as they are; and, where
+        some records alone have a vertical component, ``copied``, true of the runs with it of the
+        others.
 
     Raises
     ------
     InputError, ModelError
-        If an argument is outside its range, vertical motion is wanted and there is none, the
-        linear model meets one, or there are not as many masses as blocks.
+        If an argument is outside its range, the levels have no values, vertical motion is wanted
+        and there is none, the linear model meets one, or there are not as many masses as blocks.
 
     Examples
     --------
@@ -118,12 +117,11 @@ def run_ensemble(
     array([0. , 0.5, 0.5])
     """
     bodies = blocks_of(blocks)
-    wanted = Levels() if levels is None else levels
     band = RestitutionBand() if restitution is None else restitution
     (ensemble,) = run_each(
         bodies,
         motions,
-        levels=[wanted],
+        levels=[levels],
         restitution=band,
         ways=ways,
         mass_kg=mass_kg,
@@ -169,7 +167,7 @@ def run_each(
     directions = chosen(asked.reverse, DIRECTIONS)
     lifts = _lifts(asked.vertical, grounds)
     parts = [slice(place, place + len(blocks) // len(levels)) for place in range(len(levels))]
-    rows = [each.levels_for(blocks[part]) for each, part in zip(levels, parts, strict=True)]
+    rows = [each.values for each in levels]
     at, alike = np.array(rows), len(set(rows)) == 1
     at_one = levels[0].at_scale_one(records, blocks)
     scale = at[:, np.newaxis] / at_one[:, :, np.newaxis]
@@ -226,8 +224,7 @@ def run_each(
     arrays |= qualification_of(blocks, arrays["peak_angle"], speeds, arrays["status"])
     linear = isinstance(equations, Linear)
     times = uplift_times(blocks, grounds, scale, directions, lifts, linear=linear)
-    limits = uplift_limits(blocks, linear=linear)[1] / STANDARD_GRAVITY
-    moved = "with" in lifts or any(each.ground for each in records)
+    thresholds = uplift_scales(blocks, grounds, directions, lifts, linear=linear)
     # Uplift does not depend on the restitution.
     rocked = arrays["peak_angle"] > 0.0
     arrays["uplift_time_s"] = np.where(rocked, times[:, :, :, :, np.newaxis], np.nan)
@@ -249,11 +246,11 @@ def run_each(
                     "vertical": list(lifts),
                     "level": row,
                     "copied": copied,
+                    "uplift_scale": thresholds[part],
                 },
                 attributes={
                     **swept.attrs,
                     "kind": "rocking ensemble",
-                    "gate_g": math.nan if moved else float(limits[part].min()),
                     "runs": runs * at.shape[1] * restitution.draws,
                     "warnings": warnings_of(
                         names, alike_records, scale[part], arrays["status"][part], copied

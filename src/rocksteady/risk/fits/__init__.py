@@ -1,1 +1,1 @@
-"""Fragility curves: maximum likelihood, confidence bands, goodness of fit."""
+"""Fragility curves: maximum likelihood, and the distance from the counted shares."""

@@ -1,129 +1,129 @@
-"""Curve of the largest likelihood of one stage."""
+"""The curve of the largest likelihood, or the status of data without one."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.risk.fits._likelihood import Family, family_of, log_likelihood_of, maximise
-from rocksteady.risk.fits._status import (
-    FITTED,
-    NEVER,
-    NOT_RISING,
-    SEPARATED,
-    kinds_of,
-)
-from rocksteady.risk.fits._trial_counts import Counts
+from rocksteady.risk.fits._likelihood import family_of, log_likelihood_of, maximise
+from rocksteady.risk.fits._totals import Totals
 
+FITTED, SEPARATED, NEVER, ALWAYS, NOT_RISING = (
+    "fitted",
+    "separated",
+    "never",
+    "always",
+    "not-rising",
+)
+LEAST_RISE = 1e-12
+"""Slope of the likelihood at a flat curve, over the number of trials, that rounding can make."""
 LARGEST_LOG = 690.0
 """Of a median: exp of more is beyond the floats."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Maximum:
-    """Curve of the largest likelihood: P = F(a + b z), z = (ln im - centre)/scale.
+    """What of a `FragilityCurve` the largest likelihood determines.
 
     Attributes
     ----------
-    name
-        Name of its family.
-    counts
-        Inputs of the fit.
-    centre, scale
-        Mean and standard deviation of ln im over the trials.
-    status
-        As for `FragilityCurve`.
-    coefficients
-        a and b; NaN where there is no curve.
-    step
-        Levels between which a step lies; None without.
+    status, median, beta, step, log_likelihood
+        As there.
+    shares
+        Share of failures that the curve gives to each level; NaN without a curve.
     """
 
-    name: str
-    counts: Counts
-    centre: float
-    scale: float
     status: str
-    coefficients: Floats
+    median: float = math.nan
+    beta: float = math.nan
     step: tuple[float, float] | None = None
-
-    @property
-    def family(self) -> Family:
-        """Its F."""
-        return family_of(self.name)
-
-    @property
-    def design(self) -> Floats:
-        """Columns 1 and z at the levels."""
-        z = (np.log(self.counts.levels) - self.centre) / self.scale
-        return np.column_stack([np.ones_like(z), z])
-
-    @property
-    def shares(self) -> Floats:
-        """Share of failures that the model gives to each level."""
-        failures, trials = self.counts.totals
-        if self.status == FITTED:
-            return self.family.cdf(self.design @ self.coefficients)
-        levels = self.counts.levels
-        if self.step is not None:
-            sides = [levels < self.step[1], levels > self.step[0]]
-            return np.select(sides, [0.0, 1.0], failures / trials)
-        return np.full(len(trials), failures.sum() / max(trials.sum(), 1.0))
-
-    @property
-    def log_likelihood(self) -> float:
-        """Of single trials; for a flat curve where the likelihood does not rise."""
-        failures, trials = self.counts.totals
-        if self.status == FITTED:
-            eta = self.design @ self.coefficients
-            return log_likelihood_of(self.family, eta, failures, trials)
-        return log_likelihood_of_shares(self.shares, failures, trials)
-
-    @property
-    def deviance(self) -> float:
-        """Twice what the log-likelihood of the shares of each level has above the curve's."""
-        failures, trials = self.counts.totals
-        best = log_likelihood_of_shares(failures / trials, failures, trials)
-        return max(2.0 * (best - self.log_likelihood), 0.0)
+    log_likelihood: float
+    shares: Floats
 
 
-def log_likelihood_of_shares(shares: Floats, failures: Floats, trials: Floats) -> float:
-    """Return the log-likelihood of single trials at the given probabilities."""
+def maximum_of(totals: Totals, family: str) -> Maximum:
+    """Return the maximum of a family of curves."""
+    status, step = _status_of(totals)
+    if status == FITTED:
+        return _fitted(totals, family)
+    levels, failures, trials = totals
+    shares, median = failures / trials, math.nan
+    if step is not None:
+        low, high = step
+        # At one level with both outcomes it is that level, to the last bit.
+        median = low if low == high else math.sqrt(low) * math.sqrt(high)
+        shares = np.select([levels < high, levels > low], [0.0, 1.0], shares)
+    return Maximum(
+        status=status,
+        median=median,
+        step=step,
+        log_likelihood=_flat(totals) if status == NOT_RISING else _likelihood(shares, totals),
+        shares=np.full(len(levels), math.nan) if status == NOT_RISING else shares,
+    )
+
+
+def _status_of(totals: Totals) -> tuple[str, tuple[float, float] | None]:
+    """Return the status of counts, and the levels between which a step lies.
+
+    The log-likelihood is concave, so that its maximum has a slope above 0 where its derivative
+    with respect to the slope is above 0 at the best flat curve: where failures lie at higher
+    intensities than trials do.  A maximum exists where levels of failures and of survivals overlap
+    by more than one shared level [1].
+
+    References
+    ----------
+    .. [1] A. Albert and J. A. Anderson, Biometrika 71, 1-10 (1984).
+    """
+    levels, failures, trials = totals
+    if not failures.any():
+        return NEVER, None
+    if (failures == trials).all():
+        return ALWAYS, None
+    logs = np.log(levels)
+    rise = (failures - failures.sum() / trials.sum() * trials) @ (logs - logs.mean())
+    if rise <= LEAST_RISE * trials.sum():
+        return NOT_RISING, None
+    stood = float(levels[np.flatnonzero(failures < trials)[-1]])
+    failed = float(levels[np.flatnonzero(failures)[0]])
+    return (SEPARATED, (stood, failed)) if stood <= failed else (FITTED, None)
+
+
+def _fitted(totals: Totals, family: str) -> Maximum:
+    """Return the maximum of overlapping counts: P = F(a + b z), z = (ln im - centre)/scale."""
+    levels, failures, trials = totals
+    function, logs, size = family_of(family), np.log(levels), trials.sum()
+    centre = float(trials @ logs / size)
+    scale = math.sqrt(float(trials @ np.square(logs - centre) / size))
+    design = np.column_stack([np.ones_like(logs), (logs - centre) / scale])
+    start = np.array([float(function.quantile(failures.sum() / size)), 1.0])
+    at = maximise(function, design, failures, trials, start)
+    a, b = at.tolist()
+    if b <= 0.0 or abs(centre - scale * a / b) > LARGEST_LOG:
+        return Maximum(
+            status=NOT_RISING,
+            log_likelihood=_flat(totals),
+            shares=np.full(len(levels), math.nan),
+        )
+    eta = design @ at
+    return Maximum(
+        status=FITTED,
+        median=math.exp(centre - scale * a / b),
+        beta=scale / b,
+        log_likelihood=log_likelihood_of(function, eta, failures, trials),
+        shares=function.cdf(eta),
+    )
+
+
+def _flat(totals: Totals) -> float:
+    """Return the log-likelihood of single trials at one probability for all levels."""
+    share = totals.failures.sum() / totals.trials.sum()
+    return _likelihood(np.full(len(totals.levels), share), totals)
+
+
+def _likelihood(shares: Floats, totals: Totals) -> float:
+    """Return the log-likelihood of single trials at the probabilities of the levels."""
     from scipy.special import xlog1py, xlogy
 
+    _, failures, trials = totals
     return float((xlogy(failures, shares) + xlog1py(trials - failures, -shares)).sum())
-
-
-def maximum_of(counts: Counts, family: str) -> Maximum:
-    """Return the curve of the largest likelihood, or the status of data without one."""
-    function = family_of(family)
-    failures, trials = counts.totals
-    logs = np.log(counts.levels)
-    size = max(float(trials.sum()), 1.0)
-    centre = float(trials @ logs) / size
-    scale = math.sqrt(float(trials @ np.square(logs - centre)) / size)
-    none = np.full(2, math.nan)
-    if not len(logs):
-        status, step = NEVER, None
-    else:
-        kind = kinds_of(logs, failures[None], trials[None])
-        status, step = str(kind.status[0]), None
-        if status == SEPARATED:
-            step = (float(counts.levels[kind.stood[0]]), float(counts.levels[kind.failed[0]]))
-    maximum = Maximum(
-        name=family,
-        counts=counts,
-        centre=centre,
-        scale=scale or 1.0,
-        status=status,
-        coefficients=none,
-        step=step,
-    )
-    if status != FITTED:
-        return maximum
-    start = np.array([float(function.quantile(failures.sum() / trials.sum())), 1.0])
-    a, b = maximise(function, maximum.design, failures, trials, start)
-    if b <= 0.0 or abs(centre - scale * a / b) > LARGEST_LOG:
-        return replace(maximum, status=NOT_RISING)
-    return replace(maximum, coefficients=np.array([a, b]))

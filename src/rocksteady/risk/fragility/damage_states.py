@@ -1,5 +1,6 @@
 """Damage states of a block: uplift, a tilt that is exceeded, and overturning."""
 
+import math
 from dataclasses import dataclass
 from typing import Final
 
@@ -61,6 +62,13 @@ class DamageState:
         if self.peak is not None:
             hint = "give the theta/alpha that is exceeded, as 0.5"
             object.__setattr__(self, "peak", non_negative("peak", self.peak, hint=hint))
+
+    @property
+    def rank(self) -> float:
+        """Place among nested states: each contains those of higher ranks."""
+        if self.name == OVERTURNED:
+            return math.inf
+        return -1.0 if self.peak is None else self.peak
 
 
 def exceeding(

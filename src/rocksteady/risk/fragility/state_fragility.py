@@ -1,146 +1,170 @@
-"""Fragility of one damage state: its curves and its points."""
+"""Fragility of one damage state: counted shares over levels, and what summarises them."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, number_or_none
+from rocksteady.results.numbers import chance, interval, number, number_or_none
 from rocksteady.results.result import Result
+from rocksteady.risk.counted.curve import Curve, monotone
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
-from rocksteady.risk.fits.two_stages import TwoStageCurve
-from rocksteady.risk.fragility.damage_states import DamageState
+from rocksteady.risk.fragility.damage_states import UPLIFT, DamageState
+from rocksteady.seismic.measures.scalar import Measure
 
-GIVEN = "given-uplift"
-"""Stage whose intensity, and with it median and beta, is that above the offset."""
+HALF: Final = 0.5
+GOOD: Final = 0.1
+"""Misfit up to which a lognormal summarises the points."""
 
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class StateFragility(Result):
-    """Fragility of one damage state.
+    """Counted shares of one damage state over levels of intensity.
 
     Attributes
     ----------
     state
         The damage state.
-    plain
-        One curve over all runs.
-    two_stage
-        P(uplift) times P(state given uplift); None where no run lifts, or every one does and the
-        gate is not known, and of uplift itself.
-    points
-        Intensity, trials, uplifts and failures of each level; without levels of the measure, those
-        of joined neighbours, without uplifts.
-    given_uplift
-        Whether the curve is of the runs that lift alone.
+    measure
+        What the levels are in; None of plain factors.
+    curve
+        The counts at the levels, and what is known without a run.
+    lognormal
+        Median and beta that summarise the counted shares; no answer is taken from them.
 
     Examples
     --------
     >>> from rocksteady import Block, compute_fragility
     >>> from rocksteady.motions import make_synthetic_suite
-    >>> from rocksteady.risk import FitOptions, Levels, RestitutionBand
+    >>> from rocksteady.risk import Levels, RestitutionBand
     >>> fragility = compute_fragility(
     ...     Block.rectangle(width=0.3, height=1.5),
     ...     make_synthetic_suite(3),
-    ...     levels=Levels("pgv_m_s", [0.2, 0.5, 1.0]),
+    ...     levels=Levels("pga_g", [0.2, 0.5, 1.0]),
     ...     restitution=RestitutionBand(draws=1),
-    ...     fitting=FitOptions(states=["overturned"], bands=None),
     ... )
-    >>> (state,) = fragility.states
-    >>> state.state.name, state.plain.status, len(state.points)
-    ('overturned', 'separated', 3)
+    >>> fragility.state("uplift").share([0.19, 0.3]).tolist()
+    [0.0, 1.0]
     """
 
     state: DamageState
-    plain: FragilityCurve
-    two_stage: TwoStageCurve | None = None
-    points: tuple[tuple[float, int, int | None, int], ...] = ()
-    given_uplift: bool = False
+    measure: Measure | None
+    curve: Curve
+    lognormal: FragilityCurve
 
-    @property
-    def curve(self) -> FragilityCurve | TwoStageCurve:
-        """The curve to use: given uplift, in two stages, or one curve."""
-        return self.plain if self.two_stage is None else self.two_stage.over(self.given_uplift)
+    def share(self, level: ArrayLike) -> Floats:
+        """Return the share at some levels: 0 below uplift, and no more than lifts.
 
-    @property
-    def gain(self) -> float | None:
-        """What two stages add to the log-likelihood of the failures; None without stages."""
-        return None if self.two_stage is None else self.two_stage.gain
-
-    def describe(self) -> Description:
-        """Return the curve to use, and a row for each of its curves."""
-        curve = self.curve.describe()
-        rows = self.rows(self.plain.measure[0])
-        columns = (
-            Column("stage", "curve", left=True),
-            Column("status", "status", left=True),
-            Column("median", "median", number),
-            Column("beta", "beta", number),
-            Column("failures", "reached", str),
-            Column("trials", "of", str),
-        )
-        return Description(
-            headline=f"{self.state.name}: {curve.headline}",
-            facts=[
-                Fact("damage_state", self.state.name, "damage state"),
-                Fact("peak", self.state.peak),
-                *(fact for fact in curve.facts if fact.key != "measure"),
-            ],
-            tables=[Table("fits", rows, columns)],
-            notes=curve.notes,
-        )
-
-    def plot(self, *arguments: Any, **options: Any) -> Any:
-        """Plot the curve to use, as `rocksteady.plots.fragility`."""
-        return self.curve.plot(*arguments, **options)
-
-    def rows(self, measure: str) -> list[dict[str, Any]]:
-        """Return a row for each of its curves, that to use first, under the names of the JSON.
+        Uplift is a step at the threshold of each record, known without a run.  Other states are
+        monotone shares nearest to the counted ones, straight over the logarithm of the level.
 
         Parameters
         ----------
-        measure
-            Name of the measure of intensity.
+        level
+            Levels, above 0.
         """
-        curves: list[tuple[str, FragilityCurve | TwoStageCurve]] = [("plain", self.plain)]
-        if self.two_stage is not None:
-            stages = self.two_stage
-            curves[:0] = [
-                ("two-stage", stages),
-                ("uplift", stages.uplift),
-                (GIVEN, stages.given_uplift),
-            ]
-        curves.sort(key=lambda each: each[1] is not self.curve)
-        return [self._row(measure, stage, curve) for stage, curve in curves]
+        return self.curve.lifting(level) if self.state.name == UPLIFT else self.curve.at(level)
 
-    def _row(
-        self, measure: str, stage: str, curve: FragilityCurve | TwoStageCurve
-    ) -> dict[str, Any]:
-        lognormal = curve if isinstance(curve, FragilityCurve) else None
-        low, high = getattr(curve, "median_band", None) or (None, None)
-        beta_low, beta_high = (None if lognormal is None else lognormal.beta_band) or (None, None)
-        step_low, step_high = (None if lognormal is None else lognormal.step) or (None, None)
+    @property
+    def is_lognormal(self) -> bool:
+        """Whether median and beta summarise the points, to within 10 of them in 100."""
+        best = self.lognormal
+        return bool(best.misfit <= GOOD and np.isfinite(best.beta))
+
+    @property
+    def half(self) -> tuple[float, float | None, float | None] | None:
+        """Level at which half reach the state, and the levels whose bands hold a half.
+
+        None where no level reaches it; an end is None where the levels do not.
+        """
+        at = self.curve.lifts_at
+        lifts = float(at[(len(at) - 1) // 2])
+        if self.state.name == UPLIFT:
+            return (lifts, None, None) if np.isfinite(lifts) else None
+        bands = np.array([count.band for count in self.curve.counts])
+        shares = self.curve.steps, monotone(bands[:, 1]), monotone(bands[:, 0])
+        middle, first, last = (_crossing(self.curve.levels, each) for each in shares)
+        if middle is None:
+            return None
+        middle = max(middle, lifts)  # no more fall than lift
+        low = None if first is None else min(max(first, lifts), middle)
+        high = None if last is None else max(last, middle)
+        return middle, low, high
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """A row for each level, under the names of the JSON."""
+        rows = []
+        for level, count in zip(self.curve.levels.tolist(), self.curve.counts, strict=True):
+            low, high = count.band
+            rows.append(
+                {
+                    "damage_state": self.state.name,
+                    "measure": "scale" if self.measure is None else self.measure.key,
+                    "level": level,
+                    "share": number_or_none(count.share),
+                    "low": low,
+                    "high": high,
+                    "runs": count.runs,
+                    "reached": count.falls,
+                    "records": count.records,
+                }
+            )
+        return rows
+
+    @property
+    def summary_row(self) -> dict[str, Any]:
+        """Median, beta and misfit, under the names of the JSON."""
+        fitted = np.isfinite(self.lognormal.beta)
         return {
             "damage_state": self.state.name,
-            "peak": self.state.peak,
-            "measure": measure,
-            "stage": stage,
-            "used": curve is self.curve,
-            "status": "product" if lognormal is None else lognormal.status,
-            "median": number_or_none(curve.median),
-            "offset": self.two_stage.offset if self.two_stage and stage == GIVEN else 0.0,
-            "beta": None if lognormal is None else number_or_none(lognormal.beta),
-            "low": low,
-            "high": high,
-            "beta_low": beta_low,
-            "beta_high": beta_high,
-            "log_likelihood": curve.log_likelihood,
-            "misfit": number_or_none(curve.misfit),
-            "gain": None if lognormal or self.gain is None else number_or_none(self.gain),
-            "goodness": None if lognormal is None else lognormal.goodness,
-            "step_low": step_low,
-            "step_high": step_high,
-            "trials": None if lognormal is None else lognormal.trials,
-            "failures": None if lognormal is None else lognormal.failures,
+            "median": number_or_none(self.lognormal.median),
+            "beta": number_or_none(self.lognormal.beta),
+            "misfit": number_or_none(self.lognormal.misfit) if fitted else None,
         }
+
+    def describe(self) -> Description:
+        """Return the counted shares at all levels."""
+        unit = "" if self.measure is None else self.measure.unit
+        columns = (
+            Column("level", f"level [{unit}]" if unit else "level", number),
+            Column("share", "share", chance),
+            Column("band", "90 %", left=True),
+            Column("reached", "runs"),
+            Column("runs", "of"),
+        )
+        rows = [
+            {**row, "band": interval((row["low"], row["high"]), 0.9).partition(": ")[2].rstrip(")")}
+            for row in self.rows
+        ]
+        half = self.half
+        words = f"half at {number(half[0])} {unit}".rstrip() if half else "not half at any level"
+        return Description(
+            headline=f"{self.state.name}: {words}",
+            facts=[
+                Fact("damage_state", self.state.name, "damage state"),
+                Fact("peak", self.state.peak),
+                *(
+                    Fact(key, value)
+                    for key, value in self.summary_row.items()
+                    if key != "damage_state"
+                ),
+            ],
+            tables=[Table("shares", rows, columns)],
+        )
+
+
+def _crossing(levels: Floats, shares: Floats) -> float | None:
+    """Return the level at which rising shares reach a half; None where none does, or the first."""
+    reached = shares >= HALF
+    place = int(np.argmax(reached))
+    if not reached[place] or not place:
+        return None
+    before, after = float(shares[place - 1]), float(shares[place])
+    part = (HALF - before) / (after - before)
+    return float(levels[place - 1] * (levels[place] / levels[place - 1]) ** part)

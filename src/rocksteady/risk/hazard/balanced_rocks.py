@@ -18,8 +18,6 @@ from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
-from rocksteady.risk.fits.two_stages import TwoStageCurve
-from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard._fragile import Converted, Fragile
 from rocksteady.risk.hazard.failure_risk import failure_integral, fragility_over
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
@@ -143,7 +141,7 @@ class HazardBranchCheck(Result):
 
 @checked
 def check_hazard_branches(
-    fragility: Fragility | FragilityCurve | TwoStageCurve | tuple[float, float],
+    fragility: FragilityCurve | tuple[float, float],
     branches: Sequence[HazardCurve],
     age_years: Annotated[float, Bounds(0.0, OLDEST_YEARS, "(]", "give an age in years")],
     *,

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds
@@ -20,10 +20,9 @@ from rocksteady.results.numbers import number, number_or_none, quantity
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
-from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard._convolution import Integral, convolve
-from rocksteady.risk.hazard._fragile import UNKNOWN_OUTSIDE, Converted, Fragile, Lognormal
+from rocksteady.risk.hazard._fragile import Converted, Fragile, Lognormal
 from rocksteady.risk.hazard.hazard_curve import HIGHEST, HazardCurve
 from rocksteady.risk.hazard.hazard_measures import (
     fragility_factor,
@@ -38,10 +37,6 @@ SHARES = (0.05, 0.5, 0.95)
 """Of the risk integral, at whose intensities it is divided."""
 HCLPF_FACTOR = 1.645
 """Of both betas in the exponent of the HCLPF capacity."""
-BAND_POINTS = 200
-"""Points at which a band is evaluated."""
-BEYOND = 5.0
-"""Of the levels of a hazard curve with tails, in units of ln(intensity), for a band."""
 MUCH = 0.05
 """Share of the risk integral that is worth a sentence."""
 
@@ -68,8 +63,6 @@ class Risk(Result):
         Time [years], and standard deviation of the logarithm of an unsure median.
     annual_rate
         Rate of failure [1/year].
-    annual_rate_band
-        The same of the lower and of the upper edge of the fragility's band; None without one.
     rate_below, rate_above
         What power-law tails of the hazard hold, below its first level and above its last [1/year];
         infinite where they have no bound.
@@ -97,7 +90,6 @@ class Risk(Result):
     years: float
     beta_u: Annotated[float, Label("beta_U", number)]
     annual_rate: Annotated[float, Label("Annual rate of failure", _rate)]
-    annual_rate_band: tuple[float, float] | None
     rate_below: float
     rate_above: float
     median: Annotated[float, Label("Median capacity", plain=number_or_none)]
@@ -121,14 +113,6 @@ class Risk(Result):
     def survival(self) -> Annotated[float, Label("Survival", lambda p: f"{number(100.0 * p)} %")]:
         """Probability of none in the time: exp(-rate T)."""
         return math.exp(-self.annual_rate * self.years)
-
-    @property
-    def probability_band(self) -> tuple[float, float] | None:
-        """The probability of a failure at both edges of the fragility's band; None without one."""
-        if self.annual_rate_band is None:
-            return None
-        low, high = (-math.expm1(-rate * self.years) for rate in self.annual_rate_band)
-        return low, high
 
     @property
     def share_outside(self) -> float:
@@ -175,11 +159,11 @@ class Risk(Result):
         facts = facts_of(
             self,
             measure_fact(self.hazard.intensity),
-            "years annual_rate annual_rate_band probability survival",
+            "years annual_rate probability survival",
             Fact("return_period_years", self._return_period),
             "median beta beta_u hclpf k closed_form_rate contributing share_outside unsampled",
             Fact("", None, f"5, 50, 95 % of the risk below [{unit}]", self._contributing_words),
-            probability=chance + self._band_words,
+            probability=chance,
             median=_of(self.median, unit),
             hclpf=_of(self.hclpf, unit),
         )
@@ -219,13 +203,6 @@ class Risk(Result):
         return 1.0 / self.annual_rate if self.annual_rate > 1e-300 else None
 
     @property
-    def _band_words(self) -> str:
-        """The band of the probability in words; nothing without one."""
-        if self.probability_band is None:
-            return ""
-        return " ({} to {} %)".format(*(number(100.0 * each) for each in self.probability_band))
-
-    @property
     def _contributing_words(self) -> str:
         """Where the risk is, in words."""
         beyond = f"above {number(float(self.hazard.levels[-1]))}"
@@ -252,17 +229,12 @@ class Risk(Result):
         if self.unsampled is not None and self.unsampled > MUCH:
             yield (
                 f"{number(100.0 * self.unsampled, 2)} % of the risk are from intensities that no "
-                "run of the fragility has: there the fitted curve alone counts."
+                "trial of the fragility has: there the fitted curve alone counts."
             )
-        if self.hazard.intensity.name == "pgv_m_s" and not hasattr(self.fragility, "uplift"):
+        if self.hazard.intensity.name == "pgv_m_s":
             yield (
-                "A curve over PGV has no gate at PGA = g tan alpha: shaking too weak to lift the "
-                "object counts as able to topple it, and the rate is too high rather than too low."
-            )
-        if self.annual_rate_band is not None:
-            yield (
-                "The band is that of the fragility with all intensities at its edge at once; the "
-                "hazard curve's own uncertainty is not in it."
+                "A curve over PGV has no threshold of uplift: shaking too weak to lift the object "
+                "counts as able to topple it, and the rate is too high rather than too low."
             )
         yield (
             "Failures are a Poisson process: independent, at a constant rate, the object set up "
@@ -272,7 +244,7 @@ class Risk(Result):
 
 @checked
 def compute_risk(
-    fragility: Fragility | FragilityCurve | TwoStageCurve | tuple[float, float],
+    fragility: FragilityCurve | tuple[float, float],
     hazard: HazardCurve,
     years: Annotated[float, Bounds(0.0, LONGEST_YEARS, "(]", "give a time in years")] = 50.0,
     *,
@@ -289,15 +261,15 @@ def compute_risk(
     Parameters
     ----------
     fragility
-        A `Fragility`, of which the last damage state counts, a fitted curve of one stage or of two,
-        or (median, beta) of a lognormal one.
+        A fitted curve, or (median, beta) of a lognormal one.  Rates of counted shares, those of a
+        `Fragility`, are not computed.
     hazard
         The hazard curve of the site.
     years
         Time of the probability [years]; default 50.
     measure
         What the fragility is over: an `Measure`, or its text as ``"sa_g:1.0"`` or, with a block,
-        ``"p_pgv_per_uplift"``; default None, that of a `Fragility`, otherwise the hazard's own.
+        ``"p_pgv_per_uplift"``; default None, the hazard's own.
     block
         Block of a fragility over a dimensionless measure; none by default.
     beta_u
@@ -342,7 +314,6 @@ def compute_risk(
         years=years,
         beta_u=beta_u,
         annual_rate=integral.total,
-        annual_rate_band=_edge_rates(curve, hazard),
         rate_below=integral.below,
         rate_above=integral.above,
         median=median,
@@ -362,7 +333,7 @@ def compute_risk(
 
 
 def fragility_over(
-    fragility: Fragility | FragilityCurve | TwoStageCurve | tuple[float, float],
+    fragility: FragilityCurve | tuple[float, float],
     hazard: HazardCurve,
     measure: Measure | str | None,
     block: Block | None,
@@ -375,12 +346,10 @@ def fragility_over(
         If the measures do not fit, or the fragility does not rise.
     """
     remarks = []
-    if isinstance(fragility, Fragility):
-        measure = fragility.measure if measure is None else measure
-        fragility = fragility.states[-1].curve
+    given = _fragile(fragility)
     if measure is None:
         words = hazard.intensity
-        name, kind = getattr(fragility, "measure", ("", ""))
+        name, kind = given.measure if isinstance(given, FragilityCurve) else ("", "")
         if kind != hazard.unit and name not in ("", "intensity"):
             raise InputError(
                 "fragility",
@@ -396,23 +365,35 @@ def fragility_over(
             )
     else:
         words = intensity_named("measure", measure)
-    curve = Converted(
-        Lognormal(*fragility) if isinstance(fragility, tuple) else fragility,
-        fragility_factor(words, hazard.intensity, block),
-    )
-    if "not-rising" in curve.statuses:
+    curve = Converted(given, fragility_factor(words, hazard.intensity, block))
+    status = given.status if isinstance(given, FragilityCurve) else "fitted"
+    if status == "not-rising":
         raise InputError(
             "fragility",
-            "not-rising",
+            status,
             "its probability of failure does not rise with the intensity",
             "fit it over another measure, or to more runs",
         )
-    if curve.statuses & UNKNOWN_OUTSIDE:
+    if status in ("never", "always"):
         remarks.append(
-            "No run of the fragility fails, or every one does: beyond the runs its probability is "
-            "unknown and counts as 1, and the rate is an upper bound."
+            "No trial of the fragility fails, or every one does: beyond the trials its probability "
+            "is unknown and counts as 1, and the rate is an upper bound."
         )
     return curve, words, tuple(remarks)
+
+
+def _fragile(given: object) -> Fragile:
+    """Return what has a probability at each intensity, or raise."""
+    if isinstance(given, FragilityCurve):
+        return given
+    if isinstance(given, tuple) and len(given) == 2:
+        return Lognormal(*given)
+    raise InputError(
+        "fragility",
+        Words("is counted") if isinstance(given, Fragility) else given,
+        "rates are those of a FragilityCurve or of (median, beta), not of counted shares",
+        "fit a curve to them, or give (median, beta)",
+    )
 
 
 def failure_integral(curve: Converted, hazard: HazardCurve) -> Integral:
@@ -433,25 +414,6 @@ def failure_integral(curve: Converted, hazard: HazardCurve) -> Integral:
             "leave the hazard curve without tails",
         )
     return integral
-
-
-def _edge_rates(curve: Converted, hazard: HazardCurve) -> tuple[float, float] | None:
-    """Return the rates of failure of both edges of a band; None without one.
-
-    A bootstrap is evaluated once, at points between which its edges are straight lines.
-    """
-    ends = np.log(hazard.levels[[0, -1]])
-    if hazard.tail == "power-law":
-        ends = ends + np.array([-BEYOND, BEYOND])
-    at = np.linspace(ends[0], ends[1], BAND_POINTS)
-    band = curve.band(np.exp(at))
-    if band is None:
-        return None
-
-    def rate(edge: Floats) -> float:
-        return convolve(lambda x: np.interp(np.log(x), at, edge, left=0.0), at, hazard).total
-
-    return rate(band[0]), rate(band[1])
 
 
 def _closed_form(hazard: HazardCurve, median: float, beta: float) -> tuple[float, float]:

@@ -450,8 +450,8 @@ def velocity_row(case: Case) -> Screen:
         needs=needs,
         details=tuple(details),
         approximate=outside,
-        remark="Of blocks that lift, the same as of rocksteady assess: theirs, and that "
-        f"of this package. Passed below {LEAST_NUMBER:g} only."
+        remark="Of blocks that lift, at any PGA: theirs, and that of runs of this package. "
+        f"Passed below {LEAST_NUMBER:g} only."
         + (" The block lies outside the latter: alpha 0.1 to 0.3 rad, p 1 to 3 rad/s." * outside)
         + case.vertical("downwards in uplift; the formula of the shares has none"),
     )

@@ -27,7 +27,6 @@ VERTICAL = {
         0.0, 1.0, "[]", "give the share that acts at the horizontal peak, as 0.4"
     ),
 }
-FRICTION = Bounds(0.0, 100.0, "[]", "give the coefficient of friction, as 0.4")
 SPECTRAL_RATIO = Bounds(0.0, 10.0, "[]", "give the ratio of the spectra, as 0.67")
 
 

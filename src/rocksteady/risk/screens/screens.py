@@ -6,6 +6,7 @@ from typing import Annotated
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.bounds import FRICTION
 from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -15,7 +16,7 @@ from rocksteady.risk.screens import _rows
 from rocksteady.risk.screens._asce_row import asce_row
 from rocksteady.risk.screens._cabinets import CABINETS
 from rocksteady.risk.screens._rows import SLIDES
-from rocksteady.risk.screens.demand import FRICTION, Demand
+from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.screen import ANY_BLOCK, KINDS, Kind, Screen
 
 DISCLAIMER = (

@@ -20,10 +20,6 @@ from rocksteady.risk.assess.described.schema import (
 from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.observations.files.toml_tables import TomlTables, named
 from rocksteady.risk.screens.demand import VERTICAL
-from rocksteady.seismic.measures.scalar import Measure
-
-FEWEST_REPLICATES = 100
-"""Suites of a bootstrap, below which there is no band."""
 
 BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
     "offset_m": (-TALL, TALL, "[]", "give how far right of the middle it is, in metres"),
@@ -51,8 +47,6 @@ WHOLE: Mapping[str, tuple[int, int, str]] = {
     "floor": (0, 1000, "give the number of its floor, 0 for the ground, or the name of a room"),
     "columns": (1, 1000, "give the number of equal columns of a frame, as 4"),
     "draws": (1, 1000, "give the number of restitutions, as 5"),
-    "levels": (2, 1000, "give the number of levels of intensity, as 20"),
-    "replicates": (0, 100_000, "give the number of suites of the bands, as 1000; 0 for no bands"),
 }
 
 FILE = TomlTables(kinds=TABLES, needs="an object has a name and a [geometry]", inline=inline_keys)
@@ -92,7 +86,7 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
     for table, key, value in numbers_of(given):
         _check(table, key, value, source, from_zero=key == "restitution" and given.against_wall)
     _check_spectrum(given, source)
-    _check_choices(given, source)
+    _check_states(given, source)
     states = [name for name, _ in own_states(given.assessment)]
     if given.assessment.damage_states is not None and len(set(states)) != max(1, len(states)):
         raise InputError(
@@ -109,10 +103,7 @@ def _check(table: str, key: str, value: object, source: str, *, from_zero: bool)
     name = named(source, table, key)
     if key in WHOLE:
         least, most, hint = WHOLE[key]
-        count = whole_number(name, value, at_least=least, at_most=most, hint=hint)
-        if key == "replicates" and 0 < count < FEWEST_REPLICATES:
-            valid = f"a band needs {FEWEST_REPLICATES} suites or more"
-            raise InputError(name, count, valid, hint)
+        whole_number(name, value, at_least=least, at_most=most, hint=hint)
         return
     low, high, ends, hint = BOUNDS.get(key, (0.0, TALL, "(]", METRES))
     ends = "[]" if from_zero else ends
@@ -144,24 +135,9 @@ def _check_restitution(given: ObjectInput, source: str) -> None:
         )
 
 
-def _check_choices(given: ObjectInput, source: str) -> None:
-    """Refuse a measure of intensity or a damage state that there is not."""
-    options = given.assessment
-    name = named(source, "assessment", "intensity_measure")
-    try:
-        scales = Measure(options.intensity_measure, options.period_s).scales
-    except InputError as error:
-        if error.name == "period_s":
-            name = named(source, "assessment", "period_s")
-        raise InputError(name, error.value, error.valid, error.hint) from None
-    if not scales:
-        raise InputError(
-            name,
-            options.intensity_measure,
-            "scaling a record does not change it, so that it has no levels",
-            "take another, as 'pgv_m_s'",
-        )
-    for state, peak in own_states(options):
+def _check_states(given: ObjectInput, source: str) -> None:
+    """Refuse a damage state that there is not."""
+    for state, peak in own_states(given.assessment):
         try:
             DamageState(state, peak)
         except InputError as error:

@@ -1,7 +1,7 @@
 """Buildings: the floors on which objects stand, from a file, and the motions that they have."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated
 
@@ -20,7 +20,6 @@ from rocksteady.risk.observations.files.csv_table import refuse_doubled
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import TomlTables, in_file
 from rocksteady.risk.screens.floors import PERIOD
-from rocksteady.seismic.measures.scalar import compute_measure
 
 HINT = "name a file of buildings in TOML"
 STOREYS = Whole(1, 200, "give the number of floors above the ground")
@@ -261,33 +260,14 @@ def _building(table: BuildingTable) -> Building:
     return Building(name=table.name, floors=floors, rooms=table.rooms)
 
 
-def on_floors(
-    objects: Sequence[DescribedObject], motions: Motions, buildings: Sequence[Building]
-) -> tuple[list[DescribedObject], list[Motions]]:
-    """Return objects with the peaks of their floors, and the motions of each, made once a floor.
+def floor_of(described: DescribedObject, buildings: Sequence[Building]) -> tuple[int, Floor | None]:
+    """Return number and floor on which an object stands; 0 and None of the ground.
 
     Raises
     ------
     InputError, ModelError
-        If an object's building is not among those given, or has no such floor.
+        If its building is not among those given, or has no such floor.
     """
-    made: dict[Floor | None, tuple[Motions, tuple[float, float]]] = {}
-    standing: list[DescribedObject] = []
-    shaken: list[Motions] = []
-    for each in objects:
-        storey, floor = _floor_of(each, buildings)
-        if floor not in made:
-            moved = [motion if floor is None else floor.motion(motion) for motion in motions]
-            made[floor] = moved, _amplified(moved)
-        shaken.append(made[floor][0])
-        standing.append(replace(each, amplified=made[floor][1], storey=storey))
-    return standing, shaken
-
-
-def _floor_of(
-    described: DescribedObject, buildings: Sequence[Building]
-) -> tuple[int, Floor | None]:
-    """Return the floor on which an object stands, and its number; 0 and None of the ground."""
     given = described.given
     if given.floor is None and given.building is None:
         return 0, None
@@ -319,17 +299,3 @@ def _floor_of(
         building = buildings[names.index(wanted)]
         storey = building.storey("" if given.floor is None else given.floor)
     return storey, building.floor(storey)
-
-
-def _amplified(motions: Motions) -> tuple[float, float]:
-    """Return by how much the floor multiplies PGA and PGV, the largest of the motions."""
-    across = [each.horizontal if isinstance(each, BaseMotion) else each for each in motions]
-    records = [each for each in across if isinstance(each, Record) and each.ground is not None]
-
-    def most(name: str) -> float:
-        ratios = (
-            compute_measure(each, name) / compute_measure(each.reference, name) for each in records
-        )
-        return max(ratios, default=1.0)
-
-    return most("pga_g"), most("pgv_m_s")

@@ -15,8 +15,8 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
+from rocksteady.risk.assess.described._body import Body, Choose, body_of, nominal
 from rocksteady.risk.assess.described._validation import validated
-from rocksteady.risk.assess.described.body import Body, Choose, body_of, nominal
 from rocksteady.risk.assess.described.schema import Content, Geometry, ObjectInput, Range, Value
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import in_file
@@ -57,6 +57,24 @@ def parameter_words(parameter: str) -> str:
         key = key.removesuffix(unit)
     words = key.replace("_", " ")
     return f"{table} {words}" if table == "content" else words
+
+
+def key_words(key: str) -> str:
+    """Return the key of an object's file in words, with its unit.
+
+    Examples
+    --------
+    >>> key_words("geometry.mass_centre_height_m"), key_words("content.mass_kg")
+    ('mass centre height [m]', 'content mass [kg]')
+    >>> key_words("mass centre")
+    'mass centre'
+    """
+    table, _, name = key.rpartition(".")
+    if not table:
+        return key
+    name, _, unit = name.rpartition("_")
+    words = name.replace("_", " ") + f" [{unit}]"
+    return words if table == "geometry" else f"{table} {words}"
 
 
 @dataclass(frozen=True, kw_only=True)

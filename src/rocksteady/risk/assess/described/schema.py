@@ -5,8 +5,6 @@ from typing import Literal
 
 import msgspec
 
-from rocksteady.seismic.measures.scalar import DEFAULT
-
 
 class Range(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A value that is known between two bounds."""
@@ -81,12 +79,8 @@ class Options(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     """How the object is assessed."""
 
     damage_states: list[str | OwnState] | None = None
-    intensity_measure: str = DEFAULT
-    period_s: float | None = None
     target_probability: float = 0.1
     draws: int = 5
-    levels: int = 20
-    replicates: int = 1000
     records: str | None = None
 
 

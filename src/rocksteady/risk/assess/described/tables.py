@@ -6,7 +6,7 @@ from pathlib import Path
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.assess.described.objects import FILE_HINT, DescribedObject
-from rocksteady.risk.assess.described.schema import Content, Geometry
+from rocksteady.risk.assess.described.schema import Content, Geometry, Options
 from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table, refuse_doubled
 from rocksteady.risk.observations.spread import parts_of
 from rocksteady.risk.screens.demand import VERTICAL
@@ -25,6 +25,8 @@ COLUMNS: Mapping[str, tuple[str, str]] = {
 }
 """Table and key of the object file for each column that is read."""
 
+OF_FILES = {*Options.__struct_fields__}
+"""Keys of an object file that a table would pass over in silence."""
 TEXTS = ("name", "kind", "building", "floor")
 ANSWERS = {"yes": True, "true": True, "no": False, "false": False}
 """Words of the columns against_wall and fixed_parts."""
@@ -91,6 +93,13 @@ def _object(cells: Mapping[str, str], source: str, sha256: str) -> DescribedObje
     values: dict[str, object] = {}
     extra: dict[str, str] = {}
     for column, cell in cells.items():
+        if cell and (column in OF_FILES or (column == "place" and cell == "floor")):
+            raise InputError(
+                f"{source}, {column}",
+                cell,
+                "it is a key of object files, which a table does not take",
+                "write the object as a file of its own, or leave the column out",
+            )
         if column not in COLUMNS:
             extra[column] = cell
         elif cell:

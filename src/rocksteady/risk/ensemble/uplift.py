@@ -1,4 +1,4 @@
-"""Time of the first uplift from rest, in closed form on the lines of a record.
+"""The first uplift from rest, in closed form on the lines of a record: at which scale, and when.
 
 A block at rest lifts to the side that the base drives when a > (g + a_v) tan alpha, unless a wall
 stands there.  Between two
@@ -89,6 +89,45 @@ def uplift_limits(blocks: Sequence[Block], *, linear: bool) -> tuple[Floats, Flo
     limits: Floats = ratios * np.array([block.gravity for block in blocks])[:, np.newaxis]
     limits[[block.one_sided for block in blocks], 1] = np.inf  # the wall holds it
     return ratios, limits
+
+
+def uplift_scales(
+    blocks: Sequence[Block],
+    grounds: Sequence[GroundShaking],
+    directions: Sequence[str],
+    lifts: Sequence[str],
+    *,
+    linear: bool,
+) -> Floats:
+    """Return the factor of the accelerations above which blocks at rest lift; inf where none does.
+
+    Parameters
+    ----------
+    blocks, grounds, directions, lifts, linear
+        As for `uplift_times`.
+
+    Returns
+    -------
+    ndarray, shape (blocks, records, directions, verticals)
+    """
+    ratios, limits = uplift_limits(blocks, linear=linear)
+    least = np.full((len(blocks), len(grounds), len(directions), len(lifts)), np.inf)
+    for record, ground in enumerate(grounds):
+        for i, direction in enumerate(directions):
+            sign = -1.0 if direction == DIRECTIONS[1] else 1.0
+            for j, lift in enumerate(lifts):
+                vertical = ground.vertical if lift == "with" else None
+                for column, driven in ((0, sign), (1, -sign)):
+                    most, top = np.empty(len(blocks)), 0.0
+                    for row, share in enumerate(ratios[:, column].tolist()):
+                        if row == 0 or vertical is not None:
+                            lines = driving(ground.record, driven, share, vertical)
+                            top = max(float(lines.first.max()), float(lines.last.max()))
+                        most[row] = top
+                    with np.errstate(divide="ignore"):
+                        scales = np.where(most > 0.0, limits[:, column] / most, np.inf)
+                    least[:, record, i, j] = np.minimum(least[:, record, i, j], scales)
+    return least
 
 
 def uplift_times(

@@ -1,0 +1,264 @@
+"""What a screen says of an object: a sentence and lines, from the fields of its judgement."""
+
+from typing import Final
+
+import numpy as np
+
+from rocksteady.results.numbers import chance, number, plural, quantity
+from rocksteady.results.stated import Stated, runs_that, share_words
+from rocksteady.risk.assess._judging import Judged
+from rocksteady.risk.counted.band import records_to_show, upper_of_none
+from rocksteady.risk.counted.built_in import ACCURACY
+from rocksteady.risk.counted.count import Count
+from rocksteady.risk.counted.suite import Shaking, Suite, folds, median_fold
+from rocksteady.risk.counted.verdict import LEAST, MARGIN, NEAR, TOO_FAR, Verdict
+
+SAME: Final = 1e-6
+"""Part of a level by which peaks differ that are the same but for rounding."""
+WORDS: Final[dict[Verdict, str]] = {
+    verdict: verdict.replace("-", " ")
+    for verdict in ("green", "red", "stands", "slides", "not-shown", "no-answer")
+}
+"""Verdicts as people read them."""
+
+
+class Screen:
+    """Sentence and lines of an object.
+
+    Parameters
+    ----------
+    judged
+        The object at its demand.
+    target
+        Share that is accepted.
+    friction
+        Lowest friction that is given; None where it is not.
+    demand
+        The demand in words.
+    suite
+        Motions of the ground.
+    on_floor, of_floor
+        Whether they reach it through a floor, and whether they are taken as those of one.
+    """
+
+    def __init__(
+        self,
+        judged: Judged,
+        *,
+        target: float,
+        friction: float | None,
+        demand: str,
+        suite: Suite,
+        on_floor: bool,
+        of_floor: bool,
+    ) -> None:
+        """Keep the fields."""
+        self.judged, self.decision = judged, judged.decision
+        self.target, self.friction, self.demand = target, friction, demand
+        self.built_in, self.copies = suite.built_in, suite.copies
+        self.on_floor, self.of_floor = on_floor, of_floor
+
+    @property
+    def sentence(self) -> str:
+        """The first line."""
+        judged, decision = self.judged, self.decision
+        if decision.verdict == "slides":
+            return f"It slides at {self.demand}: rocking alone is no answer."
+        if judged.stands:
+            lifts = quantity(judged.uplift_g, "g")
+            return f"It stands at {self.demand}: nothing below {lifts} can lift it."
+        if decision.verdict == "no-answer":
+            return f"No answer at {self.demand}: {self._no_answer()}."
+        assert judged.count is not None
+        count, on = judged.count, " on built-in motions" * self.built_in
+        words = share_words(count.falls, count.runs, count.band, count.share)
+        return f"{runs_that('Falls', count.falls, count.runs)} at {self.demand}{on}: {words}."
+
+    def _no_answer(self) -> str:
+        """Return why there is no answer."""
+        reason, count = self.decision.reason, self.judged.count
+        if reason == "too-far":
+            assert self.judged.shaking is not None
+            fold = number(median_of(self.judged), 2)
+            return (
+                f"half of the records are scaled or stretched {fold}-fold or more, "
+                f"{TOO_FAR:g} is the most"
+            )
+        records = 0 if count is None else count.records
+        verb = "has" if records == 1 else "have"
+        what = "a vertical" if reason == "few-vertical" else "an answer"
+        who = plural(records, "record") if records else "no record"
+        return f"{who} {verb if records else 'has'} {what}, {LEAST} are the least"
+
+    @property
+    def lines(self) -> list[Stated]:
+        """The facts below the sentence."""
+        decision = self.decision
+        lines = [Stated(quantity="verdict", text=f"{WORDS[decision.verdict]}: {self._why()}")]
+        if decision.verdict == "no-answer":
+            lines = self._of_no_answer()
+        if decision.verdict == "slides":
+            return [*lines, self._lifts(), self._friction()]
+        if not self.judged.stands:
+            lines += [self._lifts(), self._friction(), *self._records()]
+            return lines
+        return [*lines, self._friction()]
+
+    def _why(self) -> str:
+        """Return what the verdict rests on."""
+        judged, target = self.judged, f"target {self._target}"
+        count, beyond, near = judged.count, judged.beyond, judged.near
+        if self.decision.verdict == "slides":
+            return "its friction is too low for rocking alone"
+        if judged.stands or count is None or beyond is None:
+            return self._by_statics()
+        words = f"{target}; at {MARGIN:g} x this demand {_fall(beyond)}"
+        reason = self.decision.reason
+        if reason == "band" and not count.falls:
+            best = chance(upper_of_none(count.records))
+            words = (
+                f"{plural(count.records, 'record')} show {best} at best, a target of "
+                f"{self._target} takes {records_to_show(self.target)}"
+            )
+        elif reason == "stretched" and near is not None:
+            words = f"{target}; of the {near.records} records stretched less than {NEAR:g}-fold "
+            words += _fall(near)
+        elif reason == "without-answer":
+            words = f"{target}; {plural(count.without, 'run')} without an answer could turn it"
+        elif reason == "built-in":
+            words = "built-in motions are noise with your two peaks"
+        elif reason == "friction":
+            words = f"green if the friction is at least {number(judged.friction.largest)}"
+        return words
+
+    @property
+    def _target(self) -> str:
+        """The target in words."""
+        return f"{number(100.0 * self.target)} %"
+
+    def _by_statics(self) -> str:
+        """Return what statics says, and what of 1.1 times the demand."""
+        beyond, margin = self.judged.beyond, f"{MARGIN:g} x"
+        if self.decision.reason == "cliff-unjudged":
+            return f"stands at this demand, {margin} cannot be judged"
+        if self.decision.reason == "cliff" and beyond is not None:
+            return f"stands at this demand, {_fall(beyond)} at {margin}"
+        return "by statics, without a run"
+
+    def _of_no_answer(self) -> list[Stated]:
+        """Return what is known where there is no answer."""
+        lines = []
+        for name, count in (
+            ("counted", self.judged.count),
+            ("without vertical", self.judged.plain),
+        ):
+            if count is not None and count.records and self.decision.reason != "too-far":
+                words = share_words(count.falls, count.runs, count.band, count.share)
+                share = f"{runs_that('falls', count.falls, count.runs)}: {words}"
+                lines.append(Stated(quantity=name, text=share))
+        return lines
+
+    def _lifts(self) -> Stated:
+        """Return where it lifts."""
+        judged, shaking = self.judged, self.judged.shaking
+        moved = shaking is not None and (self.on_floor or bool(shaking.has_vertical.any()))
+        if moved and shaking is not None and judged.runs is not None:
+            scales = judged.runs["uplift_scale"].values
+            ratio = scales.reshape(scales.shape[0], scales.shape[1], -1).min(axis=2)
+            at = float((ratio / judged.runs["scale"].values).min()) * shaking.level
+            some = f"{judged.lifted} of {len(shaking.motions)} lift it at this demand"
+            return Stated(
+                quantity="lifts at",
+                value=at,
+                unit=shaking.measure.unit + " of ground motion" * self.on_floor,
+                evidence="in the worst record",
+                condition=some,
+            )
+        pga, evidence = None if shaking is None else shaking.demand.pga_g, ""
+        if pga is not None and not self.on_floor:
+            evidence = f"{number(judged.uplift_g / pga, 2)} of this demand"
+        elif shaking is not None and judged.lifted is not None:
+            evidence = f"{judged.lifted} of {len(shaking.motions)} records lift it"
+        unit = "g" + " of motion of its floor" * self.on_floor
+        return Stated(quantity="lifts at", value=judged.uplift_g, unit=unit, evidence=evidence)
+
+    def _records(self) -> list[Stated]:
+        """Return what was done to the motions, and how far that goes."""
+        judged, shaking = self.judged, self.judged.shaking
+        if self.built_in and self.decision.verdict == "no-answer":
+            return []
+        if self.built_in:
+            usual, worst = (number(100.0 * each) for each in ACCURACY)
+            words = f"real records differed by {usual} points on average, {worst} at most"
+            return [Stated(quantity="accuracy", text=words)]
+        if shaking is None or judged.count is None:
+            return []
+        evidence, near = self._stretched(shaking) if shaking.stretched else _scaled(shaking)
+        far = int((np.maximum(folds(shaking.scales), folds(shaking.stretches)) > TOO_FAR).sum())
+        fold = number(median_of(judged), 2)
+        remarks = [
+            near,
+            f"{self.copies:,} more are copies and left out" * bool(self.copies),
+            "taken as motions of the floor" * self.of_floor,
+            f"{far} changed more than {TOO_FAR:g}-fold" * bool(far),
+            f"half are changed {fold}-fold or more: doubtful" * ("far" in self.decision.doubts),
+        ]
+        return [
+            Stated(
+                quantity="records",
+                text=f"{len(shaking.motions):,}",
+                evidence=evidence,
+                condition="; ".join(filter(None, remarks)),
+            )
+        ]
+
+    def _stretched(self, shaking: Shaking) -> tuple[str, str]:
+        """Return how far records were stretched, and the share of those that hardly were."""
+        near = self.judged.near
+        usual, most = (
+            number(fold, 2)
+            for fold in (median_fold(shaking.stretches), float(folds(shaking.stretches).max()))
+        )
+        words = f"stretched in time {usual}-fold ({most} at most)"
+        if near is None:
+            return words, ""
+        some = f"only {near.records} are" if near.records > 1 else "only 1 is"
+        if near.records >= LEAST:
+            some = f"{chance(near.share) if near.falls else 'none'} of the {near.records}"
+        elif not near.records:
+            some = "none is"
+        return words, f"{some} stretched less than {NEAR:g}-fold"
+
+    def _friction(self) -> Stated:
+        """Return the friction that it needs, beside what is given."""
+        need, shaking, worst = number(self.judged.friction.largest), self.judged.shaking, ""
+        if shaking is not None and float(np.ptp(shaking.floor_pga_g)) > SAME * shaking.level:
+            worst = " in the worst record"
+        if self.friction is None:
+            words, known = f"must be at least {need}", "it is not given"
+            return Stated(quantity="friction", text=words + worst, condition=known)
+        known = f"given {number(self.friction)}"
+        return Stated(quantity="friction", text=f"needs {need}{worst}", evidence=known)
+
+
+def _scaled(shaking: Shaking) -> tuple[str, str]:
+    """Return what records were scaled to, and what their other peak is then."""
+    words = f"scaled to {quantity(shaking.level, shaking.measure.unit)}"
+    if shaking.other is None:
+        return words, ""
+    measure, low, high = shaking.other
+    ends = f"{number(low, 2)} to {quantity(high, measure.unit, 2)} (10 to 90 %)"
+    if low == high:
+        ends = quantity(low, measure.unit, 2)
+    return words, f"their {measure.label} is then {ends}"
+
+
+def median_of(judged: Judged) -> float:
+    """Return the median fold of the records' scales or stretches, the larger."""
+    assert judged.shaking is not None
+    return max(median_fold(judged.shaking.scales), median_fold(judged.shaking.stretches))
+
+
+def _fall(count: Count) -> str:
+    """Return a share with its verb."""
+    return f"{chance(count.share)} fall" if count.falls else "none falls"

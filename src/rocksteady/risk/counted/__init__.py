@@ -1,0 +1,1 @@
+"""From counted runs to an answer: motions with the demand's peaks, shares, bands, verdicts."""

@@ -1,0 +1,66 @@
+"""Shares over levels as counted, and the monotone curve through them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rocksteady.arrays import Floats
+from rocksteady.risk.counted.count import Count
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Curve:
+    """Counted shares of a state over levels, and what is known without a run.
+
+    Attributes
+    ----------
+    levels
+        Shape (levels,), rising.
+    counts
+        The count at each level.
+    lifts_at
+        Level at which each run first lifts, sorted, shape (runs,); infinite of one that never does.
+    """
+
+    levels: Floats
+    counts: Sequence[Count]
+    lifts_at: Floats
+
+    @property
+    def shares(self) -> Floats:
+        """Counted share at each level."""
+        return np.array([count.share for count in self.counts])
+
+    @property
+    def steps(self) -> Floats:
+        """Monotone shares at the levels: those nearest to the counted ones."""
+        return monotone(self.shares)
+
+    @property
+    def is_monotone(self) -> bool:
+        """Whether no share is below one at a lower level."""
+        return bool((np.diff(self.shares) >= 0.0).all())
+
+    def lifting(self, level: ArrayLike) -> Floats:
+        """Return the share of the runs that lift at some levels, exactly."""
+        at = np.asarray(level, dtype=np.float64)
+        return np.asarray(np.searchsorted(self.lifts_at, at, side="left") / len(self.lifts_at))
+
+    def at(self, level: ArrayLike) -> Floats:
+        """Return the share at some levels, on straight lines over the logarithm of the level.
+
+        Below the lowest level that lifts it is 0, and above no level more than lift there; beyond
+        the last level it is that of the last.
+        """
+        at = np.asarray(level, dtype=np.float64)
+        flat = np.interp(np.log(at), np.log(self.levels), self.steps, left=0.0)
+        return np.asarray(np.minimum(flat, self.lifting(at)))
+
+
+def monotone(shares: Floats) -> Floats:
+    """Return the rising values nearest to some shares, by their squares."""
+    from scipy.optimize import isotonic_regression
+
+    return np.asarray(isotonic_regression(shares).x)
