@@ -1,9 +1,10 @@
 """
-How likely does this cabinet fall?
-==================================
+How often does this cabinet fall?
+=================================
 
-Runs of a cabinet under thirty motions: the share that falls at each level of intensity, the curve
-through them, and the demand at which it was assessed. See :doc:`/guides/objects`.
+Runs of a cabinet under thirty motions that all have the peaks of the demand, and the same at other
+levels. The share that falls at the demand and at 1.1 times it stands above, beside what is
+accepted. See :doc:`/guides/objects`.
 """
 
 import rocksteady as rs
@@ -11,11 +12,9 @@ import rocksteady as rs
 cabinet = rs.risk.DescribedObject(
     values={
         "name": "cabinet",
-        "geometry": {"width_m": 0.4, "height_m": 1.8},
-        "demand": {"pga_g": 0.4, "pgv_m_s": 0.5},
-        "assessment": {"draws": 2, "replicates": 100},
+        "geometry": {"width_m": 0.45, "height_m": 1.8},
+        "demand": {"pga_g": 0.35, "pgv_m_s": 0.4},
     }
 )
 found = rs.assess_object(cabinet, rs.motions.make_synthetic_suite(30))
 ax = rs.plots.assessment(found)
-ax.set_title(f"{100.0 * found.probability:.0f} % at the demand: {found.verdict}")

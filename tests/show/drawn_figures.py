@@ -33,7 +33,7 @@ from rocksteady.measures import compute_response_spectrum, compute_suite_spectru
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.orbits import compute_region_map, compute_steady_orbit
-from rocksteady.risk import FitOptions, RestitutionBand
+from rocksteady.risk import RestitutionBand
 from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.figures.risk import fragility_figure
 from rocksteady.show.figures.single import (
@@ -144,9 +144,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         sampling=SamplingOptions(angles=window, velocities=window, seed=1),
     )
     free = simulate(BLOCK, Still(), start=State(angle=0.8, velocity=0.0), model=Linear())
-    fallen = compute_fragility(
-        BLOCK, suite, restitution=RestitutionBand(draws=1), fitting=FitOptions(bands=None)
-    )
+    fallen = compute_fragility(BLOCK, suite, restitution=RestitutionBand(draws=1))
     return {
         "simulation": lambda page: simulation_figure(rocking(), TITLE, page),
         "free": lambda page: simulation_figure(free, TITLE, page),

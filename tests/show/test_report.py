@@ -126,8 +126,7 @@ def test_the_page_may_fetch_and_run_nothing(page: str) -> None:
 
 def roles(inks: Inks) -> dict[str, str]:
     """Colours of a page by the names of their properties."""
-    steps = {f"risk-{step}": colour for step, colour in enumerate(inks.risk_ramp)}
-    return {role.replace("_", "-"): getattr(inks, role) for role in ROLES} | steps
+    return {role.replace("_", "-"): getattr(inks, role) for role in ROLES}
 
 
 def test_every_colour_of_the_page_is_one_of_the_tokens_on_both_papers(page: str) -> None:

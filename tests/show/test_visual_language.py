@@ -34,14 +34,14 @@ MEANS = {
     ("area", "aperiodic"): "aperiodic",
     ("area", "risk_ramp"): "|predicted|to of runs fall",
     ("line", "base"): "hazard|horizontal|vertical|.* spectrum",
-    ("line", "risk"): "probability of falling|falls( given uplift)?|one curve median|",
+    ("line", "risk"): "probability of falling|",
     ("band", "risk"): "middle of the risk|rate of falling by intensity not to scale",
     ("dot", "impact"): "impacts?|after an impact",
     ("dot", "observed"): "fell|share .*|release|rests|saddle.*|chosen|stable|falls to .*",
     ("line", "motion"): "capacity a d|mean|not identified|score band|stable manifold|integrity .*"
     "|global integrity .*|(positive|negative) kick|branch .*",
-    ("text", "risk"): "|fitted curve.*",
-    ("text", "limit"): "(tipping angle|half fall at|lifts off|uplift at|as predicted|even chance"
+    ("text", "risk"): "|● falls|lognormal median|logistic median",
+    ("text", "limit"): "(tipping angle|lifts off|as predicted|even chance"
     "|housner|fold|symmetry breaks|period doubles|doubles again)",
 }
 """What an entry of a legend, or a label, says that has the mark and the colour of a role."""

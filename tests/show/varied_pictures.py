@@ -156,26 +156,25 @@ def _risks(t: dict[str, Any]) -> dict[str, Callable[[], Any]]:
         )
         for name, (width, height) in {"vase": (0.12, 0.5), "chest": (0.9, 1.1)}.items()
     ]
-    several = rs.assess_objects(objects, [t["record"], shock("other")], pga_g=0.4, pgv_m_s=0.5)
+    eleven = rs.motions.make_synthetic_suite(11)
+    several = rs.assess_objects(objects, eleven, pga_g=0.4, pgv_m_s=0.5)
     names = ("boundary", "quick", "screen", "branch test")
     drawn: dict[str, Callable[[], Any]] = {
         f"rows of {name}": partial(plots.rows, t[name]) for name in names
     }
     at, fell = np.geomspace(0.1, 1.0, 6), [0, 2, 9, 14, 19, 20]
-    bands = rs.risk.BandOptions(replicates=100)
-    one = rs.risk.fit_curve(at, fell, [20] * 6, bands=bands, within=(0.1, 1.0))
-    logistic = rs.risk.fit_curve(at, fell, [20] * 6, family="logistic", bands=bands)
+    logistic = rs.risk.fit_curve(at, fell, [20] * 6, family="logistic")
+    step = rs.risk.fit_curve([0.1, 0.2, 0.3, 0.4], [0, 0, 20, 20], [20] * 4)
     suite = [shock("weak", 0.3), shock("once"), shock("a record with a long name indeed", 3.0)]
     return drawn | {
-        "curve with a band": partial(plots.fragility, one),
-        "logistic curve with a band": partial(plots.fragility, logistic),
+        "logistic curve": partial(plots.fragility, logistic),
+        "step of a curve": partial(plots.fragility, step),
+        "one state": partial(plots.fragility, t["state_fragility"]),
         "scales of three": partial(
             plots.overturning_scales,
             rs.find_overturning_scales(BLOCK, suite, within=(0.2, 6.0)),
         ),
-        "tornado of chances": partial(plots.tornado, rows, 0.00126),
+        "tornado of rates": partial(plots.tornado, rows, 0.00126, label="falls a year"),
         "objects": partial(plots.objects, several),
-        "two stages": partial(plots.fragility, t["two_stages"]),
-        "states of two stages": partial(plots.fragility_states, t["two_stages"]),
         "hazards": partial(plots.hazard_curve, [t["hazard"], t["hazard"]]),
     }

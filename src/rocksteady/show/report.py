@@ -25,7 +25,7 @@ ROLES = (
     *("page", "paper", "ink", "quiet", "edge", "hair"),
     *("verdict_red", "verdict_amber", "verdict_green"),
 )
-"""Colours of a page, each of which is a CSS property beside the five steps of the risk."""
+"""Colours of a page, each of which is a CSS property."""
 
 FINER = re.compile(rb"(?<!scale\()(\b\d+\.\d\d)\d{2,}")
 """Digits of places in a drawing below a hundredth of a point, a tenth of its bytes."""
@@ -150,9 +150,7 @@ def properties(inks: Inks) -> str:
     >>> properties(LIGHT).startswith(f"--page: {LIGHT.page}; ")
     True
     """
-    colours = {role: getattr(inks, role) for role in ROLES}
-    colours |= {f"risk_{step}": colour for step, colour in enumerate(inks.risk_ramp)}
-    parts = (f"--{role.replace('_', '-')}: {colour}" for role, colour in colours.items())
+    parts = (f"--{role.replace('_', '-')}: {getattr(inks, role)}" for role in ROLES)
     return "; ".join(parts) + ";"
 
 

@@ -3,12 +3,10 @@
 import csv
 import hashlib
 import json
-import math
-import re
-import xml.etree.ElementTree as ET
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
+import numpy as np
 import pytest
 
 from rocksteady import durable
@@ -16,18 +14,14 @@ from rocksteady.errors import OutputError
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import DescribedObject
-from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.seismic.measures.scalar import Measure, compute_measure
 from rocksteady.show.assessment import folder as module
 from rocksteady.show.assessment.folder import write_assessment
-from tests.every import every
 from tests.outputs import unrendered
 from tests.show.assessment.pages import drawn_once
 
 SUITE = make_synthetic_suite(11)
-FILES = [
-    "fragility.csv", "fragility.json", "fragility.xml", "fragility_peaks.xml", "report.html",
-    "results.csv", "run.json",
-]  # fmt: skip
+FILES = ["fragility.csv", "report.html", "results.csv", "run.json"]
 ALONE = ["report.html", "run.json"]
 """Files of an object that slides."""
 
@@ -38,13 +32,10 @@ def described(friction: float) -> DescribedObject:
             "name": "Büste, 3 (Saal)",
             "friction": friction,
             "geometry": {"width_m": 0.34, "height_m": 1.8},
-            "demand": {"pga_g": 0.4, "pgv_m_s": 0.3, "place": "floor"},
-            "assessment": {
-                "damage_states": ["overturned"], "draws": 2, "levels": 6, "replicates": 0,
-                "target_probability": 0.9,
-            },
+            "demand": {"pga_g": 0.4, "pgv_m_s": 0.3},
+            "assessment": {"damage_states": ["overturned"], "draws": 2},
         }
-    )  # fmt: skip
+    )
 
 
 @pytest.fixture(scope="module", name="rocking")
@@ -77,59 +68,41 @@ def _out(rocking: Assessment, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return write_whole(rocking, tmp_path_factory.mktemp("whole"))
 
 
-@pytest.mark.slow
-def test_every_file_is_there_and_reads_back(rocking: Assessment, out: Path) -> None:
-    assert rocking.fragility is not None
-    with (out / "results.csv").open(encoding="utf-8", newline="") as stream:
-        rows = list(csv.DictReader(stream))
-    assert len(rows) == rocking.fragility.ensemble["status"].size
-    # Of a symmetric block the reversed record gives the mirror image: a row, and no trial.
-    fell = sum(
-        row["status"] == "overturned" for row in rows if row["direction"] == rows[0]["direction"]
-    )
-    assert fell == rocking.fragility.state("overturned").plain.failures
+def rows_of(file: Path) -> list[dict[str, str]]:
+    with file.open(encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
 
+
+def test_the_manifest_has_the_answer_and_the_hashes_of_all_that_went_in(
+    rocking: Assessment, out: Path
+) -> None:
     values = json.loads((out / "run.json").read_text(encoding="utf-8"))
     assert values["command"] == "rocksteady assess x"
     assert values["files"][0]["sha256"] == hashlib.sha256(b"name = 'x'").hexdigest()
     samples = SUITE[0].acceleration_m_s2.astype("<f8").tobytes()
     assert values["records"][0]["sha256"] == hashlib.sha256(samples).hexdigest()
     assert len(values["records"]) == len(SUITE)
-    assert values["settings"]["answer"]["probability"] == rocking.probability
+    assert values["settings"]["answer"]["share"] == rocking.share
     assert values["settings"]["object"]["values"]["geometry"]["width_m"] == 0.34
 
 
-@pytest.mark.slow
-def test_curves_are_in_metres_a_second_for_pelicun_and_centimetres_for_openquake(
+def test_each_run_has_the_factors_that_give_its_record_the_peaks_of_its_level(
     rocking: Assessment, out: Path
 ) -> None:
-    with (out / "fragility.csv").open(encoding="utf-8", newline="") as stream:
-        row, peaks = csv.DictReader(stream)
-    assert peaks["ID"] == f"{row['ID']}.peaks"
+    """A scaled and stretched record has the PGA of the level, and the PGV that goes with it."""
     assert rocking.fragility is not None
-    curve = rocking.fragility.state("overturned").curve  # over PGV, of the runs that lift
-    assert isinstance(curve, FragilityCurve)
-    assert row["Demand-Type"] == "Peak Floor Velocity"
-    assert row["Demand-Directional"] == "1"
-    assert float(row["LS1-Theta_0"]) == pytest.approx(curve.median, rel=1e-9)
-    assert float(row["LS1-Theta_1"]) == pytest.approx(curve.beta, rel=1e-9)
-    assert re.fullmatch(r"RS\.[A-Za-z0-9_.]+", row["ID"])
-    root = ET.fromstring((out / "fragility.xml").read_text(encoding="utf-8"))
-    space = {"n": "http://openquake.org/xmlns/nrml/0.5"}
-    imls = root.find(".//n:imls", space)
-    params = root.find(".//n:params", space)
-    assert imls is not None
-    assert params is not None
-    assert imls.attrib["imt"] == "PGV"
-    mean = 100.0 * curve.median * math.exp(0.5 * curve.beta**2)
-    assert float(params.attrib["mean"]) == pytest.approx(mean, rel=1e-9)
-
-
-@pytest.mark.slow
-def test_the_description_for_loss_tools_names_the_object_once_a_component(out: Path) -> None:
-    for name, count in (("fragility.json", 2), ("fragility.xml", 1), ("fragility_peaks.xml", 1)):
-        text = (out / name).read_text(encoding="utf-8")
-        assert len(re.findall(r"B(?:ü|\\u00fc)ste, 3 \(Saal\)", text)) == count, name
+    rows = rows_of(out / "results.csv")
+    assert len(rows) == rocking.fragility.runs
+    motions = {each.name: each for each in SUITE}
+    for row in rows[:: len(rows) // 40]:
+        motion, level = motions[row["record"]], float(row["level"])
+        scaled = float(row["scale"]) * motion.acceleration_m_s2 / 9.80665
+        assert np.abs(scaled).max() == pytest.approx(level, rel=1e-9)
+        stretched = replace(
+            motion.scaled(float(row["scale"])), dt_s=float(row["stretch"]) * motion.dt_s
+        )
+        pgv = compute_measure(stretched, Measure("pgv_m_s"))
+        assert pgv == pytest.approx(level * 0.3 / 0.4, rel=1e-6)
 
 
 @pytest.mark.slow
@@ -148,11 +121,11 @@ def test_an_object_that_slides_leaves_its_inputs_alone(
     out = tmp_path / "answer"
     with unrendered(), drawn_once():
         write_assessment(rocking, out)
-    with pytest.raises(OutputError, match=r"it holds fragility\.csv and 6 more; add --force"):
+    with pytest.raises(OutputError, match=r"it holds fragility\.csv and 3 more; add --force"):
         write_assessment(sliding, out)
     assert names(out) == FILES
     write_assessment(sliding, out, force=True)
-    assert names(out) == ALONE, "no curve of another answer stays behind"
+    assert names(out) == ALONE, "no table of another answer stays behind"
     values = json.loads((out / "run.json").read_text(encoding="utf-8"))
     assert values["settings"]["answer"]["verdict"] == "slides"
 
@@ -201,7 +174,7 @@ def test_what_fails_leaves_nothing_half_written(
     def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(module, "write_openquake", full)
+    monkeypatch.setattr(module, "write_manifest", full)
     with pytest.raises(OutputError, match="No space left"):
         write_assessment(rocking, tmp_path / "answer")
     assert not (tmp_path / "answer").exists()
@@ -241,29 +214,3 @@ def test_a_full_disk_is_reported_with_the_folder_of_the_answer(
         write_assessment(sliding, tmp_path / "answer")
     assert "partial-" not in str(refusal.value)
     assert not (tmp_path / "answer").exists()
-
-
-@pytest.mark.slow
-@every("states", [None, ["uplift"]])
-def test_any_damage_states_make_a_folder_with_both_components(
-    states: list[str] | None, tmp_path: Path
-) -> None:
-    """Those of an object that names none are four, and the cut at a ratio of peaks has the last."""
-    options: dict[str, Any] = {
-        "draws": 2, "levels": 6, "replicates": 0, "target_probability": 0.9,
-    }  # fmt: skip
-    if states is not None:
-        options["damage_states"] = states
-    values: dict[str, Any] = {**described(0.5).values, "assessment": options}
-    found = assess_object(DescribedObject(values=values), SUITE)
-    out = tmp_path / "answer"
-    with unrendered(), drawn_once():
-        write_assessment(found, out)
-    assert names(out) == FILES
-    with (out / "fragility.csv").open(encoding="utf-8", newline="") as stream:
-        rows = [row["ID"] for row in csv.DictReader(stream)]
-    assert rows == ["RS.Buste_3_Saal", "RS.Buste_3_Saal.peaks"]
-    for file, identifier in zip(("fragility.xml", "fragility_peaks.xml"), rows, strict=True):
-        root = ET.fromstring((out / file).read_text(encoding="utf-8"))
-        (function,) = root.iter("{http://openquake.org/xmlns/nrml/0.5}fragilityFunction")
-        assert function.attrib["id"] == identifier

@@ -1,18 +1,22 @@
 """The page of a table of objects: every object, every order, and no script."""
 
 import re
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.results.numbers import chance, number
+from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
 from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.export.manifest import make_manifest
+from tests.outputs import unrendered
 from tests.show.assessment.pages import Page, check_alone
 
+SUITE = make_synthetic_suite(11)
 SIZES = {
     "vase": (0.12, 0.5, None),
     "Chest": (0.9, 1.1, None),
@@ -29,7 +33,10 @@ def _table() -> ObjectsTable:
         objects.append(
             DescribedObject(values=values | ({} if friction is None else {"friction": friction}))
         )
-    return assess_objects(objects, make_synthetic_suite(4), pga_g=0.4, pgv_m_s=0.5)
+    objects += [
+        replace(objects[0], values={**objects[0].values, "name": f"twin {k}"}) for k in "ab"
+    ]
+    return assess_objects(objects, SUITE, pga_g=0.4, pgv_m_s=0.5)
 
 
 @pytest.fixture(scope="module", name="html")
@@ -45,48 +52,85 @@ def test_it_runs_and_fetches_nothing(html: str) -> None:
     assert "rocksteady assess objects.csv" in page.text
 
 
-def test_every_object_has_its_figures_and_its_sentence(table: ObjectsTable, html: str) -> None:
-    text = Page(html).text
-    for row in table.rows:
-        assert row["name"] in text
-        assert row["sentence"] in text
+def kinds_of(html: str) -> str:
+    """Return the text of the table of kinds."""
+    return Page(html).text.partition("friction needed")[2].partition("All objects")[0]
+
+
+def test_every_kind_has_one_row_with_its_figures_and_its_sentence(
+    table: ObjectsTable, html: str
+) -> None:
+    text = kinds_of(html)
+    assert len(table.kinds) == len(SIZES)
+    for row, count in table.kinds:
+        assert text.count(row["sentence"]) == 1
         assert number(row["uplift_pga_g"]) in text
-        if row["probability"] is not None and 1e-4 < row["probability"] < 0.999:
-            assert chance(row["probability"]) in text
+        assert (count == 3) == (f"{row['name']} and 2 alike" in text)
+        if row["by"] == "runs":
+            share = "all" if row["fall"] == row["runs"] else chance(row["share"])
+            assert f"{share if row['fall'] else 'none'}" in text
+    assert "twin" not in text
 
 
-def test_rows_stand_by_probability_those_without_one_last(table: ObjectsTable, html: str) -> None:
-    text = Page(html).text
-    places = {row["name"]: text.index(row["sentence"]) for row in table.rows}
-    shares = {row["name"]: row["probability"] for row in table.rows}
-    ranked = sorted(places, key=places.__getitem__)
-    known = [shares[name] for name in ranked if shares[name] is not None]
-    assert known == sorted(known, reverse=True)
-    assert shares[ranked[-1]] is None
-    assert ranked[-1] == "plank"
+def test_every_object_has_a_row_with_the_verdict_of_its_kind(
+    table: ObjectsTable, html: str
+) -> None:
+    part = Page(html).text.partition("2All objects")[2].partition("3What the answers")[0]
+    places = [part.index(row["name"]) for row in table.worst]
+    assert places == sorted(places)
+    words = re.findall(r"red|green|stands|slides|not shown|no answer", part)
+    assert words == [row["verdict"].replace("-", " ") for row in table.worst]
 
 
-def test_each_order_gives_each_row_a_place(table: ObjectsTable, html: str) -> None:
+def test_objects_that_are_all_different_are_listed_once(table: ObjectsTable) -> None:
+    few = replace(table, rows=table.rows[: len(SIZES)])
+    text = Page(report_html(few, make_manifest())).text
+    assert "All objects" not in text
+    assert "alike" not in text
+
+
+def test_each_order_gives_each_kind_a_place(table: ObjectsTable, html: str) -> None:
     styles = [each["style"] for each in Page(html).of("tr") if "style" in each]
     assert len(styles) == len(SIZES)
-    rows = table.sorted_by("probability")
-    for key in ("probability", "uplift_pga_g", "name"):
+    rows = [row for row, _ in table.kinds]
+    for key in ("verdict", "share", "uplift_pga_g", "name"):
         places = [int(re.search(rf"--{key}:(\d+)", style)[1]) for style in styles]  # type: ignore[index]
         assert sorted(places) == [*range(len(SIZES))]
         values = [rows[places.index(place)][key] for place in range(len(SIZES))]
-        if key == "uplift_pga_g":
-            assert values == sorted(values)
+        known = [value for value in values if value is not None]
+        if key == "verdict":
+            assert places == sorted(places)
         elif key == "name":
             assert values == ["<b>rack</b>", "Chest", "plank", "vase"]
+        else:
+            assert known == sorted(known, reverse=key == "share")
+            assert values[: len(known)] == known, "rows without a value come last"
         assert f"main:has(#by-{key}:checked)" in html
 
 
-def test_colours_come_with_their_words(table: ObjectsTable, html: str) -> None:
-    words = {"red": "high", "amber": "raised", "green": "low", "grey": "no answer"}
-    text = Page(html).text
-    for row in table.rows:
-        assert words[row["colour"]] in text
-    assert html.count('class="badge') >= len(SIZES)
+def test_a_page_of_floors_has_their_plan_and_names_them() -> None:
+    house = Building.of_first_mode("house", storeys=2, period_s=0.3)
+    vase = {"geometry": {"width_m": 0.12, "height_m": 0.5}}
+    objects = [
+        DescribedObject(values={"name": f"vase {k}", "floor": floor, "building": "house"} | vase)
+        for k, floor in enumerate((2, 2, 0))
+    ]
+    table = assess_objects(objects, SUITE, buildings=[house], pga_g=0.3, pgv_m_s=0.4)
+    with unrendered():
+        page = Page(report_html(table, make_manifest()))
+    assert len(page.of("img")) == 1
+    part = page.text.partition("2All objects")[2]
+    assert part.count("house, floor 2") == 2
+    assert part.count("house, ground") == 1
+
+
+def test_verdicts_are_counted_in_words(table: ObjectsTable, html: str) -> None:
+    page = Page(html)
+    head = page.text.partition("Contents")[0]
+    for verdict, count in table.verdicts.items():
+        assert f"{verdict.replace('-', ' ')}{count}" in head
+    looks = [part["class"] for part in page.of("span") if "badge" in part.get("class", "")]
+    assert len(looks) == len(table.verdicts) + len(SIZES) + len(table.rows)
 
 
 def test_the_same_table_gives_the_same_bytes(table: ObjectsTable, html: str) -> None:

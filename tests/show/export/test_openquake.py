@@ -144,22 +144,22 @@ def test_what_is_cut_off_is_a_millionth(tmp_path: Path) -> None:
     assert 1.0 > function("overturned", 1e9) > 1.0 - 2e-6
 
 
-def test_points_hold_a_curve_in_two_stages(tmp_path: Path) -> None:
-    def two_stages(level: Any) -> Any:
+def test_points_hold_any_curve(tmp_path: Path) -> None:
+    def product(level: Any) -> Any:
         level = np.maximum(level, 1e-300)
         return stats.norm.cdf(np.log(level / 0.2) / 0.1) * stats.norm.cdf(np.log(level / 0.4) / 0.5)
 
-    made = component(LossState(name="overturned", curve=two_stages), measure="pgv_m_s")
+    made = component(LossState(name="overturned", curve=product), measure="pgv_m_s")
     file = write_openquake(tmp_path / "a.xml", [made])
     function = read(file)[2]["RS.vase"]
     levels, poes = function.points["overturned"]
-    np.testing.assert_allclose(poes, two_stages(levels / 100.0), rtol=1e-12)
+    np.testing.assert_allclose(poes, product(levels / 100.0), rtol=1e-12)
     assert (np.diff(levels) > 0.0).all()
     assert 0.0 < function.limit < levels[0]
     assert poes[0] < 2e-6
     assert poes[-1] > 1.0 - 2e-5
     for level in np.geomspace(10.0, 200.0, 300):
-        assert function("overturned", level) == pytest.approx(two_stages(level / 100.0), abs=1e-3)
+        assert function("overturned", level) == pytest.approx(product(level / 100.0), abs=1e-3)
 
 
 def test_a_step_is_points_and_what_does_not_rise_from_0_to_1_is_refused(tmp_path: Path) -> None:
@@ -200,7 +200,7 @@ def test_curves_that_cross_are_remarked_on(tmp_path: Path) -> None:
     assert "The curve of 'overturned' is up to" in description
     apart = [LossState(name="uplift", median=0.2, beta=0.5), falls(0.6, 0.5)]
     *_, description = read(write_openquake(tmp_path / "a.xml", [component(*apart)]))
-    assert "raw fits" not in description
+    assert "forced apart" not in description
 
 
 @given(text=st.text(max_size=60))

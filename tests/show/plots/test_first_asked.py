@@ -2,7 +2,6 @@
 
 import math
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +13,7 @@ from matplotlib.patches import Rectangle
 import rocksteady as rs
 from rocksteady.errors import InputError
 from rocksteady.outcomes import Status
-from rocksteady.risk import DescribedObject, HazardCurve
+from rocksteady.risk import HazardCurve
 from rocksteady.show.style.tokens import LIGHT
 from tests.every import every
 
@@ -29,56 +28,6 @@ def axes() -> Axes:
 def words(drawn: Axes) -> list[str]:
     """Return the texts beside what is drawn."""
     return [text.get_text() for text in drawn.texts]
-
-
-# ------------------------------------------------------------------------------------- objects
-
-
-@pytest.fixture(scope="module", name="table")
-def _table() -> rs.risk.ObjectsTable:
-    sizes = {"bottle": (0.08, 0.3), "vase": (0.14, 0.5), "shelf": (0.35, 1.6), "chest": (0.9, 1.1)}
-    bodies: list[dict[str, Any]] = [
-        {"name": name, "geometry": {"width_m": b, "height_m": h}} for name, (b, h) in sizes.items()
-    ]
-    bodies.append({"name": "box", "geometry": {"width_m": 0.2, "height_m": 1.0}, "friction": 0.1})
-    return rs.assess_objects(
-        [DescribedObject(values=values) for values in bodies],
-        rs.motions.make_synthetic_suite(6),
-        pga_g=0.35,
-        pgv_m_s=0.4,
-    )
-
-
-def test_bars_are_probabilities_the_worst_on_top_in_steps_of_the_ramp(
-    table: rs.risk.ObjectsTable,
-) -> None:
-    drawn = table.plot(axes())
-    names = [label.get_text() for label in drawn.get_yticklabels()]
-    assert names == [row["name"] for row in table.worst]
-    with_bars = [row for row in table.worst if row["probability"]]
-    assert [bar.get_width() for bar in drawn.patches] == [row["probability"] for row in with_bars]
-    for bar in drawn.patches:
-        assert isinstance(bar, Rectangle)
-        step = min(int(5 * bar.get_width()), 4)
-        assert to_hex(bar.get_facecolor()) == LIGHT.risk_ramp[step]
-    low, high = drawn.get_xlim()
-    assert low == 0.0
-    assert 1.0 <= high < 1.05
-    said = words(drawn)
-    assert any("above target" in text for text in said)
-    assert "stands" in said
-    assert "slides" in said
-    assert "target 10 %" in said
-
-
-def test_of_many_objects_the_worst_are_drawn_and_the_others_counted(
-    table: rs.risk.ObjectsTable,
-) -> None:
-    drawn = table.plot(axes(), most=2)
-    assert len(drawn.get_yticklabels()) == 2
-    assert "target 10 %; 3 more objects below" in words(drawn)
-    with pytest.raises(InputError, match="most"):
-        table.plot(axes(), most=0)
 
 
 # ------------------------------------------------------------------------------------- screens
@@ -238,15 +187,13 @@ def test_attractors_are_counted_by_kind() -> None:
 
 
 @pytest.mark.parametrize("width", [3.3, 6.4])
-def test_no_text_is_cut_off(table: rs.risk.ObjectsTable, width: float) -> None:
+def test_no_text_is_cut_off(width: float) -> None:
     screens = rs.screen_block(CABINET, rs.Demand(pga_g=0.35, pgv_m_s=0.4), friction=0.4)
-    for drawing in (table.plot, screens.plot):
-        figure = Figure(figsize=(width, 2.6), layout="constrained")
-        drawn = drawing(figure.add_subplot())
-        figure.draw_without_rendering()
-        box = figure.bbox
-        for text in (*drawn.texts, *drawn.get_yticklabels()):
-            if text.get_text():
-                extent = text.get_window_extent()
-                assert extent.x0 >= box.x0 - 1.0, text
-                assert extent.x1 <= box.x1 + 1.0, text
+    figure = Figure(figsize=(width, 2.6), layout="constrained")
+    drawn = screens.plot(figure.add_subplot())
+    figure.draw_without_rendering()
+    for text in (*drawn.texts, *drawn.get_yticklabels()):
+        if text.get_text():
+            extent = text.get_window_extent()
+            assert extent.x0 >= figure.bbox.x0 - 1.0, text
+            assert extent.x1 <= figure.bbox.x1 + 1.0, text

@@ -15,7 +15,6 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 import rocksteady as rs
-from rocksteady.risk.fragility.fit_fragility import peaks_and_shares
 from tests.every import every
 from tests.public.things import things
 from tools.namespace import THINGS
@@ -117,6 +116,11 @@ def fallen_by_level(fragility: rs.risk.Fragility) -> np.ndarray:
     return np.asarray(fell.mean([name for name in fell.dims if name != "level"]))
 
 
+def bands_of(fragility: rs.risk.Fragility) -> np.ndarray:
+    """Return both ends of the interval of each share that falls."""
+    return np.array([[row["low"], row["high"]] for row in fragility.states[-1].rows])
+
+
 def residuals(t: dict[str, Any]) -> list[float]:
     """Return how many more tests of a record fell than the probabilities expect."""
     rows: dict[str, float] = {}
@@ -160,7 +164,13 @@ CASES: dict[str, Case] = {
     ),
     "plot_assessment": lambda t: (
         {"assessment": t["assessed runs"]},
-        [[0.3, 0.3], fallen_by_level(t["assessed runs"].fragility)],
+        [
+            [t["assessed runs"].judged.shaking.level],
+            [1.1 * t["assessed runs"].judged.shaking.level],
+            [t["assessed runs"].target],
+            fallen_by_level(t["assessed runs"].fragility),
+            bands_of(t["assessed runs"].fragility),
+        ],
     ),
     "plot_basin_entropies": lambda t: (
         {"entropies": t["shares"].entropies(3)},
@@ -266,12 +276,12 @@ CASES: dict[str, Case] = {
     ),
     "plot_fate_basins": lambda t: ({"fates": t["fates"]}, [t["fates"].still_safe]),
     "plot_fragility": lambda t: (
-        {"fragility": t["fragility_curve"]},
-        [[1 / 15, 9 / 15, 14 / 15], *[wilson(np.array([1.0, 9.0, 14.0]) / 15.0, 15.0)]],
-    ),
-    "plot_fragility_states": lambda t: (
         {"fragility": t["fragility"]},
-        [[fallen_by_level(t["fragility"]).max()]],
+        [t["levels"].levels, fallen_by_level(t["fragility"]), bands_of(t["fragility"])],
+    ),
+    "plot_fragility curve": lambda t: (
+        {"fragility": t["fragility_curve"]},
+        [[1 / 15, 9 / 15, 14 / 15], [0.2, 0.4, 0.8]],
     ),
     "plot_free_rocking": lambda _: (
         {"restitutions": [0.8], "impacts": 3},
@@ -341,14 +351,6 @@ CASES: dict[str, Case] = {
         {"predictions": t["predictions"]},
         [[p] for p in t["predictions"].p.tolist()],
     ),
-    "plot_fragility_surface": lambda t: (
-        {"fragility": t["fragility of two"], "pga_g": 0.4, "pgv_m_s": 0.5},
-        [[0.4], [0.5], *peaks_and_shares(t["fragility"])[0].T.tolist()],
-    ),
-    "plot_measure_efficiency": lambda t: (
-        {"fragility": t["fragility"]},
-        [[each.aic - t["fragility"].ranking[0].aic for each in t["fragility"].ranking]],
-    ),
     "plot_steady_regions": lambda t: (
         {"curves": t["regions"]},
         [t["regions"].existence, t["regions"].kind, t["regions"].sign],
@@ -411,6 +413,13 @@ CASES: dict[str, Case] = {
             )["EN 1998-1"],
         ],
     ),
+    "plot_objects": lambda t: (
+        {"table": t["objects"]},
+        [
+            [row["share"] for row in t["objects"].rows],
+            *([row["low"], row["high"]] for row in t["objects"].rows),
+        ],
+    ),
     "plot_plan": lambda t: ({"table": t["on floors"]}, [[0.0], [0.0, 0.5]]),
     "plot_suite_spectrum": lambda t: (
         {"summary": t["summary"]},
@@ -456,9 +465,7 @@ def test_a_picture_holds_the_numbers_of_its_result(name: str, t: dict[str, Any])
         assert_drawn(axes, values, f"{name}, {place}")
 
 
-FIRST_ASKED = (
-    *("objects", "screens", "hazard_curve", "neighbours", "steady_states", "attractor_kinds"),
-)
+FIRST_ASKED = ("screens", "hazard_curve", "neighbours", "steady_states", "attractor_kinds")
 """Pictures that `test_first_asked` reads back."""
 
 

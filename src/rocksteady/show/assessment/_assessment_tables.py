@@ -2,24 +2,14 @@
 
 import math
 from collections.abc import Mapping
-from typing import Any
+from dataclasses import replace
+from typing import Any, Final
 
-from rocksteady.model.checks.confidence import CONFIDENCE
-from rocksteady.results.numbers import (
-    angle,
-    chance,
-    force_words,
-    interval,
-    length,
-    number,
-    quantity,
-)
+from rocksteady.results.numbers import angle, chance, length, number, quantity
+from rocksteady.results.stated import band_words
 from rocksteady.risk.assess.assessment import Assessment
-from rocksteady.risk.assess.demand_in_units import PEAKS, unit_of
-from rocksteady.risk.ensemble.gates import GIVEN_UPLIFT
-from rocksteady.risk.ensemble.qualification import OF_ROCKING, rocking_words
-from rocksteady.risk.fits.fragility_curve import FragilityCurve
-from rocksteady.risk.fits.two_stages import TwoStageCurve
+from rocksteady.risk.assess.described.objects import key_words
+from rocksteady.risk.counted.verdict import MARGIN
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
 from rocksteady.risk.screens.friction import least_gravity_g
@@ -35,123 +25,149 @@ from rocksteady.show.style.markup import (
     quiet,
     under,
 )
-from rocksteady.show.style.wording import NOTHING, greek, key_words, span, state_words
+from rocksteady.show.style.wording import (
+    BADGES,
+    NOTHING,
+    greek,
+    sentence,
+    span,
+    state_words,
+)
 
-STATUS = {
-    "fitted": "fitted",
-    "separated": "a step",
-    "never": "none",
-    "always": "all",
-    "not-rising": "no curve",
-}
-"""Status of a curve in a word."""
-PASSES = {True: badge("passes", "green"), False: badge("does not pass", "red"), None: ""}
-CONFIRMED = {True: badge("confirmed", "green"), False: badge("not confirmed", "open")}
-SYNTHETIC = "synthetic "
-"""What the names of made motions begin with."""
+PASSES = {True: badge("passes", "plain"), False: badge("does not pass", "plain"), None: ""}
+"""Verdicts of formulas; the colours are those of the answer."""
+FURTHER: Final = ("qualification", "base_force_kn")
+"""Keys of what the runs at the demand give beside their share."""
+
+
+def verdict_words(assessment: Assessment) -> str:
+    """Return what the verdict rests on; empty of no answer, whose sentence says it."""
+    for line in assessment.lines:
+        if line.quantity == "verdict":
+            word = BADGES[assessment.decision.verdict][0]
+            return sentence(greek(line.words.removeprefix(f"{word}: ")))
+    return ""
 
 
 def answer_rows(assessment: Assessment) -> list[dict[str, str]]:
-    """Return the rows of the first page: object, demand, probability, median, what would help."""
-    given = assessment.described.given
-    rows = [
-        _row("Object", _object_words(assessment)),
-        _row("Demand", assessment.demand, assessment.percentile_words),
+    """Return the lines of the screen, that of the verdict excepted."""
+    return [
+        _row(line.quantity, replace(line, condition="").words, line.condition)
+        for line in assessment.lines
+        if line.quantity != "verdict" and line.words
     ]
-    if assessment.probability is not None:
-        words = chance(assessment.probability)
-        words += interval(assessment.probability_band, CONFIDENCE)
-        if assessment.basis == "count" and assessment.by_curve is not None:
-            words += f", counted at the demand; {chance(assessment.by_curve)} by the curve"
-        target = f"target {number(100.0 * given.assessment.target_probability)} %"
-        rows.append(_row("Probability of falling", words, target))
-    if assessment.both_peaks_words:
-        share, _, note = assessment.both_peaks_words.partition("; ")
-        rows.append(_row("By PGA and PGV", share, note))
-    rows += [_row("Doubt", text) for text in assessment.doubts]
-    if assessment.curve is not None:
-        rows.append(_row("Median, half fall at", *_median_words(assessment)))
-    peak = "peak floor acceleration" if assessment.described.on_floor else "PGA"
-    rows.append(_row("Lifts at", f"{quantity(assessment.facts.uplift_pga_g, 'g')} of {peak}"))
-    rows.append(_row("Friction", *_friction_words(assessment)))
-    if assessment.qualification and (words := rocking_words(assessment.qualification)):
-        rows.append(_row("Top moves", words))
-    if assessment.base_force_kn is not None:
-        rows.append(
-            _row("Force on base", f"{force_words(assessment.base_force_kn, 'kN')}, {OF_ROCKING}")
-        )
-    rows += [_row("Least remedy", *_remedy_words(assessment))] if assessment.fragility else []
-    return rows
+
+
+def further_rows(assessment: Assessment) -> list[dict[str, str]]:
+    """Return what else the runs at the demand give: motion of the top, and forces."""
+    facts = assessment.describe().facts
+    return [_row(fact.label, fact.words) for fact in facts if fact.key in FURTHER and fact.label]
 
 
 def _row(name: str, words: str, note: str = "") -> dict[str, str]:
-    return {"name": name, "words": words, "note": note}
+    """Return a row of a table of names and words."""
+    return {"name": greek(name[:1].upper() + name[1:]), "words": greek(words), "note": greek(note)}
 
 
-def _object_words(assessment: Assessment) -> str:
-    """Return kind, slenderness and mass of the object."""
-    block, facts = assessment.facts.block, assessment.facts
-    kind = assessment.described.given.kind
-    words: list[str] = [] if kind == "other" else [kind]
-    words.append(f"base {length(block.positive.distance + block.negative.distance)} wide")
-    words.append(f"mass centre {length(block.positive.centre_height)} up")
-    if facts.mass_kg is not None:
-        words.append(quantity(facts.mass_kg, "kg"))
-    return ", ".join(words)
-
-
-def _median_words(assessment: Assessment) -> tuple[str, str]:
-    """Return the median in units that a reader knows, and in the measure of the curve."""
-    fragility, curve = assessment.fragility, assessment.curve
+def share_rows(assessment: Assessment) -> list[Row]:
+    """Return a row for each level, with the counted share of each damage state."""
+    fragility, shaking = assessment.fragility, assessment.judged.shaking
     assert fragility is not None
-    assert curve is not None
-    median, band = float(curve.median), curve.median_band
-    label = greek(fragility.measure.label)
-    unit = f" {fragility.measure.unit}".rstrip()
-    if math.isnan(median):
-        low, high = curve.sampled
-        return f"no level from {span(low, high)}{unit} of {label}", "no median was found"
-    words = f"{number(median)}{unit} of {label}"
-    if band is not None:
-        words += f" ({span(*band)})"
-    words += f", {GIVEN_UPLIFT}" * fragility.measure.given_uplift
-    low, high = curve.sampled
-    beyond = "" if low <= median <= high else f"beyond what was run, {span(low, high)}{unit}"
-    at_one = unit_of(assessment)
-    if math.isnan(at_one) or at_one == 1.0:
-        return words, beyond
-    peak = f"{number(at_one * median)} {PEAKS[fragility.measure.name][1]}"
-    if band is not None:
-        peak += f" ({span(band[0], band[1], at_one)})"
-    return peak, f"{words}, {beyond}" if beyond else words
+    assert shaking is not None
+    last, (label, unit) = fragility.states[-1], level_words(assessment)
+    marks = {shaking.level: "this demand", MARGIN * shaking.level: f"{MARGIN:g} x this demand"}
+    several = len({row["runs"] for row in last.rows}) > 1
+    rows: list[Row] = []
+    for place, level in enumerate(last.curve.levels.tolist()):
+        mark = next((words for at, words in marks.items() if math.isclose(at, level)), None)
+        row: Row = {label: quantity(level, unit).rstrip() + quiet(mark)}
+        for each in fragility.states:
+            count = each.curve.counts[place]
+            share = share_cell(count.share, count.falls, count.runs)
+            row[state_words(each.state.name)] = figure(share)
+        count = last.curve.counts[place]
+        row["90 %"] = figure(prose(ends(count.band)))
+        if several:
+            row["runs"] = figure(f"{count.runs:,}")
+        rows.append(row)
+    return rows
 
 
-def _friction_words(assessment: Assessment) -> tuple[str, str]:
-    """Return the friction that rocking needs, and the given friction."""
-    given = assessment.facts.friction
-    known = "none given" if given is None else f"{span(*given)} given"
-    need = assessment.friction_needed
-    if need is None:
-        return f"more than {number(assessment.facts.friction_to_lift)} to lift at all", known
-    return f"{number(need)} needed to rock without sliding at the demand", known
+def level_words(assessment: Assessment) -> tuple[str, str]:
+    """Return label and unit of the levels of the shaking."""
+    fragility = assessment.fragility
+    assert fragility is not None
+    if fragility.measure is None:
+        return "factor", ""
+    of_ground = " of the ground" * assessment.described.on_floor
+    return greek(fragility.measure.label) + of_ground, fragility.measure.unit
 
 
-def _remedy_words(assessment: Assessment) -> tuple[str, str]:
-    """Return the remedy of the least change."""
-    possible = [each for each in assessment.remedies if each.change is not None]
-    if not possible:
-        return ("none within reach" if assessment.remedies else "none needed"), ""
-    least = min(possible, key=lambda each: each.change or 0.0)
-    return least.words, f"then {chance(least.probability)}"
+def share_cell(share: float, reached: int, runs: int) -> str:
+    r"""Return a counted share; of none or of all runs a word.
+
+    Examples
+    --------
+    >>> share_cell(0.0, 0, 280), share_cell(0.111, 31, 280), share_cell(1.0, 280, 280)
+    ('none', '11\xa0%', 'all')
+    """
+    if reached in (0, runs):
+        return "all" if reached else "none"
+    return prose(chance(share))
+
+
+def ends(band: tuple[float, float]) -> str:
+    """Return both ends of an interval of a share.
+
+    Examples
+    --------
+    >>> ends((0.0, 0.052))
+    '0 to 5.2 %'
+    """
+    return band_words(band).partition(": ")[2].removesuffix(")")
+
+
+def summary_rows(fragility: Fragility) -> list[Row]:
+    """Return a row for each damage state: where half reach it, and the nearest lognormal."""
+    unit = "" if fragility.measure is None else fragility.measure.unit
+    return [_summary_row(each, unit) for each in fragility.states]
+
+
+def _summary_row(state: StateFragility, unit: str) -> Row:
+    """Return what summarises the counted shares of a damage state."""
+    half, best = NOTHING, state.lognormal
+    if state.half is not None:
+        level, low, high = state.half
+        half = quantity(level, unit).rstrip()
+        if low and high:
+            half += f" ({span(low, high)})"
+    words, misfit = "none: use the points", NOTHING
+    if best.status == "separated":
+        words = "none: a step"
+    elif not math.isnan(best.beta):
+        misfit = f"{number(100.0 * best.misfit, 2)} points"
+        if state.is_lognormal:
+            words = f"median {quantity(best.median, unit).rstrip()}, β {number(best.beta)}"
+    return {
+        "state": state_words(state.state.name),
+        "half reach it at": figure(half),
+        "lognormal": words,
+        "distance from the shares": figure(misfit),
+    }
 
 
 def object_rows(assessment: Assessment) -> list[dict[str, str]]:
     """Return the derived facts of the object."""
     facts = assessment.facts.describe().facts
-    rows = [_row(greek(fact.label), greek(fact.words)) for fact in facts if fact.label]
+    on_floor = " of floor acceleration" * assessment.described.on_floor
+    rows = [
+        _row(fact.label, fact.words + on_floor * (fact.key == "uplift_pga_g"))
+        for fact in facts
+        if fact.label and fact.key != "name"
+    ]
     if assessment.facts.friction is not None:
         rows.append(_row("friction given", span(*assessment.facts.friction)))
-    return [row for row in rows if row["name"] != "object"]
+    return rows
 
 
 def side_rows(assessment: Assessment) -> list[Row]:
@@ -174,92 +190,32 @@ def side_rows(assessment: Assessment) -> list[Row]:
     ]
 
 
-def synthetic(assessment: Assessment) -> int:
-    """Return how many motions are made from random numbers."""
-    inputs = assessment.to_dict().get("inputs", [])
-    return sum(str(each["name"]).startswith(SYNTHETIC) for each in inputs)
-
-
 def motion_rows(assessment: Assessment, manifest: Mapping[str, Any]) -> list[Row]:
-    """Return a row for each motion, with the factors that its accelerations were run at."""
-    factors: list[str] = []
-    if assessment.fragility is not None:
-        scale = assessment.fragility.ensemble["scale"].isel(block=0).transpose("record", "level")
-        factors = [span(float(row.min()), float(row.max())) for row in scale.values]
-    inputs: list[dict[str, Any]] = assessment.to_dict().get("inputs", [])
+    """Return a row for each motion: its peaks as it is, and the factors that it was run with."""
+    inputs = next(table for table in assessment.describe().tables if table.key == "inputs").rows
     hashes = [each.get("sha256", "") for each in manifest["records"]]
     known = len(hashes) == len(inputs)
-    of_ground = " of the ground" * assessment.described.on_floor
+    shaking = assessment.judged.shaking
+    stretched = shaking is not None and shaking.stretched
     return [
         {
             "motion": named(
                 each["name"], "quarter", quiet("with vertical" if each["vertical"] else None)
             ),
-            f"PGA{of_ground} [g]": figure(number(each["pga_g"])),
-            f"PGV{of_ground} [m/s]": figure(number(each["pgv_m_s"])),
+            "PGA [g]": figure(number(each["pga_g"])),
+            "PGV [m/s]": figure(number(each["pgv_m_s"])),
             "lasts": figure(f"{number(each['samples'] * each['dt_s'])} s"),
-            "factors": figure(factors[place] if factors else ""),
+            "scale": figure(_factor(each["scale"])),
+            **({"stretch": figure(_factor(each["stretch"]))} if stretched else {}),
             **({"SHA-256": digest(hashes[place][:16])} if known and hashes[place] else {}),
         }
         for place, each in enumerate(inputs)
     ]
 
 
-def state_rows(fragility: Fragility) -> list[Row]:
-    """Return a row for each damage state."""
-    return [_state_row(each) for each in fragility.states]
-
-
-def _state_row(each: StateFragility) -> Row:
-    """Return the curve of a damage state: its median, and beta of its lognormal part."""
-    curve, plain = each.curve, each.plain
-    shape = curve if isinstance(curve, FragilityCurve) else curve.given_uplift
-    status = STATUS.get(shape.status, shape.status)
-    if shape.step is not None:
-        status += f" at {span(*shape.step)}"
-    single = None
-    if isinstance(curve, TwoStageCurve):
-        status += ", given uplift"
-        if curve.offset:
-            status += f", in {shape.measure[0]}"
-        single = (
-            f"one curve: median {number(plain.median)}, β {number(plain.beta)}, "
-            f"misfit {number(plain.misfit)}"
-        )
-    given = f", {GIVEN_UPLIFT}" * each.given_uplift
-    return {
-        "state": state_words(each.state.name) + given,
-        "median": _banded(curve.median, curve.median_band),
-        "β": _banded(shape.beta, shape.beta_band),
-        "curve": status + under(single),
-        "runs in it": figure(f"{plain.failures:,} of {plain.trials:,}"),
-        "misfit": figure(number(curve.misfit)),
-        "p-value": figure(NOTHING if shape.goodness is None else number(shape.goodness)),
-    }
-
-
-def _banded(value: float, band: tuple[float, float] | None) -> str:
-    """Return a number with its band."""
-    if math.isnan(value):
-        return NOTHING
-    return number(value) if band is None else f"{number(value)} ({span(*band)})"
-
-
-def ranking_rows(fragility: Fragility) -> list[Row]:
-    """Return a row for each measure, the most efficient first."""
-    trials = max(fragility.states[-1].plain.trials, 1)
-    return [
-        {
-            "measure": Cell(
-                prose(" and ".join(greek(part.label) for part in each.measure)), "half name"
-            ),
-            "β": figure(number(each.beta)),
-            "ln L a run": figure(f"{each.log_likelihood / trials:.4f}".replace("-", "−")),
-            "AIC": figure(f"{each.aic:,.0f}"),
-            "curve": STATUS.get(each.status, each.status),
-        }
-        for each in fragility.ranking
-    ]
+def _factor(value: float | None) -> str:
+    """Return a factor; a dash of a motion that was not run."""
+    return NOTHING if value is None else number(value)
 
 
 def screen_rows(assessment: Assessment) -> list[Row]:
@@ -282,58 +238,10 @@ def case_rows(assessment: Assessment) -> list[Row]:
     return [
         {
             "changed": Cell(key_words(case.parameter), "name"),
-            "to": prose(case.change),
-            "fitted": figure(chance(case.fitted)),
-            "counted": figure(chance(case.counted, case.trials)),
-            "runs that fall": figure(f"{case.fell:,} of {case.trials:,}"),
-            "median": figure(number(case.median)),
+            "to": prose(case.change) or None,
+            "falls": figure(share_cell(case.share, case.fall, case.runs)),
+            "90 %": figure(prose(ends((case.low, case.high)))),
+            "runs that fall": figure(prose(f"{case.fall:,} of {case.runs:,}")),
         }
         for case in assessment.cases
     ]
-
-
-def remedy_rows(assessment: Assessment) -> list[Row]:
-    """Return a row for each remedy."""
-    return [
-        {
-            "remedy": each.name,
-            "what to do": beside(
-                each.words,
-                CONFIRMED[each.confirmed] if each.trials and each.change is not None else "",
-            ),
-            "change": figure(
-                NOTHING if each.change is None else f"{number(100.0 * each.change)} %"
-            ),
-            "probability": figure(chance(each.probability, each.trials or 0)),
-            "from": each.basis
-            + under(None if each.trials is None else prose(f"{each.fell:,} of {each.trials:,}")),
-        }
-        for each in assessment.remedies
-    ]
-
-
-def risk_rows(assessment: Assessment) -> list[Row]:
-    """Return a row for each hazard curve."""
-    rows: list[Row] = []
-    for risk in assessment.risks:
-        hazard, band = risk.hazard, risk.annual_rate_band
-        low, middle, high = (
-            f"above {number(float(hazard.levels[-1]))}" if math.isinf(each) else number(each)
-            for each in risk.contributing
-        )
-        measure = under(greek(f"{hazard.label} [{hazard.unit}]"))
-        rate = prose(number(risk.annual_rate))
-        share = chance(risk.probability) + under(f"in {number(risk.years)} years")
-        rows.append(
-            {
-                "hazard": named(hazard.name or greek(hazard.label), more=measure),
-                "falls a year": rate + under(None if band is None else prose(span(*band))),
-                "closed form": figure(prose(number(risk.closed_form_rate))),
-                "probability": figure(share),
-                "HCLPF": figure(number(risk.hclpf)),
-                "half of it below (5 to 95 %)": Cell(
-                    f"{middle} ({low} to {high})", label="half of it below"
-                ),
-            }
-        )
-    return rows

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-WIDTH, TALLEST, LOWEST = 4.2, 4.4, 2.0
+WIDTH, TALLEST, LOWEST = 3.0, 3.4, 1.6
 """Of the figure [inches]."""
 BESIDE = 0.32
 """Room to either side of the object, in its larger size."""

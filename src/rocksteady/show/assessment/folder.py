@@ -1,27 +1,22 @@
-"""The folder of an assessment: runs, curves for loss tools, and what is needed to do it again."""
+"""The folder of an assessment: page, runs, counted shares, and what is needed to do it again."""
 
-import re
-import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from rocksteady.errors import InputError
-from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.risk.counted.count import without_mirrors
 from rocksteady.show.assessment.object_report import report_html
-from rocksteady.show.export.components import LossComponent
 from rocksteady.show.export.ensemble_rows import write_runs_csv
 from rocksteady.show.export.files import save_csv, save_text
 from rocksteady.show.export.folders import ASSESSMENT
 from rocksteady.show.export.manifest import make_manifest, write_manifest
-from rocksteady.show.export.openquake import write_openquake
-from rocksteady.show.export.pelicun import write_pelicun
 
 if TYPE_CHECKING:
+    import xarray
+
     from rocksteady.risk.assess.assessment import Assessment
-    from rocksteady.risk.fragility.fragility import Fragility
 
 
 @checked
@@ -33,7 +28,7 @@ def write_assessment(
     files: Sequence[Path] = (),
     force: bool = False,
 ) -> list[Path]:
-    """Write an assessment into a folder: page, runs, curves for loss tools, and its inputs.
+    """Write an assessment into a folder: page, runs, counted shares, and its inputs.
 
     Every file is written whole, in a hidden folder first: what fails leaves all as it was.
 
@@ -53,9 +48,9 @@ def write_assessment(
     Returns
     -------
     list of Path
-        The report, a table with a row for each run, curves as pelicun and OpenQuake read them, and
-        the manifest of the run; without an ensemble report and manifest alone; for a table of
-        objects report, rows and manifest.
+        The report, a table with a row for each run, one with the counted share of each damage state
+        at each level, and the manifest; of an object without a share report and manifest alone; of
+        a table of objects report, rows and manifest.
 
     Raises
     ------
@@ -110,55 +105,36 @@ def _fill(
         _fill_with_table(assessment, stage, command, files)
         return
     described, fragility = assessment.described, assessment.fragility
-    notes: list[str] = []
     if fragility is not None:
-        write_runs_csv(stage / "results.csv", fragility.ensemble)
-        notes = _write_curves(assessment, fragility, stage)
+        write_runs_csv(
+            stage / "results.csv", _of_records(without_mirrors(fragility.ensemble), assessment)
+        )
+        rows = [row for each in fragility.states for row in each.rows]
+        save_csv(
+            "out", stage / "fragility.csv", list(rows[0]), [list(row.values()) for row in rows]
+        )
     answer = assessment.to_dict()
     answer.pop("seconds")  # the same inputs give the same bytes
-    settings = {
-        "object": {
-            "source": described.source,
-            "sha256": described.sha256,
-            "values": described.values,
-        },
-        "bands_seed": None if fragility is None else getattr(fragility.fitting.bands, "seed", None),
-        "left_out": notes,
-        "answer": answer,
-    }
+    given = {"source": described.source, "sha256": described.sha256, "values": described.values}
     manifest = make_manifest(
-        assessment.motions,
+        assessment.suite.motions,
         files=files,
         ensemble=None if fragility is None else fragility.ensemble,
         command=command,
-        settings=settings,
+        settings={"object": given, "answer": answer},
         warnings=() if fragility is None else fragility.warnings,
     )
     write_manifest(stage / "run.json", manifest)
     save_text("out", stage / "report.html", report_html(assessment, manifest))
 
 
-def _write_curves(assessment: "Assessment", fragility: "Fragility", stage: Path) -> list[str]:
-    """Write the curves that loss tools take; return what was left out and why."""
-    described, peaks = assessment.described, assessment.described.given.demand
-    latin = unicodedata.normalize("NFKD", described.name).encode("ascii", "ignore").decode()
-    plain = re.sub(r"[^A-Za-z0-9_.]+", "_", latin).strip("_.")
-    identifier = f"RS.{plain or 'object'}"[:75]
-    asked: dict[str, Any] = {
-        "floor": peaks.place == "floor",
-        "description": assessment.facts.describe().headline,
-    }
-    try:
-        component = LossComponent.from_fragility(fragility, identifier, **asked)
-    except InputError as error:
-        return [f"No fragility for loss tools: {error}"]
-    components = [component]
-    write_openquake(stage / "fragility.xml", components)
-    if assessment.by_both_peaks is not None and peaks.pga_g and peaks.pgv_m_s:
-        asked["pgv_per_pga_s"] = peaks.pgv_m_s / (STANDARD_GRAVITY * peaks.pga_g)
-        along = LossComponent.from_fragility(fragility, f"{identifier[:69]}.peaks", **asked)
-        # A model of OpenQuake has one list of damage states, and this component has the last alone.
-        write_openquake(stage / "fragility_peaks.xml", [along])
-        components.append(along)
-    write_pelicun(stage / "fragility.csv", components)
-    return list(component.left_out)
+def _of_records(runs: "xarray.Dataset", assessment: "Assessment") -> "xarray.Dataset":
+    """Return runs with the factors of the motions as they were recorded."""
+    shaking = assessment.judged.shaking
+    assert shaking is not None
+    if not shaking.stretched:
+        return runs
+    known = runs.assign_coords(
+        own_scale=("record", shaking.scales), stretch=("record", shaking.stretches)
+    )
+    return known.assign_coords(scale=known["scale"] * known["own_scale"])

@@ -3,8 +3,8 @@
 import itertools
 import math
 import re
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -12,14 +12,8 @@ from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
-from rocksteady.model.blocks.gravity import STANDARD_GRAVITY, in_g
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
-from rocksteady.results.doubts import misfit_words
-from rocksteady.results.numbers import number
-from rocksteady.risk.ensemble.gates import lowest_gate, which_lift
-from rocksteady.risk.fits.fragility_curve import FragilityCurve
-from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
 from rocksteady.risk.hazard.hazard_measures import intensity_named
@@ -157,8 +151,6 @@ class LossComponent:
         limit g tan(alpha) of a peak acceleration; None by default.
     description
         Description of the object, in a sentence.
-    left_out
-        A sentence for each damage state that is not among the states.
 
     Raises
     ------
@@ -181,13 +173,11 @@ class LossComponent:
     floor: bool = False
     no_damage: float | None = None
     description: str = ""
-    left_out: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Validate all."""
         text_value("identifier", self.identifier)
-        for text in (self.description, *self.left_out):
-            text_value("description", text)
+        text_value("description", self.description)
         if (
             not IDENTIFIER.fullmatch(self.identifier)
             or self.identifier.lower() in WORDS_FOR_NOTHING
@@ -224,100 +214,11 @@ class LossComponent:
             valid = f"there must be 1 to {MOST_STATES}, of names that differ in letters and digits"
             raise InputError("states", names, valid, "choose fewer, or rename each")
 
-    @classmethod
-    def from_fragility(
-        cls,
-        fragility: Fragility,
-        identifier: str,
-        *,
-        floor: bool = False,
-        description: str = "",
-        pgv_per_pga_s: float | None = None,
-    ) -> "LossComponent":
-        """Return the component of an ensemble's fragility, in PGA, PGV or spectral acceleration.
-
-        Each state has the curve of the report: a lognormal, or another, which files hold as points.
-        Over PGV the curves are of the runs that lift, and uplift itself is left out. A fragility in
-        p PGV/(g tan(alpha)) is turned to PGV and one in PGA/(g tan(alpha)) to PGA, by the block's
-        own slenderness and frequency parameter.
-
-        Parameters
-        ----------
-        fragility
-            From `rocksteady.compute_fragility`, of one block.
-        identifier
-            Identifier of the component.
-        floor
-            Whether the motions are those of a floor; off by default.
-        description
-            Description of the object, in a sentence.
-        pgv_per_pga_s
-            PGV over PGA where the object stands [s]: the component is then that of the last damage
-            state over PGV, by the surface over both; default None, the curves of the report.
-
-        Raises
-        ------
-        InputError
-            If the measure has no name in loss tools, the blocks are several, no state is left, or
-            there is no surface to be cut at a ratio.
-        """
-        if pgv_per_pga_s is not None:
-            ratio = STANDARD_GRAVITY * positive("pgv_per_pga_s", pgv_per_pga_s, hint="give seconds")
-            gate = lowest_gate(fragility.ensemble)
-            return cls(
-                identifier=identifier,
-                measure="pgv_m_s",
-                states=(_state_along(fragility, ratio),),
-                floor=floor,
-                no_damage=None if gate is None else gate * ratio,
-                description=description,
-            )
-        measure, factor = _measure_of(fragility)
-        states: list[LossState] = []
-        left_out: list[str] = []
-        conditional = any(each.given_uplift for each in fragility.states)
-        for each in fragility.states:
-            made = _state_of(each, factor, which_lift(fragility.ensemble))
-            if conditional and not each.given_uplift:
-                made = "The other curves are of the runs that lift."
-            if isinstance(made, LossState):
-                states.append(made)
-            else:
-                left_out.append(f"{each.state.name} is left out. {made}")
-        if not states:
-            raise _nothing_left(left_out)
-        component = cls(
-            identifier=identifier,
-            measure=measure,
-            states=tuple(states),
-            period_s=_period_of(fragility) if measure == "sa_g" else None,
-            floor=floor,
-            no_damage=lowest_gate(fragility.ensemble) if measure == "pga_g" else None,
-            description=description,
-        )
-        states = []
-        for state in component.states:
-            reason = "" if state.curve is None else _unfit(component, state)
-            if reason:
-                left_out.append(f"{state.name} is left out. It has {reason}.")
-            else:
-                states.append(state)
-        if not states:
-            raise _nothing_left(left_out)
-        return replace(component, states=tuple(states), left_out=tuple(left_out))
-
     @property
     def notes(self) -> list[str]:
-        """Sentences on what the curves stand for, on states left out, and on curves that cross."""
+        """Sentences on what the curves stand for, and on curves that cross."""
         each = [f"{state.name}: {state.note}" for state in self.states if state.note]
-        return [*each, *self.left_out, *_crossings(self)]
-
-
-def _nothing_left(left_out: list[str]) -> InputError:
-    """Return the error of a fragility of which every state is left out."""
-    valid = " ".join(left_out)
-    hint = "run more levels, or stronger ones"
-    return InputError("fragility", Words("has no curve to write"), valid, hint)
+        return [*each, *_crossings(self)]
 
 
 def text_value(name: str, value: object) -> str:
@@ -346,9 +247,33 @@ def state_name(name: str) -> str:
     return plain if plain[:1].isalpha() else f"state_{plain}"[:LONGEST]
 
 
-def check_components(components: Sequence[LossComponent]) -> None:
-    """Refuse no component at all, and two of one identifier."""
-    names = [component.identifier for component in components]
+def checked_components(components: object) -> list[LossComponent]:
+    """Return components: one or more, each with its own identifier.
+
+    A writer's own annotation is quoted, so that counted shares are refused here and by their name.
+
+    Raises
+    ------
+    InputError
+        If there are none, one is something else, or two have the same identifier.
+    """
+    given = list(components) if isinstance(components, list | tuple) else [components]
+    if any(isinstance(each, Fragility | StateFragility) for each in given):
+        raise InputError(
+            "components",
+            Words("are counted shares"),
+            "files for loss tools are made of a median and a beta that you give",
+            "give a LossComponent, whose states have both",
+        )
+    made = [each for each in given if isinstance(each, LossComponent)]
+    if len(made) < len(given):
+        raise InputError(
+            "components",
+            components,
+            "it must be a list of components",
+            "give a list of LossComponents",
+        )
+    names = [component.identifier for component in made]
     if not names or len(set(names)) < len(names):
         twice = sorted({name for name in names if names.count(name) > 1})
         raise InputError(
@@ -357,6 +282,7 @@ def check_components(components: Sequence[LossComponent]) -> None:
             "there must be one or more, each with its own identifier",
             "give each its own",
         )
+    return made
 
 
 def _crossings(component: LossComponent) -> list[str]:
@@ -372,7 +298,7 @@ def _crossings(component: LossComponent) -> list[str]:
         if over.max() > CROSSING:
             crossings.append(
                 f"The curve of '{worse.name}' is up to {over.max():.2g} above that of "
-                f"'{lighter.name}', at {levels[over.argmax()]:.3g}: raw fits are not forced apart."
+                f"'{lighter.name}', at {levels[over.argmax()]:.3g}: curves are not forced apart."
             )
     return crossings
 
@@ -384,9 +310,8 @@ def probability_of(component: LossComponent, state: LossState, intensity: ArrayL
     return shares if component.no_damage is None else np.where(at > component.no_damage, shares, 0)
 
 
-def _unfit(component: LossComponent, state: LossState) -> str:
+def _unfit(curve: Floats) -> str:
     """Return why points cannot hold a curve; empty where they can."""
-    curve = probability_of(component, state, np.geomspace(*SEARCHED, 8001))
     if not np.isfinite(curve).all():
         return "no probability at some intensities"
     if (np.diff(curve) < -LEAST).any():
@@ -415,7 +340,7 @@ def points_of(component: LossComponent, state: LossState) -> Floats:
 
     trial = np.log(np.geomspace(*SEARCHED, 8001))
     curve = shares(trial)
-    reason = _unfit(component, state)
+    reason = _unfit(curve)
     if reason:
         raise InputError(
             component.identifier,
@@ -434,88 +359,3 @@ def points_of(component: LossComponent, state: LossState) -> Floats:
     sides = [high[first & ~last] - STEP, high[last & ~first] + STEP]
     levels: Floats = np.exp(np.sort(np.concatenate([high[first & last], *sides])))
     return levels
-
-
-def _measure_of(fragility: Fragility) -> tuple[LossMeasure, float]:
-    """Return the measure of the export, and by what an intensity of the fit is multiplied."""
-    blocks = fragility.ensemble.sizes["block"]
-    if blocks != 1:
-        raise InputError(
-            "fragility",
-            Words(f"is of {blocks} blocks"),
-            "a component is one object",
-            "compute the fragility of each block",
-        )
-    alpha, p = _side_of(fragility)
-    uplift = float(fragility.ensemble["gravity"].values[0]) * math.tan(alpha)
-    match fragility.measure.name:
-        case "pga_g" | "pgv_m_s" | "sa_g" as same:
-            return same, 1.0
-        case "pga_per_uplift":
-            return "pga_g", in_g(uplift)
-        case "p_pgv_per_uplift":
-            return "pgv_m_s", uplift / p
-    raise InputError(
-        "measure",
-        fragility.measure.name,
-        "loss tools accept PGA, PGV and the spectral acceleration at a period",
-        "fit the fragility in pga_g, pgv_m_s, sa_g or p_pgv_per_uplift",
-    )
-
-
-def _period_of(fragility: Fragility) -> float:
-    """Return the period of a spectral acceleration; by default that of the block, 2 pi/p."""
-    period = fragility.measure.period_s
-    return 2.0 * math.pi / _side_of(fragility)[1] if period is None else period
-
-
-def _side_of(fragility: Fragility) -> tuple[float, float]:
-    """Return slenderness and frequency parameter of the side that lifts first."""
-    ensemble = fragility.ensemble
-    keys = [key for key in ("", "negative_") if f"{key}alpha" in ensemble]
-    sides = [tuple(float(ensemble[f"{key}{x}"].values[0]) for x in ("alpha", "p")) for key in keys]
-    alpha, p = min(sides)
-    return alpha, p
-
-
-def _state_along(fragility: Fragility, ratio: float) -> LossState:
-    """Return the last damage state over PGV where PGV [m/s] is a ratio of PGA [g]."""
-    surface = fragility.surface
-    median, beta = (math.nan, math.nan) if surface is None else surface.along(ratio)
-    if surface is None or math.isnan(median):
-        valid = "a fit over PGA and PGV of runs that fall and runs that stand is needed"
-        hint = "give more records, of several shapes"
-        raise InputError("fragility", Words("has no surface"), valid, hint)
-    note = (
-        f"Lognormal where PGV is {number(ratio)} m/s per g of PGA, of the runs that lift, by a "
-        f"fit over both to {surface.trials:,} runs with {surface.failures:,} in this state."
-    )
-    return LossState(name=fragility.states[-1].state.name, median=median, beta=beta, note=note)
-
-
-def _state_of(fragility: StateFragility, factor: float, lifting: str) -> LossState | str:
-    """Return a damage state in the unit of the export, or why there is no curve of it."""
-    best = fragility.curve
-    plain = best if isinstance(best, FragilityCurve) else best.plain
-    trial = np.geomspace(0.1, 10.0, 5) * best.sampled[1]
-    if not np.isfinite(best.probability(trial)).all():
-        return f"It has no curve: status {plain.status}."
-    kind = plain.family if plain.status == "fitted" else "step"
-    if best is not plain:
-        kind = "curve in two stages, uplift and failure given uplift"
-    of = f"the runs {lifting}" if fragility.given_uplift else "all runs"
-    note = (
-        f"{kind.capitalize()}, of {of}, fitted to {plain.trials:,} runs with {plain.failures:,} in "
-        f"this state; largest distance from the stripes {best.misfit:.3f}."
-    )
-    poor = misfit_words(best.misfit)
-    note = f"{poor.capitalize()}. {note}" if poor else note
-    if best is plain and plain.status == "fitted" and plain.family == "lognormal":
-        median, beta = plain.median * factor, plain.beta
-        return LossState(name=fragility.state.name, median=median, beta=beta, note=note)
-    return LossState(name=fragility.state.name, curve=_scaled(best, factor), note=note)
-
-
-def _scaled(curve: FragilityCurve | TwoStageCurve, factor: float) -> Callable[[Floats], Floats]:
-    """Return the probability of a curve at intensities in the unit of the export."""
-    return lambda intensity: curve.probability(intensity / factor)

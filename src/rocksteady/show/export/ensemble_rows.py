@@ -22,6 +22,7 @@ HEAD = (
     "vertical",
     "level",
     "scale",
+    "stretch",
     "restitution",
     "status",
     "peak_angle",
@@ -42,16 +43,17 @@ def write_runs_csv(path: Path | str, ensemble: "xarray.Dataset") -> Path:
     path
         The file, which is replaced.
     ensemble
-        From `rocksteady.run_ensemble`.
+        From `rocksteady.run_ensemble`; a coordinate ``stretch`` of its records is written too.
 
     Returns
     -------
     Path
         The file. Its columns are the block (from 1), record, direction, vertical component, level,
-        scale of the record, restitution, status, largest theta/alpha, impacts, largest motion of
-        the top and clearance [m], empty of a fall, largest speed of the lifted edge [m/s], and
-        time of uplift [s], empty without one. Floats are written so that reading gives the same
-        number. A name that a spreadsheet would run as a formula has an apostrophe before it.
+        scale of the record's accelerations and stretch of its time, restitution, status, largest
+        theta/alpha, impacts, largest motion of the top and clearance [m], empty of a fall, largest
+        speed of the lifted edge [m/s], and time of uplift [s], empty without one. Floats are
+        written so that reading gives the same number. A name that a spreadsheet would run as a
+        formula has an apostrophe before it.
 
     Raises
     ------
@@ -90,6 +92,9 @@ def _rows(ensemble: "xarray.Dataset") -> Iterator[tuple[object, ...]]:
         for key in ("record", "direction", "vertical")
     }
     levels = ensemble["level"].values.tolist()
+    stretches = [1.0] * len(names["record"])
+    if "stretch" in ensemble:
+        stretches = ensemble["stretch"].values.tolist()
     for block, number in enumerate(ensemble["block"].values.tolist()):
         ratios = ensemble["restitution"].values[block].tolist()
         for record, name in enumerate(names["record"]):
@@ -104,6 +109,7 @@ def _rows(ensemble: "xarray.Dataset") -> Iterator[tuple[object, ...]]:
                     names["vertical"][v],
                     levels[k],
                     scale[k],
+                    stretches[record],
                     ratios[r],
                     words.get(status[d][v][r][k], status[d][v][r][k]),
                     *("" if math.isnan(each[d][v][r][k]) else each[d][v][r][k] for each in results),

@@ -180,10 +180,7 @@ class OwnFolder(NamedTuple):
         return written
 
 
-ASSESSMENT = OwnFolder(
-    r"report\.html|answers\.csv|results\.csv|fragility\.(csv|json|xml)|fragility_peaks\.xml|run\.json",
-    "an assessment",
-)
+ASSESSMENT = OwnFolder(r"report\.html|(answers|results|fragility)\.csv|run\.json", "an assessment")
 CALIBRATION = OwnFolder(
     r"report\.html|fit\.json|(posterior|predictions|parameters)\.csv", "a calibration"
 )

@@ -15,7 +15,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.show.export.components import (
     STEP,
     LossComponent,
-    check_components,
+    checked_components,
     points_of,
     probability_of,
     state_name,
@@ -37,7 +37,7 @@ NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 @checked
 def write_openquake(
     path: Path | str,
-    components: Sequence[LossComponent],
+    components: "Sequence[LossComponent]",
     *,
     model_id: str = "rocksteady",
     loss_category: LossCategory = "contents",
@@ -45,7 +45,7 @@ def write_openquake(
     r"""Write components as a fragility model of OpenQuake, NRML 0.5.
 
     A component whose states are all lognormal is a continuous function, any other a discrete one,
-    whose points hold curves in two stages and steps.
+    whose points hold any curve and steps.
     A lognormal has the arithmetic mean :math:`m = \hat x \exp(\beta^2/2)` and standard deviation
     :math:`m \sqrt{\exp(\beta^2) - 1}`, and not the median :math:`\hat x` and :math:`\beta`. PGV
     is in cm/s, PGA and spectral acceleration are in g.
@@ -69,7 +69,8 @@ def write_openquake(
     Raises
     ------
     InputError
-        If the states differ between components, or a curve does not rise from 0 to 1.
+        If the states differ between components, a curve does not rise from 0 to 1, or counted
+        shares are given in place of components.
     OutputError
         If the file cannot be written.
 
@@ -91,7 +92,7 @@ def write_openquake(
     <params ls="overturned" mean="0.33994453592004786" stddev="0.18117015996326435" />
     """
     file = Path(path)
-    check_components(components)
+    components = checked_components(components)
     if not MODEL.fullmatch(text_value("model_id", model_id)):
         valid = "it must be 1 to 75 letters, digits, '_' and '-'"
         raise InputError("model_id", model_id, valid, "name it as museum_2026")

@@ -11,7 +11,7 @@ from rocksteady.show.export.components import (
     LEAST,
     LossComponent,
     LossState,
-    check_components,
+    checked_components,
     points_of,
     probability_of,
     state_name,
@@ -29,7 +29,7 @@ DIRECTIONAL = (
 
 
 @checked
-def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tuple[Path, Path]:
+def write_pelicun(path: Path | str, components: "Sequence[LossComponent]") -> tuple[Path, Path]:
     """Write components as a fragility table of pelicun, with its companion JSON.
 
     Columns and values are as `simcenter-dlml` 3.2 reads them: a lognormal has its median as
@@ -52,7 +52,8 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
     Raises
     ------
     InputError
-        If an identifier occurs twice, or a curve does not rise from 0 to 1.
+        If an identifier occurs twice, a curve does not rise from 0 to 1, or counted shares are
+        given in place of components.
     OutputError
         If a file cannot be written.
 
@@ -72,7 +73,7 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
     table = Path(path)
     if table.suffix.lower() != ".csv":
         raise InputError("path", path, "the table ends in .csv", "name it as fragility.csv")
-    check_components(components)
+    components = checked_components(components)
     companion = table.with_suffix(".json")
     for file in (table, companion):
         problem = durable.obstacle(file)

@@ -3,9 +3,9 @@
 from typing import TYPE_CHECKING
 
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
-from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
-from rocksteady.show.plots.risk.fragility import plot_fragility, plot_fragility_states
+from rocksteady.risk.fragility.state_fragility import StateFragility
+from rocksteady.show.plots.risk.fragility import plot_fragility
 from rocksteady.show.style.page import SCREEN, Page
 from rocksteady.show.style.wording import greek
 
@@ -14,30 +14,19 @@ if TYPE_CHECKING:
 
 
 def fragility_figure(
-    fragility: Fragility | FragilityCurve | TwoStageCurve,
-    state: str | None = None,
-    title: str = "",
-    page: Page = SCREEN,
+    fragility: Fragility | StateFragility | FragilityCurve, title: str = "", page: Page = SCREEN
 ) -> "Figure":
-    """Return a figure of one damage state, beside or above one of all of them where there are more.
+    """Return a figure of counted shares over levels, whose lines are named at their ends.
 
     Parameters
     ----------
     fragility
-        From `rocksteady.compute_fragility`, or a curve.
-    state
-        Damage state of the first panel; the last by default.
+        From `rocksteady.compute_fragility`, one of its states, or a fitted curve.
     title
-        Above the panels.
+        Above the panel.
     page
-        Width of the figure, and place of its legends.
+        Width of the figure.
     """
-    title = greek(title)
-    if not isinstance(fragility, Fragility) or len(fragility.states) == 1:
-        return page.panel(6.6, 4.4, title, plot_fragility, fragility, state=state)
-    with page.figure(10.8, 4.6, title, stacked=1.6) as figure:
-        stacked = page.stacks(10.8)
-        first, second = figure.subplots(2, 1) if stacked else figure.subplots(1, 2)
-        plot_fragility(fragility, first, state=state, legend=page.legend)
-        plot_fragility_states(fragility, second, legend=page.legend or "below")
+    with page.figure(6.6, 4.4, greek(title)) as figure:
+        plot_fragility(fragility, figure.add_subplot())
     return figure

@@ -47,8 +47,6 @@ PLAIN = 8e-5
 """End of an axis below which its ticks are powers of ten."""
 LONGEST_NAME = 0.45
 """Of a row of bars beside it, in parts of the width of axes without their labels."""
-MOST_NAME = 0.75
-"""The same, beyond which bars have too little room beside it."""
 HEIGHT_OF_ROW = 19.0
 """Of a bar and the name over it, at least [points]."""
 LEAST_ROOM = 1.0 / 32.0
@@ -211,12 +209,6 @@ def name_rows(axes: "Axes", names: Sequence[str], *, bars: bool = False, **text:
     for place, name in enumerate(names if over else ()):
         box = {"fc": inks.paper, "ec": "none", "pad": 0.0}
         axes.annotate(name, (0.0, place - 0.3), (2.0, 0.0), bbox=box, **style)
-
-
-def fit_rows(axes: "Axes", names: Sequence[str]) -> bool:
-    """Return whether names of bars have room beside them, or over them."""
-    share, high = _rows_room(axes, names)
-    return high or share <= MOST_NAME
 
 
 def _rows_room(axes: "Axes", names: Sequence[str]) -> tuple[float, bool]:

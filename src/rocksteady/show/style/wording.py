@@ -1,4 +1,4 @@
-"""Words of the pages of reports: verdicts, shares, ranges, Greek letters, safe texts."""
+"""Words of the pages of reports: verdicts, ranges, Greek letters, safe texts."""
 
 import dataclasses
 import re
@@ -9,15 +9,17 @@ from markupsafe import Markup
 
 from rocksteady.results.numbers import number
 from rocksteady.results.rendering import printable
-from rocksteady.risk.fragility.damage_states import OVERTURNED
+from rocksteady.risk.counted.verdict import VERDICTS, Verdict
+from rocksteady.risk.fragility.damage_states import OVERTURNED, UPLIFT
 
+LOOKS: Final[dict[Verdict, str]] = {
+    "green": "green", "red": "red", "not-shown": "open", "no-answer": "open",
+}  # fmt: skip
+"""Looks of verdicts; the others have ink alone."""
 BADGES: Final = {
-    "green": ("low", "green"),
-    "amber": ("raised", "amber"),
-    "red": ("high", "red"),
-    "grey": ("no answer", "open"),
+    verdict: (verdict.replace("-", " "), LOOKS.get(verdict, "plain")) for verdict in VERDICTS
 }
-"""Word and look of each colour: the word names the class, colour and fill repeat it."""
+"""Word and look of each verdict: the word says it, colour and outline repeat it."""
 LONGEST: Final = 70
 """Letters of a name at the foot of a printed page."""
 NOTHING: Final = "—"
@@ -61,14 +63,17 @@ def minus(text: str) -> str:
 
 
 def state_words(name: str) -> str:
-    """Return the name of a damage state as pictures and tables show it.
+    """Return what a block does in a damage state, as pictures and tables show it.
 
     Examples
     --------
-    >>> state_words("overturned"), state_words("theta/alpha > 0.5")
-    ('falls', 'θ/α > 0.5')
+    >>> state_words("uplift"), state_words("theta/alpha > 0.5"), state_words("overturned")
+    ('lifts', 'tilt > 0.5 α', 'falls')
     """
-    return "falls" if name == OVERTURNED else greek(name)
+    tilt = name.removeprefix("theta/alpha > ")
+    if tilt != name:
+        return f"tilt > {tilt} α"
+    return {UPLIFT: "lifts", OVERTURNED: "falls"}.get(name, greek(name))
 
 
 def sentence(text: str) -> str:
@@ -81,24 +86,6 @@ def sentence(text: str) -> str:
     """
     whole = text[:1].upper() + text[1:] if text[:1].isascii() else text
     return whole if whole.endswith((".", "!", "?")) else f"{whole}."
-
-
-def key_words(key: str) -> str:
-    """Return the key of an object's file in words, with its unit.
-
-    Examples
-    --------
-    >>> key_words("geometry.mass_centre_height_m"), key_words("content.mass_kg")
-    ('mass centre height [m]', 'content mass [kg]')
-    >>> key_words("mass centre")
-    'mass centre'
-    """
-    table, _, name = key.rpartition(".")
-    if not table:
-        return key
-    name, _, unit = name.rpartition("_")
-    words = name.replace("_", " ") + f" [{unit}]"
-    return words if table == "geometry" else f"{table} {words}"
 
 
 def plain_name(name: str) -> str:

@@ -27,14 +27,14 @@ def _table() -> ObjectsTable:
                 "floor": floor,
                 "friction": 0.1 if name == "case" else 0.6,
                 "geometry": {"width_m": width, "height_m": height},
-                "assessment": {"draws": 1, "levels": 4},
+                "assessment": {"draws": 1},
             }
         )
         for name, (width, height) in SIZES.items()
         for floor in (0, "attic")
     ]
     house = Building.of_first_mode("house", storeys=2, period_s=0.3, rooms={"attic": 2})
-    suite = make_synthetic_suite(4)
+    suite = make_synthetic_suite(11)
     return assess_objects(objects, suite, buildings=[house], pga_g=0.3, pgv_m_s=0.3)
 
 
@@ -50,13 +50,13 @@ def test_each_object_stands_on_its_floor_in_the_colour_of_its_risk(table: Object
     assert [text.get_text() for text in axes.texts] == [row["name"] for row in ordered]
     for box, row in zip(boxes, ordered, strict=True):
         assert box.get_y() == (1.0 if row["storey"] else 0.0)
-        share = row["probability"]
+        share = row["share"]
         colour = LIGHT.undecided if share is None else LIGHT.risk_step(share)
         assert to_hex(box.get_facecolor()) == colour
         assert bool(box.get_hatch()) == (share is None)
-        above = share is not None and share > table.target_probability
+        above = row["verdict"] == "red"
         assert to_hex(box.get_edgecolor()) == (LIGHT.ink if above else LIGHT.edge)
-    assert any(row["probability"] is None for row in ordered)
+    assert any(row["share"] is None for row in ordered)
 
 
 def test_objects_are_in_proportion(table: ObjectsTable) -> None:

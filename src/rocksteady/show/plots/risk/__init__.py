@@ -1,1 +1,1 @@
-"""Plots of fragility, risk, sensitivity and the ranking of measures."""
+"""Plots of fragility, risk, sensitivity and tables of objects."""

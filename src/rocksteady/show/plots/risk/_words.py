@@ -1,7 +1,12 @@
 """Names as pictures show them."""
 
+from typing import Final
+
 from rocksteady.show.style import wording
 from rocksteady.show.style.escaping import literal
+
+FALLING: Final = "share of runs that fall"
+"""Label of an axis of counted shares."""
 
 
 def greek(text: str) -> str:

@@ -1,28 +1,33 @@
-"""Plot of an assessment: how likely the object falls at each intensity, and the demand."""
+"""Picture of an assessment: counted shares over levels, its demand and its target."""
 
-import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.results.numbers import number, quantity
+from rocksteady.results.stated import share_words
 from rocksteady.risk.assess.assessment import Assessment
-from rocksteady.risk.assess.demand_in_units import demand_in_measure
-from rocksteady.risk.fragility.damage_states import OVERTURNED
-from rocksteady.show.plots.risk.fragility import NOT_RUN, plot_fragility
+from rocksteady.risk.counted.count import Count
+from rocksteady.risk.counted.suite import Shaking
+from rocksteady.risk.counted.verdict import LEAST, MARGIN
+from rocksteady.show.plots.risk.fragility import draw_states, state_colours
 from rocksteady.show.style.layout import axes_or_new
-from rocksteady.show.style.limits import draw_limit
-from rocksteady.show.style.tokens import inks_of
+from rocksteady.show.style.legends import line_scale, text_size
+from rocksteady.show.style.limits import LETTERS
+from rocksteady.show.style.line_ends import LineEnd
+from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-ROOM = 1.25
-"""Factor by which a picture goes beyond a demand outside of it."""
-
 
 @checked
 def plot_assessment(assessment: Assessment, ax: "Axes | None" = None) -> "Axes":
-    """Draw the fragility of an assessed object with its demand, a dashed line.
+    """Draw the counted shares of an assessed object, with its demand and its target.
+
+    Dashed lines are the demand and the share that is accepted; the thin one beside the demand is at
+    1.1 times it.  The share that falls at both has its 90 % interval.  Where both peaks are given,
+    levels are multiples of the demand.
 
     Parameters
     ----------
@@ -34,12 +39,12 @@ def plot_assessment(assessment: Assessment, ax: "Axes | None" = None) -> "Axes":
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: intensity, and probability of falling.
+        The axes: level of the ground motion, and share of the runs.
 
     Raises
     ------
     InputError
-        If there is no curve: the object slides.
+        If nothing was counted: it stands or slides by statics, or there is no answer.
 
     Examples
     --------
@@ -52,34 +57,78 @@ def plot_assessment(assessment: Assessment, ax: "Axes | None" = None) -> "Axes":
     ...         "name": "vase",
     ...         "geometry": {"width_m": 0.14, "height_m": 0.5},
     ...         "demand": {"pga_g": 0.4, "pgv_m_s": 0.4},
-    ...         "assessment": {"draws": 1, "levels": 4, "replicates": 0},
+    ...         "assessment": {"draws": 1},
     ...     }
     ... )
-    >>> axes = plot_assessment(assess_object(vase, make_synthetic_suite(3)), Figure().add_subplot())
-    >>> axes.get_ylabel()
-    'probability of falling'
+    >>> found = assess_object(vase, make_synthetic_suite(12))
+    >>> plot_assessment(found, Figure().add_subplot()).get_xlabel()
+    'PGA [g], with PGV/PGA kept at 1 m/s per g'
     """
-    if assessment.fragility is None:
+    fragility, judged = assessment.fragility, assessment.judged
+    shaking = judged.shaking
+    if fragility is None or shaking is None:
         raise InputError(
             "assessment",
-            Words("has no curve"),
-            "the object slides, and rocking is no answer",
+            Words("has no counted shares over levels"),
+            assessment.sentence.rstrip("."),
             "read summary()",
         )
     axes = axes_or_new(ax)
-    plot_fragility(assessment.fragility, axes, state=OVERTURNED)
-    demand = demand_in_measure(assessment)
-    if math.isfinite(demand):
-        _draw_demand(axes, demand)
+    inks, width = inks_of(axes), line_scale(axes)
+    target = LineEnd(f"target {number(100.0 * assessment.target)} %", assessment.target, inks.limit)
+    draw_states(axes, fragility.states, [target])
+    axes.axhline(assessment.target, color=inks.limit, lw=width, ls=DASHED, zorder=2.4)
+    axes.set_xlabel(_level_label(assessment, shaking))
+    answers = _answers(assessment, shaking)
+    low, high = axes.get_xlim()
+    axes.set_xlim(min(low, answers[0].at / MARGIN), max(high, answers[-1].at * MARGIN))
+    colour = state_colours(fragility.states, inks)[-1]
+    for answer, side, thick in zip(answers, ("right", "left"), (1.0, 0.6), strict=False):
+        axes.axvline(answer.at, color=inks.limit, lw=thick * width, ls=DASHED, zorder=2.4)
+        axes.annotate(
+            answer.words, (answer.at, 1.0), (1.0 if side == "left" else -1.0, 2.0),
+            xycoords=axes.get_xaxis_transform(), textcoords="offset points", ha=side, va="bottom",
+            fontsize=text_size(axes, LETTERS), color=inks.limit, annotation_clip=False,
+        )  # fmt: skip
+        axes.vlines(answer.at, *answer.band, color=colour, lw=2.0 * width, zorder=2.9)
+        dot: dict[str, Any] = {"ms": 5.5 * width, "color": colour, "mec": inks.paper, "zorder": 3.0}
+        axes.plot(answer.at, answer.share, "o", **dot)
     return axes
 
 
-def _draw_demand(axes: "Axes", demand: float) -> None:
-    """Draw the demand; the picture grows where it lies outside."""
-    inks, limits = inks_of(axes), axes.get_xlim()
-    shown = (min(limits[0], demand / ROOM), max(limits[1], demand * ROOM))
-    for begin, end in zip(shown, limits, strict=True):
-        if begin != end:  # not run either
-            axes.axvspan(begin, end, color=inks.edge, alpha=NOT_RUN, lw=0.0, zorder=0.5)
-    axes.set_xlim(shown)
-    draw_limit(axes, demand, "demand", zorder=2.5)
+class _Answer(NamedTuple):
+    """A share at a level, its 90 % interval, and both in words."""
+
+    at: float
+    share: float
+    band: tuple[float, float]
+    words: str
+
+
+def _answers(assessment: Assessment, shaking: Shaking) -> list[_Answer]:
+    """Return the answer, and the share at `MARGIN` times the demand where it can be judged."""
+    judged, level = assessment.judged, shaking.level
+    name = f"demand {quantity(level, shaking.measure.unit)}"
+    answers = []
+    if judged.stands:
+        answers.append(_Answer(level, 0.0, (0.0, 0.0), f"{name}\nstands"))
+    elif judged.count is not None:
+        answers.append(_counted(level, judged.count, name))
+    if judged.beyond is not None and judged.beyond.records >= LEAST:
+        answers.append(_counted(MARGIN * level, judged.beyond, f"{MARGIN:g} x"))
+    return answers
+
+
+def _counted(at: float, count: Count, name: str) -> _Answer:
+    """Return a counted share at a level."""
+    words = share_words(count.falls, count.runs, count.band, count.share).partition(" (")[0]
+    return _Answer(at, count.share, count.band, f"{name}\n{words} fall")
+
+
+def _level_label(assessment: Assessment, shaking: Shaking) -> str:
+    """Return the label of the levels."""
+    measure, demand = shaking.measure, shaking.demand
+    label = f"{measure.label}{' of the ground' * assessment.described.on_floor} [{measure.unit}]"
+    if shaking.stretched and demand.pga_g and demand.pgv_m_s:
+        label += f", with PGV/PGA kept at {number(demand.pgv_m_s / demand.pga_g)} m/s per g"
+    return label

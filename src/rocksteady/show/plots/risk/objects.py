@@ -1,11 +1,13 @@
-"""Plot of a table of objects: the probability of falling of each, the worst on top."""
+"""Picture of a table of objects: the share of the runs in which each falls, the worst on top."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.results.numbers import chance
+from rocksteady.results.numbers import CONFIDENCE, number
+from rocksteady.results.stated import share_words
 from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.show.plots.risk._words import FALLING
 from rocksteady.show.plots.value_rows import MOST, draw_interval
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
@@ -14,6 +16,7 @@ from rocksteady.show.style.legends import figure_of, text_size
 from rocksteady.show.style.limits import draw_limit
 from rocksteady.show.style.line_ends import write_beside
 from rocksteady.show.style.tokens import inks_of
+from rocksteady.show.style.wording import BADGES, LOOKS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,10 +27,10 @@ NARROW = 4.2
 
 @checked
 def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 20) -> "Axes":
-    """Draw the probability of falling of each object as a bar, the worst on top.
+    """Draw the share of runs in which each kind of object falls, the worst on top.
 
-    The verdict stands beside each bar; the target is a dashed line. A thin line is the 90 %
-    interval of a probability that was counted. An object without a probability has no bar.
+    A thin line is the 90 % interval, a dashed one the target.  The verdict stands beside each row;
+    an object without a count has no bar.
 
     Parameters
     ----------
@@ -36,12 +39,12 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
     ax
         Axes to draw on; default: axes of a new figure.
     most
-        Number of objects, from 1 to 200; of more the worst are drawn.  Default 20.
+        Number of kinds of object, from 1 to 200; of more the worst are drawn.  Default 20.
 
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: probability of falling, and a row for each object.
+        The axes: share of the runs, and a row for each kind of object.
 
     Raises
     ------
@@ -54,36 +57,46 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
     >>> from rocksteady import assess_objects
     >>> from rocksteady.motions import make_synthetic_suite
     >>> from rocksteady.risk import DescribedObject
-    >>> vase = DescribedObject(
-    ...     values={"name": "vase", "geometry": {"width_m": 0.12, "height_m": 0.5}}
-    ... )
-    >>> table = assess_objects([vase], make_synthetic_suite(4), pga_g=0.4, pgv_m_s=0.5)
+    >>> vases = [
+    ...     DescribedObject(values={"name": name, "geometry": {"width_m": 0.12, "height_m": 0.5}})
+    ...     for name in ("vase", "urn")
+    ... ]
+    >>> table = assess_objects(vases, make_synthetic_suite(12), pga_g=0.4, pgv_m_s=0.5)
     >>> axes = plot_objects(table, Figure().add_subplot())
-    >>> [name.get_text() for name in axes.get_yticklabels()], axes.get_xlabel()
-    (['vase'], 'probability of falling')
+    >>> [name.get_text() for name in axes.get_yticklabels()]
+    ['2 × vase']
     """
     most = whole_number("most", most, at_least=1, at_most=MOST, hint="give a number of objects")
-    worst = table.worst[:most]
+    kinds = table.kinds
     axes = axes_or_new(ax)
     inks, small = inks_of(axes), text_size(axes, 8.0)
-    for place, row in enumerate(worst):
-        share, words = row["probability"], row["verdict"]
-        if share:
+    letters = 24 if figure_of(axes).get_figwidth() > NARROW else 16
+    names = []
+    for place, (row, count) in enumerate(kinds[:most]):
+        share = row["share"]
+        if share is not None and row["by"] != "statics":
             colour = inks.risk_step(share)
             axes.barh(place, share, height=0.62, color=colour, ec=inks.edge, lw=0.6)
-        band = (row["band_low"], row["band_high"])
-        if None not in band:
-            draw_interval(axes, place, share, band)
-        if share is not None and row["basis"] != "statics":
-            words = f"{chance(share, row['tried'] * (row['basis'] == 'count'))}, {words}"
-        write_beside(axes, words, place, inks.ink, small, of_row=True)
-    target = table.target_probability
-    left = len(table.rows) - len(worst)
-    name = f"target {chance(target)}" + (f"; {left:,} more objects below" if left else "")
-    draw_limit(axes, target, name, zorder=0.9)
-    wide = figure_of(axes).get_figwidth() > NARROW
-    letters = 24 if wide else 14
-    name_rows(axes, [literal(palette.shortened(row["name"], letters)) for row in worst])
+            draw_interval(axes, place, share, (row["low"], row["high"]))
+        look = LOOKS.get(row["verdict"], "")
+        colour = {"red": inks.verdict_red, "green": inks.verdict_green}.get(look, inks.ink)
+        write_beside(axes, _words(row), place, colour, small, of_row=True)
+        alike = f"{count:,} × " if count > 1 else ""
+        names.append(alike + literal(palette.shortened(row["name"], letters - len(alike))))
+    left = len(kinds) - len(names)
+    target = f"target {number(100.0 * table.target_probability)} %"
+    draw_limit(axes, table.target_probability, target + f"; {left:,} more below" * (left > 0))
+    name_rows(axes, names)
     percent_ticks(axes, "x")
-    axes.set(xlabel=palette.LABELS["falling"], xlim=(0.0, 1.03))
+    axes.set(xlabel=f"{FALLING} (line: {100.0 * CONFIDENCE:g} %)", xlim=(0.0, 1.03))
     return axes
+
+
+def _words(row: dict[str, Any]) -> str:
+    """Return share and verdict of a kind of object."""
+    verdict = BADGES[row["verdict"]][0]
+    if row["share"] is None or row["by"] == "statics":
+        return verdict
+    band = (row["low"], row["high"])
+    share = share_words(row["fall"], row["runs"], band, row["share"]).partition(" (")[0]
+    return f"{share}, {verdict}"

@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.numbers import chance
+from rocksteady.results.numbers import number
 from rocksteady.risk.assess.described.objects import floor_number
 from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.show.plots.risk._words import FALLING
 from rocksteady.show.plots.risk.objects import NARROW
 from rocksteady.show.style import palette
 from rocksteady.show.style.areas import risk_swatches
@@ -37,11 +38,11 @@ def floors_of(table: ObjectsTable) -> list[tuple[str, list[dict[str, Any]]]]:
     """Return the floors with an object, the lowest first, and their objects, the worst first."""
     floors: dict[tuple[str, int, str], list[dict[str, Any]]] = defaultdict(list)
     for row in table.worst:
-        number, room = row["storey"], str(row["floor"] or "").strip()
-        where = f"floor {number}" if number else "ground"
+        storey, room = row["storey"], str(row["floor"] or "").strip()
+        where = f"floor {storey}" if storey else "ground"
         named = where if floor_number(room) is not None else f"{where}, {room}"
         building = row["building"] or ""
-        floors[building, number, named].append(row)
+        floors[building, storey, named].append(row)
     several = len({building for building, _, _ in floors}) > 1
     return [
         (f"{building}: {name}" if several and building else name, rows)
@@ -51,10 +52,10 @@ def floors_of(table: ObjectsTable) -> list[tuple[str, list[dict[str, Any]]]]:
 
 @checked
 def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
-    """Draw each floor with its objects in proportion, coloured by the probability of falling.
+    """Draw each floor with its objects in proportion, coloured by its share of runs that fall.
 
     The worst stands on the left, and what is above its target has a heavy outline.  Names stand
-    below where no floor has more than 14 objects.  An object without an answer is crosshatched.
+    below where no floor has more than 14 objects.  An object without a share is crosshatched.
 
     Parameters
     ----------
@@ -83,7 +84,7 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
     >>> vase = DescribedObject(
     ...     values={"name": "vase", "floor": 2, "geometry": {"width_m": 0.12, "height_m": 0.5}}
     ... )
-    >>> table = assess_objects([vase], make_synthetic_suite(4), buildings=[house], pga_g=0.2)
+    >>> table = assess_objects([vase], make_synthetic_suite(11), buildings=[house], pga_g=0.2)
     >>> axes = plot_plan(table, Figure().add_subplot())
     >>> [name.get_text() for name in axes.get_yticklabels()]
     ['floor 2']
@@ -118,8 +119,8 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
         axes.plot([0.0, 1.0], [place, place], color=inks.edge, lw=1.0, zorder=1)
         for at, row in enumerate(rows):
             width, height = sizes[id(row)]
-            middle, share = (at + 0.5) * step, row["probability"]
-            above = row["colour"] == "red"
+            middle, share = (at + 0.5) * step, row["share"]
+            above = row["verdict"] == "red"
             axes.add_patch(
                 Rectangle(
                     (middle - 0.5 * across * width, place),
@@ -146,10 +147,12 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
                 color=inks.ink,
             )
     handles = risk_swatches(inks)
-    if any(row["probability"] is None for row in table.rows):
-        handles.append(Patch(fc=inks.undecided, hatch="xxxx", ec=inks.edge, label="no answer"))
-    if any(row["colour"] == "red" for row in table.rows):
-        words = f"above the target of {chance(table.target_probability)}"
+    if any(row["share"] is None for row in table.rows):
+        handles.append(
+            Patch(fc=inks.undecided, hatch="xxxx", ec=inks.edge, label="slides, or no answer")
+        )
+    if any(row["verdict"] == "red" for row in table.rows):
+        words = f"above the target of {number(100.0 * table.target_probability)} %"
         handles.append(Patch(fc="none", ec=inks.ink, lw=MARKED, label=words))
     narrow = figure_of(axes).get_figwidth() <= NARROW
     labels = [literal(name).replace(", ", ",\n" if narrow else ", ") for name, _ in floors]
@@ -157,7 +160,7 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
     axes.set(xlim=(0.0, 1.0), ylim=(-BELOW, len(floors) - 1 + ABOVE), xticks=[])
     axes.tick_params(length=0)
     axes.spines[:].set_visible(False)
-    draw_legend(axes, "below", handles=handles, title=palette.LABELS["falling"])
+    draw_legend(axes, "below", handles=handles, title=FALLING)
     return axes
 
 

@@ -1,0 +1,85 @@
+"""One object at one demand has one share, on every surface and in every file."""
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+
+from rocksteady import assess_object, assess_objects
+from rocksteady.export import write_assessment
+from rocksteady.motions import make_synthetic_suite
+from rocksteady.results.numbers import chance
+from rocksteady.risk import DescribedObject
+from tests.every import every
+from tests.outputs import unrendered
+from tests.show.assessment.pages import Page, drawn_once
+
+SUITE = make_synthetic_suite(12)
+CABINET = DescribedObject(
+    values={
+        "name": "cabinet",
+        "friction": 0.6,
+        "geometry": {"width_m": 0.5, "height_m": 1.8},
+        "demand": {"pga_g": 0.5, "pgv_m_s": 0.5},
+    }
+)
+
+
+def rows_of(file: Path) -> list[dict[str, str]]:
+    with file.open(encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def counted(rows: list[dict[str, str]], level: float) -> float:
+    """Return the share of the runs of a table that fall: of mirror images one counts."""
+    kept = [
+        row["status"] == "overturned"
+        for row in rows
+        if float(row["level"]) == level and row["direction"] == rows[0]["direction"]
+    ]
+    return sum(kept) / len(kept)
+
+
+@every("stretch", [True, False])
+def test_screen_page_json_and_tables_state_the_same_share(stretch: bool, tmp_path: Path) -> None:
+    found = assess_object(CABINET, SUITE, stretch=stretch)
+    share = found.share
+    assert share is not None
+    assert 0.1 < share < 0.9
+    values = found.describe().to_dict()
+    assert (values["share"], values["low"], values["high"]) == (share, *(found.band or ()))
+    assert values["cases"][0]["share"] == share
+    (at_demand,) = (
+        row["share"]
+        for row in found.fragility.to_dict()["shares"]  # type: ignore[union-attr]
+        if row["level"] == 0.5 and row["damage_state"] == "overturned"
+    )
+    assert at_demand == share
+
+    folder = tmp_path / "answer"
+    with unrendered(), drawn_once():
+        write_assessment(found, folder)
+    assert counted(rows_of(folder / "results.csv"), 0.5) == pytest.approx(share, rel=1e-12)
+    (row,) = (
+        row
+        for row in rows_of(folder / "fragility.csv")
+        if float(row["level"]) == 0.5 and row["damage_state"] == "overturned"
+    )
+    assert (float(row["share"]), float(row["low"])) == (share, values["low"])
+    answer = json.loads((folder / "run.json").read_text(encoding="utf-8"))["settings"]["answer"]
+    assert answer["share"] == share
+
+    page = Page((folder / "report.html").read_text(encoding="utf-8"))
+    heading = page.headings[0][1].replace("\N{NO-BREAK SPACE}", " ")
+    assert heading == found.sentence
+    assert " ".join(found.summary().split()).startswith(heading)
+    words = chance(share)
+    assert f": {words} (90 %" in heading
+    table = page.text.partition("Counted shares")[2]
+    assert words in table.partition("this demand")[2].partition(" g")[0]
+    described = page.text.partition("as described")[2]
+    assert described.lstrip().startswith(words)
+
+    (kind,) = assess_objects([CABINET], SUITE, stretch=stretch).rows
+    assert (kind["share"], kind["low"], kind["verdict"]) == (share, values["low"], found.verdict)
