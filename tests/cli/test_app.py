@@ -339,7 +339,6 @@ def test_a_summary_loads_no_tables(tmp_path: Path) -> None:
         "basins -A 2:3:2 -W 4 -r 0.8 --angles=-1:1:4 --velocities=-1:1:4",
         "overturn --pulse ricker -W 3 -r 0.9",
         "overturn --kick --start 0.5,0 --width-m 0.6 --height-m 1.8",
-        "assess --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4",
         f"spectrum --record {record} --alpha-rad 0.2 --periods-s 2:4:2",
         f"spectrum --record {record} --width-m 0.5 --height-m 2",
     )

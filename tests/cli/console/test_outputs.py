@@ -153,7 +153,7 @@ def test_no_combination_of_outputs_replaces_an_input(tmp_path: Path) -> None:
     rows = "name,width_m,height_m\na,0.3,1.5\n"
     commands = (
         (f"facade {wall} --records", ("runs.csv", "report.html", "run.json"), text),
-        (f"assess {statue} --records", ("results.csv", "report.html", "fragility.xml"), text),
+        (f"assess {statue} --records", ("results.csv", "report.html", "fragility.csv"), text),
         (f"assess --pgv-m-s 0.4 --records {record}", ("answers.csv", "results.csv"), rows),
         ("calibrate --tests", ("predictions.csv", "posterior.csv"), "name\n"),
         ("calibrate --example --prior", ("predictions.csv", "report.html"), "name\n"),

@@ -73,7 +73,7 @@ def test_a_terminal_shows_an_answer_in_the_styles_of_its_roles() -> None:
 
 @pytest.mark.slow
 def test_a_verdict_has_a_hue_beside_its_word() -> None:
-    assert "\x1b[31mred\x1b[0m, above the target" in on_terminal("assess", "--example")
+    assert "\x1b[31mred\x1b[0m: target 10 %" in on_terminal("assess", "--example")
     facade = on_terminal("facade", "--example")
     hues = HUES.findall(facade)
     assert len(hues) == facade.count("not satisfied\x1b") > 0

@@ -5,7 +5,7 @@ import pytest
 from rocksteady import Block
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
-from rocksteady.cli.flags.demand import PeakFlags, SpectrumFlags, probability, sized_block
+from rocksteady.cli.flags.demand import PeakFlags, SpectrumFlags, share, sized_block
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.errors import InputError
 from tests.every import every
@@ -19,9 +19,9 @@ def test_a_block_needs_a_size() -> None:
 
 
 def test_both_peaks_are_asked_for_by_name() -> None:
-    assert PeakFlags(pga_g=0.3, pgv_m_s=0.4).both_peaks() == (0.3, 0.4)
+    PeakFlags(pga_g=0.3, pgv_m_s=0.4).need_both_peaks()
     with pytest.raises(FlagError, match="--pgv-m-s is not given"):
-        PeakFlags(pga_g=0.3).both_peaks()
+        PeakFlags(pga_g=0.3).need_both_peaks()
 
 
 def test_peaks_alone_make_a_demand_without_a_spectrum() -> None:
@@ -30,7 +30,7 @@ def test_peaks_alone_make_a_demand_without_a_spectrum() -> None:
 
 
 @every("value", [0.0, 1.0, -0.1, float("nan")])
-def test_a_target_is_a_probability_that_decides_something(value: float) -> None:
+def test_a_target_is_a_share_that_decides_something(value: float) -> None:
     with pytest.raises(InputError, match="--target"):
-        probability("--target", value)
-    assert probability("--target", 0.1) == 0.1
+        share("--target", value)
+    assert share("--target", 0.1) == 0.1

@@ -165,7 +165,6 @@ def test_a_mistake_is_one_line(flags: str, words: list[str], file: Path) -> None
     [
         f"simulate {SIZE} --start 0.6,0",
         f"screens {SIZE} --pga-g 0.3",
-        f"assess {SIZE} --pga-g 0.3 --pgv-m-s 0.3",
         f"basins {SIZE} --accel-g 0.1 --freq-hz 1:2:3",
         f"steady {SIZE} --accel-g 0.4 --freq-hz 1:2:3",
         f"map {SIZE} --accel-g 0.4 --freq-hz 1:2:3 --harmonic 1,1,0 --harmonic 2,1,0",

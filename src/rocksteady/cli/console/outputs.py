@@ -66,15 +66,18 @@ def again(context: "typer.Context", *flags: str, but: tuple[str, ...] = ()) -> s
     flags
         Flags that are added, with their values.
     but
-        Flags with a value that are left out.
+        Flags with a value that are left out; without its store nothing is resumed.
     """
     words, kept = list(context.find_root().obj), ["rocksteady"]
+    idle = {"--more", "--quiet", "--force"}
+    if {"--out", "--runs"} & {*but}:
+        idle.add("--resume")
     while words:
         word = words.pop(0)
         name, equals, _ = word.partition("=")
         if name in ("--csv", "--plot", *but):
             del words[: 0 if equals else 1]
-        elif word not in ("--more", "--quiet", "--force"):
+        elif word not in idle:
             kept.append(quoted(word))
     return " ".join([*kept, *flags])
 
@@ -84,7 +87,8 @@ def report_command(context: "typer.Context", out: Path | None) -> str:
     if out is not None:
         return f"python3 -m webbrowser {quoted(out / 'report.html')}"
     folders = (f"answer{number or ''}" for number in count())
-    return again(context, f"--out {next(each for each in folders if not Path(each).exists())}")
+    folder = next(each for each in folders if not Path(each).exists())
+    return again(context, f"--out {folder}", but=("--runs",))  # a store is written once
 
 
 def announce_file(file: Path) -> None:

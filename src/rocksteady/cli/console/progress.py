@@ -163,6 +163,11 @@ class Meter:
             terminal.say_suggestion()
         self._show(self)
 
+    def end(self) -> None:
+        """Take the cells that are done for all: there were fewer than there might have been."""
+        self.cells = self.passed
+        self._show(self)
+
     @property
     def computed(self) -> int:
         """Cells that were not there before."""

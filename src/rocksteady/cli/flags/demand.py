@@ -1,22 +1,32 @@
 """Flags for the demand on an object: peaks, friction, a spectrum or a record."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.cli.console.refusals import both, missing, needs
+from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, needs
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.groups import OutputFlags, ScreenFlags
-from rocksteady.cli.flags.parsing import number
+from rocksteady.cli.flags.parsing import number, restitution_from
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
+from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.examples import constructor_of
+from rocksteady.model.blocks.housner_forms import Impacts
+from rocksteady.model.blocks.sides import gyration_of, rectangle_p
 from rocksteady.model.checks.validation import in_range
 
 if TYPE_CHECKING:
+    from rocksteady.risk.assess.described.objects import DescribedObject
     from rocksteady.risk.screens.demand import Demand
 
 demand_flag = options.Panel("Demand")
+SOURCE = "block"
+"""What an object of flags is called in messages, which then name the flags."""
+LENGTHS = ("offset", "mass_centre_height", "left", "right", "gyration")
+"""Measures of a block with one number each, in metres."""
+UNITS = {"width": "_m", "height": "_m", "alpha": "_rad", "p": "_rad_s"}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,8 +79,8 @@ class PeakFlags:
             "--vertical-share": None if self.vertical_share == 1.0 else self.vertical_share,
         }
 
-    def both_peaks(self) -> tuple[float, float]:
-        """Return PGA and PGV.
+    def need_both_peaks(self) -> None:
+        """Refuse a demand of one peak, which built-in motions are not made of.
 
         Raises
         ------
@@ -80,11 +90,11 @@ class PeakFlags:
         flags = (("--pga-g", self.pga_g, "0.3"), ("--pgv-m-s", self.pgv_m_s, "0.4"))
         for flag, value, usual in flags:
             if value is None:
-                hint = f"give it, as {flag} {usual}"
-                raise missing(flag, valid="PGA and PGV are both needed", hint=hint)
-        assert self.pga_g is not None
-        assert self.pgv_m_s is not None
-        return self.pga_g, self.pgv_m_s
+                raise missing(
+                    flag,
+                    valid="built-in motions are made of both peaks",
+                    hint=f"give it, as {flag} {usual}, or add --records with your folder",
+                )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -179,6 +189,99 @@ def sized_block(flags: BlockFlags) -> Block:
     )
 
 
-def probability(flag: str, value: float) -> float:
-    """Return a probability that a flag was given, inside (0, 1)."""
-    return in_range(flag, value, 0.0, 1.0, "()", hint="give a probability, as 0.1")
+def described_block(flags: BlockFlags, peaks: PeakFlags, target: float | None) -> "DescribedObject":
+    """Return the block of flags with its demand as an object file describes them.
+
+    Raises
+    ------
+    InputError, FlagError
+        As for `sized_block`; if a number is outside the ranges of an object file; or of two
+        restitutions, which such a file has no key for.
+    """
+    from rocksteady.risk.assess.described.objects import DescribedObject
+    from rocksteady.risk.observations.files.toml_tables import named
+
+    body = sized_block(flags)
+    demand = {"pga_g": peaks.pga_g, "pgv_m_s": peaks.pgv_m_s, **peaks.vertical}
+    tables: dict[str, dict[str, Any]] = {
+        "geometry": _geometry(flags, body),
+        "demand": demand,
+        "assessment": {"target_probability": target},
+        "": {
+            "friction": peaks.friction,
+            "restitution": _restitution(flags, body),
+            "gravity_m_s2": body.gravity,
+        },
+    }
+    known = {
+        table: {key: value for key, value in values.items() if value is not None}
+        for table, values in tables.items()
+    }
+    names = {
+        named(SOURCE, table, key): options.FLAG_OF_ARGUMENT.get(key, "--" + key.replace("_", "-"))
+        for table, values in known.items()
+        for key in values
+    } | {named(SOURCE, "assessment", "target_probability"): "--target"}
+    with flags_of(names, InputError):
+        return DescribedObject(
+            values={
+                "name": "block",
+                "against_wall": body.one_sided,
+                "fixed_parts": bool(body.parts),  # which the flags take as one body
+                **known.pop(""),
+                **known,
+            },
+            source=SOURCE,
+        )
+
+
+def _geometry(flags: BlockFlags, body: Block) -> dict[str, Any]:
+    """Return the geometry of a block under the keys of an object file."""
+    frame = {"columns": flags.columns, "cap_mass_ratio": flags.cap_mass_ratio}
+    if flags.block is not None:
+        bare = replace(flags, columns=None, cap_mass_ratio=None, one_sided=None, restitution="1")
+        return _measured(sized_block(bare)) | frame
+    sizes = {name: values[0] for name, values in flags.sizes.items()}
+    if "radius" in sizes:
+        sizes["p"] = rectangle_p(sizes.pop("radius"), body.gravity)
+    shape = {name + UNITS[name]: value for name, value in sizes.items()}
+    shape |= {f"{name}_m": getattr(flags, f"{name}_m") for name in LENGTHS}
+    if flags.left_m is not None and flags.mass_centre_height_m is None:
+        shape["mass_centre_height_m"] = 0.5 * sizes["height"]
+    return shape | frame
+
+
+def _measured(body: Block) -> dict[str, float]:
+    """Return the geometry of a block without a cap, from its measures."""
+    left, right = body.positive, body.negative
+    shape = {
+        "width_m": body.width,
+        "height_m": body.height,
+        "gyration_m": gyration_of(left, body.gravity),
+    }
+    if left.distance != right.distance:
+        shape["offset_m"] = 0.5 * (left.distance - right.distance)
+    if not body.fills_outline:
+        shape["mass_centre_height_m"] = left.centre_height
+    return shape
+
+
+def _restitution(flags: BlockFlags, body: Block) -> str | float:
+    """Return the restitution of a block as an object file has it."""
+    if flags.restitution is None:
+        alone = flags.block is not None and not body.one_sided and body.cap is None
+        return constructor_of(flags.block)[1].get("restitution", "housner") if alone else "housner"
+    given = restitution_from(flags.restitution, default="housner", wall=body.one_sided)
+    if Impacts.of(given).pair is not None:
+        raise FlagError(
+            "--restitution/-r",
+            flags.restitution,
+            "an object has one restitution, or both from angular momentum",
+            "give one number, or leave it out",
+        )
+    return given if isinstance(given, float) else flags.restitution
+
+
+def share(flag: str, value: float) -> float:
+    """Return a share that a flag was given, inside (0, 1)."""
+    return in_range(flag, value, 0.0, 1.0, "()", hint="give a share, as 0.1")

@@ -1,5 +1,6 @@
 """Flags for ensembles: suites of records, levels, and a band of restitutions."""
 
+import re
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.records.core.text import NO_RECORD
 from rocksteady.records.examples import example_named, is_example
 from rocksteady.results.description import Column, Description, Table
+from rocksteady.results.numbers import plural
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -80,11 +82,23 @@ class Suite:
 
         values, answer = self.values, description.answer
         if answer is not None and (self.left_out or "unstated_direction" in values):
-            words = suite_words(self.recordings, self.left_out)
-            runs = next((each.value for each in description.facts if each.key == "runs"), None)
-            words = f"{runs:,} runs, {words}" if isinstance(runs, int) else words
-            first, *others = [*answer.facts, ("", "")]
-            answer = replace(answer, facts=[first, ("suite", words), *others])
+            words, count = suite_words(self.recordings, self.left_out), len(self.recordings)
+            records, facts = plural(count, "record"), [*answer.facts]
+            rest = words.removeprefix(records)
+            for place, (label, fact) in enumerate(facts):
+                if label == "counted" and str(fact).endswith(records):
+                    facts[place] = label, f"{fact}{rest}"
+                    break
+                if label == "records" and re.match(
+                    rf"{count:,}(, scaled|, stretched|$)", str(fact)
+                ):
+                    facts[place] = label, f"{fact}; {rest.lstrip(',; ')}"
+                    break
+            else:
+                runs = next((each.value for each in description.facts if each.key == "runs"), None)
+                words = f"{runs:,} runs, {words}" if isinstance(runs, int) else words
+                facts.insert(1, ("suite", words))
+            answer = replace(answer, facts=facts)
         columns = [
             Column("file", "file", lambda file: Path(file).name, left=True),
             Column("channel", "channel", left=True),
@@ -282,8 +296,8 @@ class EnsembleFlags:
     )
     levels: str | None = ensemble_flag(
         "--levels AXIS",
-        "Set the levels: start:stop:count, log:start:stop:count, or values with commas; "
-        "default 20 that suit the block.",
+        "Set the levels: start:stop:count, log:start:stop:count, or values with commas; by "
+        "default they reach from where nothing lifts to where 95 % fall.",
     )
     scale: str | None = ensemble_flag(
         "--scale AXIS", "Multiply all records by the same factors, an axis, in place of --levels."
@@ -303,9 +317,7 @@ class EnsembleFlags:
     no_reverse: bool = ensemble_flag(
         "--no-reverse", "Run the records as recorded only; by default reversed too.", default=False
     )
-    seed: int = ensemble_flag(
-        "--seed N", "Set the seed of the scatter and of the bands.", default=0
-    )
+    seed: int = ensemble_flag("--seed N", "Set the seed of the scatter.", default=0)
 
     @property
     def ways(self) -> "Ways":

@@ -1,7 +1,6 @@
 """`rocksteady fragility`: from records and a block to fragility curves."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
 
 import typer
 
@@ -10,25 +9,21 @@ from rocksteady.cli.console.refusals import flags_of, refuse, require
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags, ensemble_flag
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.flags.options import Panel
+from rocksteady.cli.flags.options import Panel, block_flag
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.motions.base_motion import BaseMotion
-
-if TYPE_CHECKING:
-    from rocksteady.risk.fragility.fitting import FitOptions
 
 HELP = (
-    "Compute the fragility of a block from a suite of records.\n\n"
-    "Fragility: the probability that a block lifts, tilts beyond a part of alpha, or overturns, "
-    "over the intensity of the ground motion.\n\n"
-    "Every record is scaled to every level, run as it is and reversed, for a band of "
-    "restitutions, by the full equations; curves are fitted by maximum likelihood, with bands "
-    "by a bootstrap of records. Where blocks stand without lifting the curves have two stages, "
-    "uplift and failure given uplift. --out keeps the runs and --resume continues them."
+    "Count how often a block falls, level by level.\n\n"
+    "Fragility: the share of the runs in which a block lifts, tilts beyond a part of alpha, or "
+    "overturns, over the intensity of the ground motion.\n\n"
+    "Every record is scaled to every level and run for a band of restitutions by the full "
+    "equations, in both directions where they differ; every share is a count, with its 90 % "
+    "interval. Median and beta are a summary of the counts. --out keeps the runs and --resume "
+    "continues them. Fewer than 11 records give no answer: exit code 3."
 )
-MAIN = "width_m height_m restitution records measure levels states out plot example"
+MAIN = "width_m height_m restitution records measure levels friction out plot example"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
@@ -36,9 +31,11 @@ EXAMPLES = (
     "rocksteady fragility --width-m 0.6 --height-m 1.8 --records suite --measure pga_g "
     "--levels 0.2:2:10 --restitution 0.85:0.95 --draws 5 --json\n\n"
     "rocksteady fragility --alpha-rad 0.2 --p-rad-s 2 --records suite --measure sa_avg_g:1.5 "
-    "--states uplift,0.5,overturned --csv runs.csv\n\n"
+    "--states uplift,0.5,overturned --friction 0.5 --csv runs.csv\n\n"
     "Your folder of records: suite."
 )
+STORED = ("--out", "--chunk", "--netcdf")
+"""Flags of what is written once."""
 curve_flag = Panel("Curves")
 EXAMPLE_MOTIONS = 24
 EXAMPLE_SIZE = (0.32, 1.8)
@@ -54,21 +51,15 @@ def fragility(
     ensemble: EnsembleFlags,
     sweep: SweepFlags,
     output: OutputFlags,
+    friction: float | None = block_flag(
+        "--friction MU",
+        "Set the coefficient of friction between block and base: levels end where it slides; "
+        "without, its need is shown.",
+    ),
     states: str = curve_flag(
         "--states LIST",
         "Set the damage states: uplift, overturned, or a theta/alpha that is exceeded.",
         default="uplift,0.25,0.5,1,overturned",
-    ),
-    family: str = curve_flag(
-        "--family NAME", "Set the curve: lognormal or logistic.", default="lognormal"
-    ),
-    confidence: float = curve_flag(
-        "--confidence P", "Set the confidence of the bands.", default=0.9
-    ),
-    replicates: int = curve_flag(
-        "--replicates N",
-        "Set the number of suites that the bands are drawn from; 0 for no bands.",
-        default=1000,
     ),
     example: bool = ensemble_flag(
         "--example",
@@ -78,6 +69,10 @@ def fragility(
     ),
 ) -> None:
     """Run `rocksteady fragility`; `HELP` is what its users read."""
+    from rocksteady.model.checks.bounds import FRICTION
+    from rocksteady.risk.counted.verdict import LEAST
+    from rocksteady.risk.fragility.compute_fragility import damage_states, plan_fragility
+
     sweep.check(output)
     require(
         "fragility",
@@ -89,59 +84,52 @@ def fragility(
     default = Block.rectangle(width=width, height=height) if example else None
     body, band = ensemble.block_and_band(block, default)
     levels = ensemble.levels_asked()
-    fitting = _fitting(states, family, confidence, replicates, ensemble.seed)
+    with flags_of(dict.fromkeys(("peak", "name", "states"), "--states")):
+        asked = damage_states([part.strip() for part in states.split(",")])
+    if friction is not None:
+        FRICTION("--friction", friction)
     run = sweep.run(force=output.force)
     suite = _suite(recorded, reading, example=example)
     sweep.check(output, suite.read)
-
-    from rocksteady.risk.fragility.fit_fragility import compute_fragility
-
-    lifts = sum(
-        isinstance(motion, BaseMotion) and motion.vertical is not None for motion in suite.motions
+    planned = plan_fragility(
+        body,
+        suite.motions,
+        levels=levels,
+        restitution=band,
+        ways=ensemble.ways,
+        friction=friction,
     )
-    ways = (len(suite.motions) + lifts) * (1 if body.symmetric or ensemble.no_reverse else 2)
-    cells = ways * len(levels.levels_for([body])) * band.draws
-    with sweep.running(context, run, "running blocks", cells) as (shown, _):
-        fragility_found = compute_fragility(
-            body,
-            suite.motions,
-            levels=levels,
-            restitution=band,
-            ways=ensemble.ways,
-            mass_kg=ensemble.mass_kg,
-            fitting=fitting,
-            run=shown,
-        )
-    description = fragility_found.describe()
+    with sweep.running(context, run, "running blocks", planned.cells) as (shown, _):
+        result = planned.count(asked, mass_kg=ensemble.mass_kg, run=shown)
+    description = result.describe()
+    names = result.ensemble["record"].values
+    files = {id(motion): file for motion, file in zip(suite.motions, suite.files, strict=False)}
     after = {
         "block": body.describe().to_dict(),
         "synthetic": example,
         "files": [
-            {"name": str(name), "file": str(file)}
-            for name, file in zip(
-                fragility_found.ensemble["record"].values, suite.files, strict=False
-            )
+            {"name": str(name), "file": str(files[id(motion)])}
+            for name, motion in zip(names, planned.motions, strict=True)
+            if id(motion) in files
         ],
         "store": run.place and str(run.place.path),
     }
-    headline = description.headline + (" of synthetic motions, no earthquake's" if example else "")
-    output.write_cells(lambda: fragility_found.ensemble)
-    sweep.write_netcdf(lambda: fragility_found.ensemble)
+    headline = description.headline + (" On synthetic motions, no earthquake's." if example else "")
+    output.write_cells(lambda: result.ensemble)
+    sweep.write_netcdf(lambda: result.ensemble)
     if output.plot is not None:
         from rocksteady.show.figures.risk import fragility_figure
 
-        output.write_plot(lambda page: fragility_figure(fragility_found, None, headline, page))
+        output.write_plot(lambda page: fragility_figure(result, headline, page))
     kept = f", kept in {after['store']}" if after["store"] else ""
-    notes = [
-        *description.notes,
-        f"{fragility_found.runs:,} runs and all fits in {fragility_found.seconds:.1f} s{kept}",
-    ]
+    notes = [*description.notes, f"{result.runs:,} runs in {result.seconds:.1f} s{kept}"]
     output.leave(
         "fragility",
         replace(description, headline=headline, notes=notes),
         after=after,
         suite=suite,
-        follow_up="" if output.plot else again(context, "--plot fragility.png", but=("--out",)),
+        decided=result.records >= LEAST,
+        follow_up="" if output.plot else again(context, "--plot fragility.png", but=STORED),
     )
 
 
@@ -158,24 +146,3 @@ def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Sui
     valid = "--example has synthetic motions and reads no file"
     refuse({**reading.given, **recorded.given}, valid, "leave one out")
     return Suite.synthetic(EXAMPLE_MOTIONS)
-
-
-def _fitting(
-    states: str, family: str, confidence: float, replicates: int, seed: int
-) -> "FitOptions":
-    """Return the options of the fits, whose errors name the flags.
-
-    Raises
-    ------
-    FlagError
-        If one is not valid.
-    """
-    from rocksteady.risk.fits.bands import BandOptions
-    from rocksteady.risk.fragility.fitting import FitOptions
-
-    flags = {name: f"--{name}" for name in ("confidence", "replicates", "seed", "family")}
-    with flags_of({"peak": "--states", "name": "--states", "states": "--states", **flags}):
-        bands = BandOptions(confidence=confidence, replicates=replicates, seed=seed)
-        named: Any = family
-        parts = [part.strip() for part in states.split(",")]
-        return FitOptions(states=parts, family=named, bands=bands)
