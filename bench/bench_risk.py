@@ -1,4 +1,4 @@
-"""Fragility: an ensemble, the bands of a curve and a table of objects, on all cores."""
+"""Risk: an ensemble and a table of objects, on all cores."""
 
 import functools
 import time
@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, Status, assess_objects, run_ensemble
+from rocksteady import Block, assess_objects, run_ensemble
 from rocksteady.motions import make_synthetic_suite
-from rocksteady.risk import BandOptions, DescribedObject, Levels, RestitutionBand, fit_curve
+from rocksteady.risk import DescribedObject, Levels, RestitutionBand
 
 RECORDS = 56
 risk_benchmark = pytest.mark.benchmark(group="risk", timer=time.perf_counter)
@@ -21,7 +21,7 @@ def ensemble() -> Any:
     return run_ensemble(
         Block.rectangle(width=0.32, height=1.8),
         make_synthetic_suite(RECORDS),
-        levels=Levels(beside=()),
+        levels=Levels("p_pgv_per_uplift", np.geomspace(0.15, 3.0, 20), beside=()),
         restitution=RestitutionBand(draws=10),
     )
 
@@ -32,21 +32,6 @@ def test_ensemble(benchmark: Any) -> None:
     benchmark.extra_info["what"] = f"ensemble of {found.status.size:,} runs, both signs"
     benchmark.extra_info["count"] = found.status.size
     benchmark.extra_info["aim"] = "aim 30 s"
-
-
-@risk_benchmark
-def test_bands(benchmark: Any) -> None:
-    runs = ensemble()
-    fell = (runs.status == Status.OVERTURNED).sum(["block", "direction", "vertical", "draw"])
-    levels = np.broadcast_to(runs.level.values, fell.shape)
-    groups = np.repeat(np.arange(RECORDS), runs.sizes["level"])
-    trials = np.full(fell.size, 20)
-    arguments = (levels.ravel(), fell.values.ravel(), trials)
-    options = {"groups": groups, "bands": BandOptions()}
-    benchmark.pedantic(fit_curve, args=arguments, kwargs=options, rounds=3, warmup_rounds=1)
-    benchmark.extra_info["what"] = "curve with bands, 1,000 suites redrawn"
-    benchmark.extra_info["count"] = 1000
-    benchmark.extra_info["aim"] = "aim 1.5 s"
 
 
 @risk_benchmark

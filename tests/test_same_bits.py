@@ -72,9 +72,9 @@ INTEGERS = {"numpy.random.SeedSequence", "numpy.random.Generator"}
 
 LAPACK = "LAPACK solves for the points of a branch: all but their last digits agree"
 PYTHON = "SciPy's is Python code, and calls nothing but the function"
-DEMAND = "a demand read from the object's spectrum, or the median of the motions"
-SEARCH = "the search for the least change, which its own runs confirm"
 PICTURES = "the last of a fall in a film, to a pixel"
+BUILT_IN = "built-in motions: seeded noise, whose last digits may differ"
+COUNTS = "the interval or the curve of what was counted"
 WORDS = "words of a screen, with three digits"
 ALLOWED = {
     ("dynamics/history/fall.py", "**"): PICTURES,
@@ -116,18 +116,23 @@ ALLOWED = {
     ("model/motions/synthetic.py", "numpy.random"): "noise of NumPy",
     ("model/motions/synthetic.py", "scipy.signal"): "filters of SciPy",
     ("records/processing.py", "scipy.signal"): "the low-pass filter before a coarser sampling",
-    ("risk/assess/_demand_level.py", "numpy.exp"): DEMAND,
-    ("risk/assess/_demand_level.py", "numpy.interp"): DEMAND,
-    ("risk/assess/_demand_level.py", "numpy.log"): DEMAND,
-    ("risk/assess/_remedies.py", "math.expm1"): SEARCH,
-    ("risk/assess/_remedies.py", "math.log"): SEARCH,
-    ("risk/assess/_remedies.py", "math.log1p"): SEARCH,
-    ("risk/assess/_remedies.py", "numpy.log"): SEARCH,
-    ("risk/assess/_remedies.py", "scipy.optimize"): SEARCH,
-    ("risk/assess/_remedies.py", "scipy.special"): SEARCH,
     ("risk/assess/two_numbers.py", "math.log"): "the normal distribution, for a probability",
-    ("risk/ensemble/_uplift.py", "numpy.interp"): "vertical samples at times of horizontal ones",
-    ("risk/facades/record_demand.py", "numpy.interp"): DEMAND,
+    ("risk/counted/band.py", "**"): COUNTS,
+    ("risk/counted/band.py", "math.log"): COUNTS,
+    ("risk/counted/band.py", "math.log1p"): COUNTS,
+    ("risk/counted/band.py", "scipy.special"): COUNTS,
+    ("risk/counted/built_in.py", "**"): BUILT_IN,
+    ("risk/counted/built_in.py", "math.exp"): BUILT_IN,
+    ("risk/counted/built_in.py", "math.log"): BUILT_IN,
+    ("risk/counted/built_in.py", "numpy.exp"): BUILT_IN,
+    ("risk/counted/built_in.py", "numpy.fft"): BUILT_IN,
+    ("risk/counted/built_in.py", "numpy.random"): BUILT_IN,
+    ("risk/counted/curve.py", "numpy.interp"): COUNTS,
+    ("risk/counted/curve.py", "numpy.log"): COUNTS,
+    ("risk/counted/curve.py", "scipy.optimize"): COUNTS,
+    ("risk/counted/reach.py", "**"): "the ratio of levels, a constant",
+    ("risk/ensemble/uplift.py", "numpy.interp"): "vertical samples at times of horizontal ones",
+    ("risk/facades/record_demand.py", "numpy.interp"): "a demand read from a spectrum",
     ("seismic/measures/intensity.py", "numpy.fft"): "the spectrum behind the mean period",
     ("seismic/measures/intensity.py", "scipy.fft"): "a whole number",
     ("studies/atlas/pages/pictures.py", "numpy.interp"): "where a drawn line ends",

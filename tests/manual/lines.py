@@ -98,7 +98,7 @@ FEW = 6
 def shortened(line: str) -> str:
     """Return a command line with a few values on each of its axes, and few draws."""
     if line.startswith("fragility"):
-        few = {"--levels": "0.4,0.8,1.6", "--restitution": "0.9", "--replicates": "100"}
+        few = {"--levels": "0.4,0.8,1.6", "--restitution": "0.9"}
         line += "".join(f" {flag} {value}" for flag, value in few.items() if flag not in line)
     if line.startswith("calibrate"):
         line = re.sub(r" --draws \d+", "", line) + " --draws 30 --gains 2 --rounds 1 --model linear"
@@ -130,7 +130,7 @@ _TESTS = "test,record,object,outcome,gain,session\n" + "".join(
     )
 )
 YOURS = {
-    **{f"suite/{k}.AT2": _channel("Hut", "90", 1.0 / k) for k in range(1, 8)},
+    **{f"suite/{k}.AT2": _channel("Hut", "90", 1.0 / k) for k in range(1, 13)},
     **{
         f"stations/HUT{k}{name}.AT2": _channel(f"Hut {k}", direction, factor / k)
         for k in range(1, 5)

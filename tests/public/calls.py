@@ -193,6 +193,7 @@ def calls() -> dict[str, Call]:
         block.positive.to_dict: {},
         rs.check_neighbours: {"trajectory": t["pushed"]},
         t["neighbours"].describe: {},
+        t["neighbours"].answer_with: {"friction": 0.5},
         rs.histories.Neighbour: fields(t["neighbours"].cases[0]),
         run.base_acceleration: {"pt": [0.1, 0.2]},
         run.base_displacement: {"pt": [0.1, 0.2]},
@@ -381,7 +382,6 @@ def calls() -> dict[str, Call]:
         t["many"].describe: {},
         t["bifurcation"].describe: {},
         t["state_fragility"].describe: {},
-        t["efficiency"].describe: {},
         rs.plots.attractor_kinds: {"attractors": t["many"]},
         rs.plots.hazard_curve: {"curves": t["hazard"]},
         rs.plots.neighbours: {"neighbours": t["neighbours"]},
@@ -506,7 +506,7 @@ def calls() -> dict[str, Call]:
         rs.orbits.SteadyOrbit: "steady", rs.risk.HazardCurve: "hazard", rs.risk.Risk: "risk",
         rs.risk.HazardBranchCheck: "branch test", rs.orbits.SteadyStates: "states",
         rs.histories.Trajectory: "run", rs.histories.Neighbours: "neighbours", rs.risk.Fragility:
-        "fragility", rs.risk.StateFragility: "state_fragility", rs.risk.Efficiency: "efficiency",
+        "fragility", rs.risk.StateFragility: "state_fragility",
         rs.basins.FateBasins: "fates", rs.overturning.NoiseFates: "noise fates",
     }  # fmt: skip
     table |= dynamics_calls(t) | risk_calls(t) | observation_calls(t) | facade_calls(t)

@@ -51,7 +51,7 @@ HOLD_NAN = {
     "Passage", "Measures", "ResponseSpectrum", "Drop", "BranchPoint", "BasinAttractor",
     "Flights", "Impacts", "Stretch", "Orbit", "Erosion", "Basins", "OverturningWindows", "Peak",
     "OverturningWindow", "IntegratedRecord", "SteadyOrbit", "Trajectory", "AttractorSweep",
-    "Neighbour", "Neighbours", "FragilityCurve", "TwoStageCurve", "VectorCurve", "Risk",
+    "Neighbour", "Neighbours", "FragilityCurve", "Risk",
     "HazardBranchCheck", "BackAnalysis", "FateBasins", "NoiseFates", "Excursion",
     "RestingBranches", "RestingBranch", "RestingPoint", "RestingGap",
 }  # fmt: skip

@@ -42,9 +42,7 @@ NUMBERS: dict[str, tuple[Callable[[Any], Any], str]] = {
     "screens": (lambda found: [row.verdict for row in found.rows], "verdict"),
     "set": (lambda found: [found.horizontal[0].record.dt_s], "dt_s"),
     "steady": (lambda found: found.angle, "angle"),
-    "two_stages": (lambda found: [row[3] for row in found.stripes], "probability"),
     "trail": (lambda found: [each.peaks[1] for each in found.attractors], "lowest"),
-    "vector_fit": (lambda found: [found.aic], "aic"),
     "windows": (lambda found: found.low[np.isfinite(found.low)], "low"),
 }
 """By name of a thing: what one of its columns holds."""
@@ -171,7 +169,6 @@ WITHOUT = {
     "Scores": "of some scores large values are good, of others small ones",
     "StoredPosterior": "as Posterior",
     "Validation": "plots.reliability draws it, from the calibration",
-    "VectorCurve": "a surface over two measures or more",
 }
 """Results that have no picture, and why."""
 
@@ -253,7 +250,6 @@ def _drawable(made: dict[str, Any]) -> dict[str, Any]:
         block, motion, within=((4.4, 5.4), (2.5, 4.0)), search=search
     )
     drawable["BifurcationCurve"] = curves.curves[0]
-    fitted = {"status": "ok", "median": 0.5, "beta": 0.4, "aic": 20.0}
     drawable["RegionBoundaries"] = rs.orbits.compute_region_boundaries([3.0, 4.0], 0.8)
     drawable["BasinEntropies"] = made["shares"].entropies(3)
     few = rs.basins.SamplingOptions(angles=[0.0, 0.3, 0.6], velocities=[0.0, 0.4], max_cycles=100)
@@ -266,7 +262,6 @@ def _drawable(made: dict[str, Any]) -> dict[str, Any]:
     drawable["IntegrityDrop"] = rs.basins.IntegrityDrop(
         measure="integrity_factor", level=0.5, low=0.4, high=0.5, above=0.6, below=0.3
     )
-    drawable["Efficiency"] = dataclasses.replace(made["efficiency"], **fitted)
     return drawable
 
 

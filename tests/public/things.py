@@ -102,6 +102,7 @@ def things() -> dict[str, Any]:
         values={**described.values, "friction": 0.1, "demand": {"pga_g": 0.5, "pgv_m_s": 0.5}}
     )
     assessed = rs.assess_object(sliding, [record, other])
+    eleven = rs.motions.make_synthetic_suite(11)
     for path in ("kept.zarr", "made.csv"):
         if path.endswith("csv"):
             Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
@@ -110,13 +111,12 @@ def things() -> dict[str, Any]:
                 square, grid, (rs.sweeps.Output(name="value"),), run=rs.Execution(store=path)
             )
     levels = rs.risk.Levels("pga_g", [0.4, 0.8, 1.6])
-    fitting = rs.risk.FitOptions(states=["uplift", "overturned"], bands=None)
     fragility = rs.compute_fragility(
         block,
         [record, other],
         levels=levels,
         restitution=rs.risk.RestitutionBand(draws=1),
-        fitting=fitting,
+        states=["uplift", "overturned"],
     )
     demand = rs.Demand(pga_g=0.5, pgv_m_s=0.6)
     screens = rs.screen_block(block, demand)
@@ -137,19 +137,8 @@ def things() -> dict[str, Any]:
             scan=rs.calibration.ScanOptions(levels=6, draws=2, temper=0.5, trials=0),
         ),
         "levels": levels,
-        "fitting": fitting,
         "fragility": fragility,
-        "fragility of two": dataclasses.replace(
-            fragility,
-            surface=rs.risk.fit_vector(
-                [[0.2, 0.3], [0.4, 0.2], [0.4, 0.8], [0.8, 0.5], [1.6, 1.1]],
-                [2, 5, 22, 21, 38],
-                [40] * 5,
-                names=("PGA", "PGV"),
-            ),
-        ),
         "state_fragility": fragility.states[0],
-        "efficiency": fragility.ranking[0],
         "demand": demand,
         "screens": screens,
         "screen": screens.rows[0],
@@ -180,11 +169,9 @@ def things() -> dict[str, Any]:
         "object": described,
         "facts": rs.risk.compute_object_facts(described),
         "assessment": assessed,
-        "assessed runs": rs.assess_object(
-            described.with_peaks(pga_g=0.5, pgv_m_s=0.3), [record, other]
-        ),
-        "objects": rs.assess_objects([described], [record, other], pga_g=0.3, pgv_m_s=0.3),
-        **on_floors(described, [record, other]),
+        "assessed runs": rs.assess_object(described.with_peaks(pga_g=0.5, pgv_m_s=0.3), eleven),
+        "objects": rs.assess_objects([described], eleven, pga_g=0.3, pgv_m_s=0.3),
+        **on_floors(described, eleven),
         "output": rs.sweeps.Output(name="value"),
         "map": maps,
         "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, max_cycles=20),
@@ -265,12 +252,6 @@ def things() -> dict[str, Any]:
         "boundaries": rs.orbits.compute_region_boundaries(4.0, 0.8),
         "fragility_curve": rs.risk.fit_curve([0.2, 0.4, 0.8], [1, 9, 14], [15, 15, 15]),
         "restitution_fit": rs.fit_restitution([0.2, 0.16, 0.13, 0.11, 0.1, 0.09], block),
-        "two_stages": rs.risk.fit_two_stages(
-            [0.2, 0.4, 0.8], [0, 15, 15], [0, 9, 14], [15, 15, 15]
-        ),
-        "vector_fit": rs.risk.fit_vector(
-            [[0.2, 0.3], [0.4, 0.2], [0.8, 0.9]], [1, 6, 14], [15] * 3
-        ),
         "loss state": falls,
         "component": rs.export.LossComponent(
             identifier="RS.vase", measure="pga_g", states=(falls,)

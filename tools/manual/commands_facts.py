@@ -111,7 +111,7 @@ PYTHON = {
     "overturn": ("find_overturning_windows", "find_overturning_scales", "find_fatal_kicks"),
     "record": ("read_recordings", "compute_measures", "compute_response_spectrum"),
     "spectrum": ("compute_rocking_spectrum", "compute_suite_spectrum"),
-    "fragility": ("compute_fragility", "run_ensemble", "fit_fragility"),
+    "fragility": ("compute_fragility", "run_ensemble", "count_fragility"),
     "assess": ("assess_object", "assess_objects", "assess_by_formula", "write_assessment"),
     "facade": ("read_facade", "run_facade", "check_facade", "write_facade"),
     "screens": ("screen_block",),
@@ -133,7 +133,6 @@ VALID: dict[str, tuple[str, ...]] = {
     "--directions": ("both", "recorded", "reversed"),
     "--limit-state": ("SLV", "SLC"),
     "--language": ("en", "it"),
-    "--family": ("lognormal", "logistic"),
     "--folds": ("record", "test", "session", "group"),
 }
 """Valid values of flags that take one name of a list; tests compare them with the program."""

@@ -25,7 +25,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.measures import compute_measure
 from rocksteady.model.equations import Linear
 from rocksteady.results.gridded import described
-from rocksteady.risk import Levels, RestitutionBand, Ways
+from rocksteady.risk import Levels, RestitutionBand, Ways, count_fragility
 from rocksteady.risk.ensemble.qualification import FORCES, SHARE
 from rocksteady.risk.ensemble.runs import run_each
 from rocksteady.sweeps import evaluate
@@ -43,6 +43,7 @@ SUITE = tuple(
 )
 MOTIONS: tuple[Record | BaseMotion, ...] = (SUITE[0], BaseMotion(SUITE[1], lifting()), SUITE[2])
 LEVELS = (0.4, 0.9, 2.5)
+ONE = Levels("scale", [1.0], beside=())
 NAMES = (
     "status",
     "peak_angle",
@@ -157,7 +158,7 @@ def test_forces_of_a_mass_are_those_of_each_time_history() -> None:
 @every("mass", [0.0, -1.0, np.nan, [100.0], [100.0, 0.0], [1.0, 2.0, 3.0]])
 def test_a_mass_that_is_none_or_of_another_number_of_blocks_is_refused(mass: Any) -> None:
     with pytest.raises(InputError, match=r"^mass_kg"):
-        run_ensemble(BLOCKS[:2], SUITE, mass_kg=mass)
+        run_ensemble(BLOCKS[:2], SUITE, levels=ONE, mass_kg=mass)
 
 
 @pytest.mark.parametrize("model", [Linear(), None])
@@ -195,7 +196,7 @@ def test_each_cell_of_a_block_against_a_wall_is_a_time_history(model: Linear | N
 def test_one_sided_uplift_is_that_of_the_peak_of_one_sign() -> None:
     # Brute force: the samples themselves, of a record whose peaks differ by their sign.
     walls = [block.against_wall(0.4) for block in (SYMMETRIC, OFF_CENTRE)]
-    for model, gate in ((Linear(), lambda a: a), (None, np.tan)):
+    for model, slope in ((Linear(), lambda a: a), (None, np.tan)):
         levels = np.geomspace(0.5, 3.0, 25)
         found = run_ensemble(
             walls,
@@ -209,7 +210,7 @@ def test_one_sided_uplift_is_that_of_the_peak_of_one_sign() -> None:
         ):
             sign = -1.0 if direction else 1.0
             driven = levels * float((sign * record.acceleration_m_s2).max())
-            lifts = driven > block.gravity * float(gate(block.positive.alpha))
+            lifts = driven > block.gravity * float(slope(block.positive.alpha))
             cells = found.isel(block=i, record=j, direction=direction, vertical=0, draw=0)
             np.testing.assert_array_equal(cells.peak_angle.values > 0.0, lifts)
             np.testing.assert_array_equal(np.isfinite(cells.uplift_time_s.values), lifts)
@@ -245,7 +246,7 @@ def test_scatter_at_a_wall_is_that_of_the_wall_alone_and_has_the_bits_of_every_e
     assert (spread > 0.0).any()
     assert not still.peak_angle.std("draw").values.any()
     with pytest.raises(InputError, match=r"low .*\(0, 1\]"):
-        run_ensemble(SYMMETRIC, SUITE, restitution=RestitutionBand(low=0.0, draws=1))
+        run_ensemble(SYMMETRIC, SUITE, levels=ONE, restitution=RestitutionBand(low=0.0, draws=1))
 
 
 def test_a_mirror_image_has_the_bits_of_its_run() -> None:
@@ -369,7 +370,7 @@ def test_warnings_count_what_they_warn_of() -> None:
     count = int((found.status == Status.LOST_CONTACT).sum())
     assert lost.startswith(f"{count} of 24 runs")
     assert count > 0
-    clean = run_ensemble(SYMMETRIC, SUITE, levels=Levels("scale", [1.0], beside=()))
+    clean = run_ensemble(SYMMETRIC, SUITE, levels=ONE)
     assert json.loads(clean.attrs["warnings"]) == []
 
 
@@ -389,12 +390,10 @@ def test_copies_of_runs_without_vertical_motion_are_marked() -> None:
 
 def test_vertical_motion_needs_a_record_and_full_equations() -> None:
     with pytest.raises(InputError, match="no motion has a vertical component"):
-        run_ensemble(SYMMETRIC, SUITE, ways=Ways(vertical=True))
+        run_ensemble(SYMMETRIC, SUITE, levels=ONE, ways=Ways(vertical=True))
     with pytest.raises(ModelError, match="vertical"):
-        run_ensemble(SYMMETRIC, MOTIONS, model=Linear())
-    flat = run_ensemble(
-        SYMMETRIC, MOTIONS, model=Linear(), ways=Ways(vertical=False), levels=Levels(levels=[1.0])
-    )
+        run_ensemble(SYMMETRIC, MOTIONS, levels=ONE, model=Linear())
+    flat = run_ensemble(SYMMETRIC, MOTIONS, model=Linear(), ways=Ways(vertical=False), levels=ONE)
     assert flat.attrs["model"] == "linear"
     assert flat.vertical.values.tolist() == ["without"]
 
@@ -406,7 +405,7 @@ def test_a_linear_block_lifts_above_alpha_g() -> None:
         block,
         shock,
         model=Linear(),
-        levels=Levels("scale", [1.0], beside=()),
+        levels=ONE,
         restitution=RestitutionBand(draws=1),
     )
     assert float(found.uplift_time_s.isel(direction=0).squeeze()) == pytest.approx(
@@ -423,6 +422,19 @@ def test_blocks_at_levels_of_their_own_are_as_if_each_ran_alone() -> None:
         xarray.testing.assert_equal(found, alone)
         assert found.attrs["runs"] == alone.attrs["runs"]
         assert found.attrs["warnings"] == alone.attrs["warnings"]
+
+
+def test_blocks_of_an_ensemble_keep_their_gravity_when_some_are_taken() -> None:
+    """Of the Moon and of the Earth: each is counted as it is alone."""
+    bodies = [Block.rectangle(width=0.4, height=1.6, gravity=each) for each in (1.62, 9.80665)]
+    levels = Levels("pga_per_uplift", (0.5, 1.3, 1.8, 2.5, 4.0), beside=())
+    together = run_ensemble(bodies, SUITE, levels=levels)
+    for place, body in enumerate(bodies):
+        taken = together.isel(block=[place])
+        assert float(taken["gravity"].item()) == body.gravity
+        alone = run_ensemble(body, SUITE, levels=levels)
+        one, other = (count_fragility(each).to_dict()["shares"] for each in (taken, alone))
+        assert one == other
 
 
 def test_an_ensemble_describes_itself() -> None:

@@ -1,12 +1,22 @@
-"""Time of the first uplift, beside a search of the signs of the moment in fine steps."""
+"""The first uplift: its time by a search in fine steps, its scale by the runs themselves."""
 
 import math
 
 import numpy as np
 import pytest
+import xarray
 
-from rocksteady import Block, Record
-from rocksteady.risk.ensemble._uplift import Lines, driving, uplift_times
+from rocksteady import (
+    BaseMotion,
+    Block,
+    Linear,
+    Nonlinear,
+    Record,
+    floor_motion,
+    run_ensemble,
+)
+from rocksteady.risk import Levels, RestitutionBand
+from rocksteady.risk.ensemble.uplift import Lines, driving, uplift_times
 from rocksteady.seismic.spectra.batch import GroundShaking
 from tests.every import every
 
@@ -58,7 +68,7 @@ def test_it_is_the_first_instant_at_which_the_moment_lifts(up: Record | None, li
             for j, lift in enumerate(lifts):
                 shaken = up if lift == "with" else None
                 for k, factor in enumerate(factors):
-                    # The gate of the linear model is one of small angles, lifting too.
+                    # The threshold of the linear model is one of small angles, lifting too.
                     expected = searched(block, factor, sign, shaken, linear=linear)
                     assert found[place, 0, i, j, k] == pytest.approx(
                         expected, abs=2e-4, nan_ok=True
@@ -101,3 +111,23 @@ def test_lines_of_two_components_meet_at_the_samples_of_both() -> None:
         across = np.interp(middle, 0.5 * np.arange(6), ACROSS.acceleration_m_s2, right=0.0)
         up = np.interp(middle, 0.7 * np.arange(5), UP.acceleration_m_s2, right=0.0)
         assert 0.5 * (first + last) == pytest.approx(-across - 0.25 * up)
+
+
+MOTIONS = (ACROSS, floor_motion(ACROSS, frequencies_hz=2.0, shapes=1.4), BaseMotion(ACROSS, UP))
+"""Of the ground, of a floor, and with a vertical component."""
+
+
+@every("model", [Linear(), Nonlinear()])
+def test_a_run_lifts_above_its_scale_of_uplift_and_not_up_to_it(model: Linear | Nonlinear) -> None:
+    motions = MOTIONS if model == Nonlinear() else MOTIONS[:2]
+    band = RestitutionBand(draws=1)
+
+    def runs(scales: list[float]) -> xarray.Dataset:
+        levels = Levels("scale", scales, beside=())
+        return run_ensemble(BLOCKS, motions, levels=levels, restitution=band, model=model)
+
+    at = runs([1.0])["uplift_scale"].values
+    assert np.isfinite(at).all()
+    near = np.unique(np.outer(np.unique(at), [1.0 - 1e-7, 1.0 + 1e-7]))
+    lifted = runs(near.tolist())["peak_angle"].isel(draw=0).values > 0.0
+    np.testing.assert_array_equal(lifted, near > at[..., np.newaxis])

@@ -5,7 +5,8 @@ import pytest
 
 from rocksteady import Status
 from rocksteady.errors import InputError
-from rocksteady.risk import DamageState, FitOptions
+from rocksteady.risk import DamageState
+from rocksteady.risk.fragility.compute_fragility import damage_states
 from rocksteady.risk.fragility.damage_states import exceeding
 from tests.every import every
 
@@ -26,12 +27,12 @@ def test_what_exceeds_a_state(state: DamageState, exceeded: list[bool]) -> None:
     assert exceeding(state, CODES, PEAKS).tolist() == exceeded
 
 
-def test_a_number_is_a_state_of_its_own() -> None:
-    states = FitOptions(states=[0.25, "0.5", "uplift"]).damage_states
-    assert states == (
+def test_a_number_is_a_state_of_its_own_and_each_contains_the_next() -> None:
+    assert damage_states(["overturned", 0.5, "0.25", "uplift"]) == (
+        DamageState("uplift"),
         DamageState("theta/alpha > 0.25", 0.25),
         DamageState("theta/alpha > 0.5", 0.5),
-        DamageState("uplift"),
+        DamageState("overturned"),
     )
 
 
@@ -42,4 +43,4 @@ def test_what_is_no_state_is_refused() -> None:
     wrong: list[list[float | str]] = [[], ["uplift", "uplift"], [0.5, "0.5"], ["nan"]]
     for states in wrong:
         with pytest.raises(InputError):
-            FitOptions(states=states)
+            damage_states(states)

@@ -1,234 +1,153 @@
-"""Answers of a fragility: what is no answer, what limits one, and what each number is called."""
+"""Answers of a fragility: its sentence in each case, and the fields of its JSON."""
 
-import math
-from dataclasses import replace
+import json
 from typing import Any
 
+import numpy as np
 import pytest
-import xarray
 
+from rocksteady import Block, Record, compute_fragility, run_ensemble
 from rocksteady.errors import InputError
-from rocksteady.measures import Measure
-from rocksteady.model.equations import Linear, Nonlinear
-from rocksteady.results.answer import Answer
-from rocksteady.risk import (
-    BandOptions,
-    DamageState,
-    FitOptions,
-    Fragility,
-    FragilityCurve,
-    StateFragility,
-    fit_curve,
-    fit_two_stages,
-)
-from rocksteady.risk.fits.two_stages import LEAST_GAIN, TwoStageCurve
-from rocksteady.risk.fragility.efficiency import Efficiency
-from rocksteady.risk.fragility.fragility import _columns, _short, _shown_row, _tried, _verb
+from rocksteady.motions import make_synthetic_suite
+from rocksteady.risk import Fragility, Levels, RestitutionBand, Ways, count_fragility
 from tests.every import every
+from tests.risk.counted.test_suite import peaks_of
 
-AT, TRIALS = [0.2, 0.4, 0.8, 1.6], [40] * 4
-
-
-def curve(failures: list[int] | None = None, **keys: Any) -> FragilityCurve:
-    made = fit_curve(AT, failures or [2, 9, 27, 39], TRIALS, measure=("PGV", "m/s"))
-    return replace(made, **keys)
+SUITE = make_synthetic_suite(14, seed=6)
+BLOCK = Block.rectangle(width=0.4, height=1.6)
+ONE = RestitutionBand(draws=1)
 
 
-def stages(**keys: Any) -> TwoStageCurve:
-    made = fit_two_stages(AT, [10, 30, 40, 40], [0, 9, 27, 39], TRIALS, measure=("PGA", "g"))
-    return replace(made, **keys)
+def made(levels: Any = None, *, records: int = 14, measure: str = "pga_g", **how: Any) -> Fragility:
+    return compute_fragility(
+        BLOCK,
+        SUITE[:records],
+        levels=Levels(measure, levels, beside=()),
+        restitution=ONE,
+        ways=Ways(reverse=False),
+        **how,
+    )
 
 
-def ensemble_of(model: str) -> xarray.Dataset:
-    """Return what a description asks of an ensemble on the ground: no run of it."""
-    return xarray.Dataset(attrs={"model": model, "gate_g": 0.25})
+@pytest.fixture(scope="module", name="found")
+def _found() -> Fragility:
+    return made()
 
 
-def state(name: str = "overturned", plain: FragilityCurve | None = None, **keys: Any) -> Any:
-    return StateFragility(state=DamageState(name), plain=plain or curve(), **keys)
-
-
-def fragility(*states: StateFragility, measure: str = "pgv_m_s", **keys: Any) -> Fragility:
-    values: dict[str, Any] = {
-        "ensemble": ensemble_of("nonlinear"),
-        "measure": Measure(measure),
-        "states": states or (state(),),
-        "ranking": (),
-        "fitting": FitOptions(bands=None),
-        "warnings": (),
-        "records": 22,
-        "runs": 1600,
-        "scale_factor_max": 10.0,
-        "seconds": 0.0,
-    }
-    return Fragility(**{**values, **keys})
-
-
-def told(found: Fragility) -> tuple[str, dict[str, str]]:
-    answer: Answer = found._answer()
+def words_of(found: Fragility) -> tuple[str, dict[str, str]]:
+    answer = found.describe().answer
+    assert answer is not None
     return answer.sentence, dict(answer.stated)
 
 
-def test_a_good_curve_of_many_records_needs_no_remark() -> None:
-    sentence, facts = told(fragility(state(plain=curve(misfit=0.1))))
-    assert sentence == "Half of them fall at 0.591 m/s of PGV, beta 0.582."
-    assert facts == {"fit": "within 10 points of the counts; 1,600 runs, 22 records"}
-    assert fragility()._headline() == (
-        "Fragility in PGV: half fall at 0.591 m/s, beta 0.582; 22 records, 1,600 runs"
-    )
+def test_the_first_line_is_the_level_at_which_half_fall(found: Fragility) -> None:
+    half = found.state("overturned").half
+    assert half is not None
+    middle, low, high = half
+    assert low is not None
+    assert high is not None
+    sentence, lines = words_of(found)
+    assert sentence == f"Half fall at {middle:.3g} g of PGA (90 %: {low:.3g} to {high:.3g})."
+    assert lines["lifts at"].startswith("0.25 g")
+    assert lines["counted"] == f"{found.runs:,} runs, 14 records"
+    assert found.summary().partition("\n")[0] == sentence
 
 
 @every(
-    ("misfit", "answered", "words"),
+    ("levels", "states", "begins"),
     [
-        (0.1, True, "within 10 points"),
-        (0.101, True, "poor: up to 10 points off"),
-        (0.15, True, "poor: up to 15 points off"),
-        (0.151, False, "poor: up to 15 points off"),
+        ([0.1, 0.2], None, "Falls in none of 14 runs at 0.2 g, the highest level: at most "),
+        ([20.0, 30.0], None, "Falls in all 14 runs at 20 g, the lowest level: at least "),
+        ([0.1, 0.2], [0.5], "Tilts > 0.5 alpha in none of 14 runs at 0.2 g, the highest level"),
     ],
 )
-def test_a_curve_that_misses_the_shares_is_poor_and_then_no_answer(
-    misfit: float, answered: bool, words: str
+def test_without_a_half_the_nearest_count_is_the_answer(
+    levels: list[float], states: Any, begins: str
 ) -> None:
-    sentence, facts = told(fragility(state(plain=curve(misfit=misfit))))
-    assert facts["fit"].startswith(words)
-    assert sentence.startswith("Half of them" if answered else "No answer yet: the curve misses")
-    assert ("provisional" in facts) is not answered
-    if not answered:
-        assert facts["provisional"] == "Half of them fall at 0.591 m/s of PGV, beta 0.582"
+    found = made(levels, **({} if states is None else {"states": states}))
+    assert found.states[-1].half is None
+    assert words_of(found)[0].startswith(begins)
 
 
-def test_few_records_and_large_factors_are_said_from_their_limits_on() -> None:
-    for records, few in ((22, False), (21, True)):
-        _, facts = told(fragility(records=records))
-        assert ("(curves need 22)" in facts["fit"]) is few
-    for factor, large in ((10.0, False), (10.1, True)):
-        _, facts = told(fragility(scale_factor_max=factor))
-        assert ("scaled" in facts) is large
-    _, facts = told(fragility(scale_factor_max=10.1))
-    assert facts["scaled"] == "records by up to 10.1 x: check these"
+def test_fewer_than_11_records_are_no_answer() -> None:
+    for records, few in ((1, True), (10, True), (11, False)):
+        sentence, lines = words_of(made([0.2, 0.5, 1.0, 2.0], records=records))
+        assert sentence.startswith("No answer: ") == few
+        assert ("11 are the least" in sentence) == few
+        assert ("lognormal" in lines) is not few
 
 
-def test_without_a_median_there_is_no_answer() -> None:
-    never = curve([0, 0, 0, 0])
-    sentence, facts = told(fragility(state(plain=never)))
-    assert sentence == (
-        "No answer yet where half of them fall: no failure in 160 trials, PGV up to 1.6 m/s."
-    )
-    assert facts["fit"].startswith("within 0 points") or "points" not in facts["fit"]
-    assert ": no level at which half fall; " in fragility(state(plain=never))._headline()
-    step = curve([0, 0, 40, 40])
-    sentence, _ = told(fragility(state(plain=step)))
-    assert sentence.endswith(" m/s of PGV (a step: no level between 0.4 and 0.8).")
-    at_one = fragility(state(plain=replace(step, step=(0.4, 0.4), median=0.4)))
-    assert told(at_one)[0] == "Half of them fall at 0.4 m/s of PGV, a step."
-    assert "beta" not in sentence
+def test_a_lognormal_stands_beside_the_points_or_is_none() -> None:
+    """Near to some points, 17 of 100 off the others, and none where none falls."""
+    for levels, words in (
+        ([0.4, 0.8, 1.6], ("median ", "within 2.8 points of the counts")),
+        (None, ("none: the best is 17 points from the counts", "use the points")),
+        ([0.2, 0.26], ("none: use the points", "")),
+    ):
+        found = made(levels)
+        _, lines = words_of(found)
+        assert lines["lognormal"].startswith(words[0])
+        assert words[1] in lines["lognormal"]
+        assert lines["lognormal"].startswith("median ") == found.states[-1].is_lognormal
 
 
-def test_other_states_come_first_and_those_without_a_median_not_at_all() -> None:
-    lifted = state("uplift", curve(median=0.21))
-    tilted = StateFragility(
-        state=DamageState("theta/alpha > 0.5", 0.5), plain=curve(median=0.4), given_uplift=True
-    )
-    never = StateFragility(state=DamageState("half", 0.5), plain=curve([0, 0, 0, 0]))
-    shown = fragility(never, lifted, tilted, state(given_uplift=True, two_stage=stages()))
-    sentence, facts = told(shown)
-    assert sentence.startswith("If lifted, half fall at ")
-    assert list(facts)[:2] == ["lift", "> 0.5 alpha"]
-    assert facts["lift"] == "half at 0.21 m/s of PGV"
-    assert facts["> 0.5 alpha"] == "if lifted, half at 0.4 m/s of PGV"
-    assert told(fragility())[0].startswith("Half of them fall at ")
+def test_large_factors_are_said_from_ten_on() -> None:
+    pga = max(peaks_of(each)[0] for each in SUITE), min(peaks_of(each)[0] for each in SUITE)
+    for factor, said in ((9.9, False), (10.1, True)):
+        level = factor * pga[1]
+        _, lines = words_of(made([0.5 * level, level]))
+        assert ("scaled" in lines) == said
+        assert made([level]).scale_factor_max == pytest.approx(factor)
 
 
-def test_in_two_stages_the_beta_is_given_uplift() -> None:
-    two = state(two_stage=stages(gain=3.0))
-    sentence, _ = told(fragility(two, measure="pga_g"))
-    beta = two.curve.given_uplift.beta
-    assert sentence.endswith(f"beta {beta:.3g} given uplift.")
-    assert f"beta {beta:.3g} given uplift;" in fragility(two, measure="pga_g")._headline()
-    row = _shown_row(two)
-    assert (row["stages"], row["gain"]) == ("2", 3.0)
-    assert row["beta"] == f"{beta:.3g}"
-    one = _shown_row(state(plain=curve([0, 0, 40, 40])))
-    assert one["stages"] == "1, separated"
-    assert (one["beta"], one["gain"]) == ("—", None)
-    banded = _shown_row(state(plain=curve(median_band=(0.5, 0.7), beta_band=(0.4, 0.8))))
-    assert banded["median"] == "0.591 (0.5-0.7)"
-    assert banded["beta"] == "0.582 (0.4-0.8)"
-    over = _shown_row(state(given_uplift=True, two_stage=stages()))
-    assert over["stages"] == "1, given uplift"
-
-
-def test_an_interval_stands_with_its_confidence() -> None:
-    banded = state(plain=curve(median_band=(0.5, 0.7)))
-    wide = FitOptions(bands=BandOptions(confidence=0.95))
-    sentence, _ = told(fragility(banded, fitting=wide))
-    assert "0.591 m/s of PGV (95 %: 0.5 to 0.7), beta" in sentence
-    ratio = fragility(state(), measure="p_pgv_per_uplift")
-    assert "at p PGV/(g tan alpha) 0.591, beta" in told(ratio)[0]
-
-
-def test_two_stages_are_used_where_they_gain_more_than_rounding_does() -> None:
-    for gain, used in ((LEAST_GAIN, False), (math.nextafter(LEAST_GAIN, 1.0), True), (-1.0, False)):
-        two = stages(gain=gain)
-        assert two.best is (two if used else two.plain)
-        assert two.over(True) is two.given_uplift
-    known = stages(gain=-1.0, gate=0.1)
-    assert known.best is known
-
-
-@every(
-    ("made", "verb", "short"),
-    [
-        (DamageState("uplift"), "lift", "uplift"),
-        (DamageState("overturned"), "fall", "overturned"),
-        (DamageState("theta/alpha > 0.25", 0.25), "tilt > 0.25 alpha", "> 0.25 alpha"),
-        (DamageState("half", 0.5), "tilt > 0.5 alpha", "half"),
-    ],
-)
-def test_a_state_has_its_words(made: DamageState, verb: str, short: str) -> None:
-    assert (_verb(made), _short(made)) == (verb, short)
-
-
-def test_shares_of_a_curve_of_runs_that_lift_are_of_these() -> None:
-    assert _tried(state(), 40, 30) == 40
-    assert _tried(state(given_uplift=True), 40, 30) == 30
-    assert _tried(state(given_uplift=True), 40, None) == 40
-    points = ((0.4, 40, 30, 9), (0.2, 40, 0, 0), (0.8, 40, None, 27))
-    made = fragility(state(given_uplift=True, points=points))
-    assert [row["share"] for row in made._points()] == [0.3, None, 27 / 40]
-    assert made._points()[0]["probability"] == pytest.approx(curve().probability(0.4))
-
-
-def test_the_ranking_has_single_measures_and_the_best_pair() -> None:
-    rows = [
-        Efficiency(
-            measure=tuple(map(Measure, names)), state="overturned", status="fitted",
-            median=math.nan if len(names) > 1 else 0.4, beta=0.5, log_likelihood=-80.0, aic=164.0,
-        )
-        for names in (["pga_g", "pgv_m_s"], ["pgv_m_s"], ["pga_g", "pgv_per_pga_s"], ["pga_g"])
-    ]  # fmt: skip
-    made = fragility(ranking=tuple(rows))
-    assert [row["measure"] for row in made._best()] == ["pga_g and pgv_m_s", "pgv_m_s", "pga_g"]
-    assert made._ranking()[0]["log_likelihood_per_run"] == -0.5  # of 160 trials
-    assert made._ranking()[0]["median"] is None
-    assert [row["median"] for row in made._ranking()[1::2]] == [0.4, 0.4]
-
-
-def test_states_and_equations_are_those_of_the_runs() -> None:
-    made = fragility(state("uplift"), state())
-    assert made.state("uplift").state.name == "uplift"
-    with pytest.raises(InputError, match="the damage states are uplift, overturned"):
-        made.state("fallen")
-    assert isinstance(made.model, Nonlinear)
-    linear = fragility(ensemble=ensemble_of("linear"))
-    assert isinstance(linear.model, Linear)
-
-
-def test_columns_of_damage_states_name_the_unit_and_have_words_on_the_left() -> None:
-    for unit, median in (("g", "median [g]"), ("m/s", "median [m/s]"), ("", "median")):
-        result = [(column.heading, column.left) for column in _columns(unit)]
-        assert result == [
-            *(("damage state", True), (median, True), ("beta", True)),
-            *(("misfit", False), ("gain", False), ("stages", True)),
+def test_json_has_the_counts_of_every_state_at_every_level(found: Fragility) -> None:
+    values = json.loads(json.dumps(found.to_dict(), allow_nan=False))
+    for state in found.states:
+        rows = [row for row in values["shares"] if row["damage_state"] == state.state.name]
+        assert [row["share"] for row in rows] == state.curve.shares.tolist()
+        assert [row["level"] for row in rows] == state.curve.levels.tolist() == values["levels"]
+        assert [(row["low"], row["high"]) for row in rows] == [
+            each.band for each in state.curve.counts
         ]
+    assert [row["damage_state"] for row in values["fits"]] == [
+        each.state.name for each in found.states
+    ]
+    assert values["uplift_level"] == found.state("uplift").curve.lifts_at[0]
+    assert (values["records"], values["blocks"]) == (14, 1)
+    assert values["measure"] == "pga_g"
+    gone = {"probability", "ranking", "points", "colour", "by_both_peaks", "gate_g", "surface"}
+    assert gone & set(values) == set()
+    assert set(values["shares"][0]) == {
+        "damage_state", "measure", "level", "share", "low", "high", "runs", "reached", "records",
+    }  # fmt: skip
+
+
+def test_motions_that_never_lift_it_are_counted_and_have_no_infinite_number() -> None:
+    """Against a wall, under a base that only moves towards it."""
+    push = [Record(acceleration_m_s2=np.array([0.0, -2.0 - k, 0.0]), dt_s=0.1) for k in range(12)]
+    runs = run_ensemble(
+        BLOCK.against_wall(0.4), push, levels=Levels("pga_g", [0.5, 1.0], beside=()),
+        restitution=ONE, ways=Ways(reverse=False),
+    )  # fmt: skip
+    found = count_fragility(runs)
+    assert (np.array([each.curve.shares for each in found.states]) == 0.0).all()
+    assert found.state("uplift").half is None
+    values = json.loads(json.dumps(found.to_dict(), allow_nan=False))
+    assert values["uplift_level"] is None
+    assert "inf" not in found.summary()
+
+
+def test_states_are_asked_for_by_name(found: Fragility) -> None:
+    assert found.state("uplift").state.name == "uplift"
+    with pytest.raises(InputError, match=r"the damage states are uplift, theta/alpha > 0\.25"):
+        found.state("fallen")
+
+
+def test_levels_in_other_measures_have_their_unit_and_name() -> None:
+    for measure, levels, words in (
+        ("pgv_m_s", [0.2, 0.4, 0.8, 1.6, 3.2], " m/s of PGV ("),
+        ("p_pgv_per_uplift", [0.3, 0.6, 1.2, 2.4, 4.8], " p PGV/(g tan alpha) ("),
+    ):
+        found = made(levels, measure=measure)
+        assert found.states[-1].half is not None
+        assert words in words_of(found)[0]

@@ -7,29 +7,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-import xarray
-from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr
 
-from rocksteady import Block, compute_risk
+from rocksteady import Block, compute_fragility, compute_risk
 from rocksteady.errors import InputError
-from rocksteady.measures import Measure
-from rocksteady.risk import (
-    BandOptions,
-    DamageState,
-    FitOptions,
-    Fragility,
-    FragilityCurve,
-    HazardCurve,
-    StateFragility,
-    TwoStageCurve,
-    fit_curve,
-    fit_two_stages,
-)
+from rocksteady.motions import make_synthetic_suite
+from rocksteady.risk import HazardCurve, Levels, RestitutionBand, fit_curve
 from tests.every import every
 from tools.namespace import THINGS
-
-Floats = NDArray[np.float64]
 
 BLOCK = Block.rectangle(width=0.32, height=1.8)
 LEVELS = np.geomspace(0.02, 2.0, 12)
@@ -156,46 +141,6 @@ def test_separated_data_fail_at_the_rate_of_the_step() -> None:
     assert risk.annual_rate == pytest.approx(float(HAZARD.rate(curve.median)), rel=1e-12)
 
 
-def gated() -> TwoStageCurve:
-    return fit_two_stages([0.2, 0.4, 0.8, 1.6], [0, 40, 40, 40], [0, 9, 27, 39], [40] * 4)
-
-
-def test_two_stages_integrate_across_the_gate() -> None:
-    curve = gated()
-    gate, given = curve.uplift.median, curve.given_uplift
-    risk = compute_risk(curve, HAZARD)
-    # Above the gate the lognormal alone: the hazard cut there has all of it.
-    levels = np.array([gate, *LEVELS[gate < LEVELS]])
-    above = HazardCurve(measure="pgv_m_s", levels=levels, rates=HAZARD.rate(levels))
-    assert risk.annual_rate == pytest.approx(
-        compute_risk((given.median, given.beta), above).annual_rate, rel=1e-10
-    )
-    assert risk.annual_rate < compute_risk((given.median, given.beta), HAZARD).annual_rate
-    assert not any("no gate" in note for note in risk.describe().notes)
-    assert risk.median == pytest.approx(curve.quantile(0.5), rel=1e-12)
-    assert risk.hclpf == pytest.approx(curve.quantile(0.05), rel=1e-3)
-
-
-def test_the_excess_over_a_gate_integrates_as_the_sum_over_fine_steps() -> None:
-    curve = fit_two_stages([0.2, 0.4, 0.8, 1.6], 0.3, [0, 3, 33, 39], [40] * 4)
-    assert curve.offset == 0.3
-    risk = compute_risk(curve, HAZARD)
-    at = np.geomspace(LEVELS[0], LEVELS[-1], 400_001)
-    middle, rate = np.sqrt(at[1:] * at[:-1]), HAZARD.rate(at)
-    fine = float(-(curve.probability(middle) * np.diff(rate)).sum())
-    fine += float(curve.probability(at[-1]) * rate[-1])
-    assert risk.annual_rate == pytest.approx(fine, rel=1e-2)
-    assert risk.median == pytest.approx(0.3 + curve.given_uplift.median, rel=1e-12)
-
-
-@pytest.mark.parametrize(("failures", "bound"), [([0, 0], 0.8), ([40, 40], 0.3)])
-def test_behind_a_gate_the_bound_starts_at_it(failures: list[int], bound: float) -> None:
-    # Without failures it is unknown above the highest level; with all it is 1 above the gate.
-    curve = fit_two_stages([0.2, 0.4, 0.8], 0.3, [0, *failures], [40] * 3)
-    risk = compute_risk(curve, HAZARD)
-    assert risk.annual_rate == pytest.approx(float(HAZARD.rate(bound)), rel=1e-9)
-
-
 @pytest.mark.parametrize(("failures", "bound"), [([0, 0, 0], 0.8), ([40, 40, 40], 0.02)])
 def test_without_failures_or_survivals_the_rate_is_an_upper_bound(
     failures: list[int], bound: float
@@ -218,25 +163,8 @@ def test_what_never_fails_below_the_last_level_has_no_rate_and_its_risk_above() 
     assert "above 1" in risk.summary()
 
 
-class Banded:
-    """A lognormal of median .4 whose band has those of medians .3 and .5."""
-
-    def probability(self, intensity: ArrayLike) -> Floats:
-        found: Floats = ndtr(np.log(np.asarray(intensity) / 0.4) / 0.5)
-        return found
-
-    def probability_band(self, intensity: ArrayLike) -> tuple[Floats, Floats]:
-        at = np.asarray(intensity)
-        return ndtr(np.log(at / 0.5) / 0.5), ndtr(np.log(at / 0.3) / 0.5)
-
-    def quantile(self, p: float) -> float:
-        from scipy.special import ndtri
-
-        return 0.4 * math.exp(0.5 * float(ndtri(p)))
-
-
 def test_what_is_no_fragility_is_refused_by_the_names_of_public_things() -> None:
-    for given in ("x", None, BandOptions(), Banded(), [0.4, 0.5, 0.6]):
+    for given in ("x", None, RestitutionBand(), [0.4, 0.5], (0.4,), (0.4, 0.5, 0.6)):
         with pytest.raises(InputError) as caught:
             compute_risk(given, HAZARD)  # type: ignore[arg-type]
         named = re.findall(
@@ -246,58 +174,18 @@ def test_what_is_no_fragility_is_refused_by_the_names_of_public_things() -> None
         assert set(named) <= THINGS.keys(), str(caught.value)
 
 
-def test_a_fragility_has_the_risk_of_its_last_state_over_its_own_measure() -> None:
-    at, fell = [0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39]
-    curve = fit_curve(at, fell, [40] * 4, measure=("PGV", "m/s"))
-    state = StateFragility(state=DamageState("overturned"), plain=curve)
-    whole = Fragility(
-        ensemble=xarray.Dataset(),
-        measure=Measure("pgv_m_s"),
-        states=(state,),
-        ranking=(),
-        fitting=FitOptions(bands=None),
-        warnings=(),
-        records=20,
-        runs=160,
-        scale_factor_max=1.0,
-        seconds=0.0,
+def test_counted_shares_have_no_rate_and_their_fit_has() -> None:
+    fragility = compute_fragility(
+        BLOCK,
+        make_synthetic_suite(3),
+        levels=Levels("pgv_m_s", [0.2, 0.4, 0.8, 1.6], beside=()),
+        restitution=RestitutionBand(draws=1),
     )
-    assert compute_risk(whole, HAZARD).annual_rate == compute_risk(curve, HAZARD).annual_rate
-
-
-def test_the_band_is_the_risk_of_its_edges(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in ("probability", "probability_band", "quantile"):
-        monkeypatch.setattr(FragilityCurve, name, staticmethod(getattr(Banded(), name)))
-    curve = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40] * 4, family="logistic")
-    risk = compute_risk(curve, HAZARD, measure="pgv_m_s")
-    edges = tuple(compute_risk((median, 0.5), HAZARD).annual_rate for median in (0.5, 0.3))
-    assert risk.annual_rate_band == pytest.approx(edges, rel=1e-3)
-    assert risk.probability_band == pytest.approx(
-        tuple(1.0 - math.exp(-50.0 * edge) for edge in edges), rel=1e-3
-    )
-    assert risk.beta == pytest.approx(0.5, rel=1e-12)  # from its median to its 5 %
-
-
-def test_a_bootstrap_of_records_gives_a_band_around_the_rate() -> None:
-    rng = np.random.default_rng(1)
-    level = np.tile(np.geomspace(0.1, 2.0, 8), 24)
-    record = np.repeat(np.arange(24), 8)
-    capacity = 0.5 * np.exp(0.4 * rng.normal(size=level.size) + 0.3 * rng.normal(size=24)[record])
-    bands = BandOptions(replicates=200)
-    curve = fit_curve(level, (capacity < level).astype(int), groups=record, bands=bands)
-    risk = compute_risk(curve, HAZARD)
-    assert risk.annual_rate_band is not None
-    low, high = risk.annual_rate_band
-    assert low < risk.annual_rate < high
-    # By a sum over small steps of the edges themselves.
-    levels = np.unique(np.concatenate([np.geomspace(LEVELS[0], LEVELS[-1], 1001)[1:-1], LEVELS]))
-    edges = curve.probability_band(np.sqrt(levels[1:] * levels[:-1]))
-    last = curve.probability_band(LEVELS[-1:])
-    assert edges is not None
-    assert last is not None
-    for rate, edge, end in zip((low, high), edges, last, strict=True):
-        total = float(edge @ -np.diff(HAZARD.rate(levels))) + float(end[0] * HAZARD.rates[-1])
-        assert rate == pytest.approx(total, rel=2e-3)
+    with pytest.raises(InputError, match="not of counted shares") as caught:
+        compute_risk(fragility, HAZARD)  # type: ignore[arg-type]
+    assert str(caught.value).startswith("fragility is counted: ")
+    curve = fragility.state("overturned").lognormal
+    assert compute_risk(curve, HAZARD).median == curve.median
 
 
 # -------------------------------------------------------------------------- sentences, refusals
@@ -324,13 +212,13 @@ def test_what_lies_beyond_the_hazard_is_stated() -> None:
     assert tailed.closed_form_rate == pytest.approx(exact, rel=1e-9)
 
 
-def test_a_curve_over_pgv_says_that_it_has_no_gate() -> None:
+def test_a_curve_over_pgv_says_that_it_has_no_threshold() -> None:
     notes = " ".join(compute_risk((0.4, 0.5), HAZARD).describe().notes)
-    assert "no gate at PGA = g tan alpha" in notes
+    assert "no threshold of uplift" in notes
     assert "too high rather than too low" in notes
     assert "No measure is given" in notes
     over = compute_risk((0.4, 0.5), power_law(2.0, "pga_g"), measure="pga_g")
-    assert not any("gate" in note or "No measure" in note for note in over.describe().notes)
+    assert not any("threshold" in note or "No measure" in note for note in over.describe().notes)
 
 
 @every("at", [0.02, 0.021, 0.1, 0.7, 2.0, 0.004, 9.0])
@@ -404,30 +292,18 @@ def test_a_tail_of_infinite_risk_is_refused() -> None:
 
 
 def test_notes_say_what_is_to_be_known_of_the_figures() -> None:
-    banded = compute_risk((0.4, 0.4), HAZARD)
-    band = "The band is that of the fragility with all intensities at its edge at once"
-    gate = "A curve over PGV has no gate at PGA = g tan alpha"
-    poisson = "Failures are a Poisson process: independent, at a constant rate, the object set up"
-    notes = " ".join(banded.describe().notes)
-    assert (band in notes, gate in notes, poisson in notes) == (False, True, True)
-    with_band = dataclasses.replace(banded, annual_rate_band=(1e-4, 1e-3))
-    assert band in " ".join(with_band.describe().notes)
-    low, high = (100.0 * -math.expm1(-50.0 * rate) for rate in (1e-4, 1e-3))
-    assert f"({low:.3g} to {high:.3g} %)" in " ".join(with_band.summary(more=True).split())
+    risk = compute_risk((0.4, 0.4), HAZARD)
+    notes = " ".join(risk.describe().notes)
+    assert "Failures are a Poisson process: independent, at a constant rate, the object" in notes
     ground = HazardCurve(measure="pga_g", levels=LEVELS, rates=3e-4 * LEVELS**-1.8)
-    over_pga = " ".join(compute_risk((0.4, 0.4), ground).describe().notes)
-    assert (gate in over_pga, "tails" in over_pga) == (False, False)
+    assert "tails" not in " ".join(compute_risk((0.4, 0.4), ground).describe().notes)
     tailed = " ".join(compute_risk((0.4, 0.4), ground.extended()).describe().notes)
     assert "The hazard curve has power-law tails: " in tailed
     for unsampled, said in ((None, False), (0.0, False), (0.5, True)):
-        some = " ".join(dataclasses.replace(banded, unsampled=unsampled).describe().notes)
-        assert (
-            "% of the risk are from intensities that no run of the fragility has" in some
-        ) == said
-    values = banded.to_dict()
+        some = " ".join(dataclasses.replace(risk, unsampled=unsampled).describe().notes)
+        assert ("% of the risk are from intensities that no trial" in some) == said
+    values = risk.to_dict()
     assert values["years"] == 50.0
-    assert values["return_period_years"] == pytest.approx(1.0 / banded.annual_rate)
     rows = values["contributions"]
-    assert sum(row["share"] for row in rows) == pytest.approx(1.0)
     assert (rows[0]["low"], rows[-1]["high"]) == (None, None)
     assert [row["high"] for row in rows[:-1]] == [row["low"] for row in rows[1:]]

@@ -121,8 +121,7 @@ def test_the_circolares_worked_wall(factor: float, a0: float, slv: float, slc: f
     assert found.a0_lumped_g * factor == pytest.approx(0.1)
 
 
-def test_shares_are_those_of_assess_and_near_the_counts_of_the_bins() -> None:
-    """One demand, one probability: `screens` and `assess` have the same two numbers."""
+def test_shares_are_those_of_the_formula_and_near_the_counts_of_the_bins() -> None:
     block = rectangle(0.32, 1.8)
     for pgv in (0.05, 0.2, 0.4, 1.0, 3.0):
         answer = assess_by_formula(block, 0.35, pgv)

@@ -8,7 +8,7 @@ import pytest
 from rocksteady import Block, read_objects
 from rocksteady.errors import InputError
 from rocksteady.risk import DescribedObject
-from rocksteady.risk.assess._sensitivity import band_of
+from rocksteady.risk.assess._judging import band_of
 from tests.every import every
 
 SIZE = {"width_m": 0.4, "height_m": 1.6}
@@ -32,8 +32,8 @@ def test_an_object_has_the_factor_of_its_own_value() -> None:
     for width, block in zip((0.3, 0.5), ends, strict=True):
         own = Block.rectangle(width=width, height=1.6)
         assert block.restitution == pytest.approx(0.9 * own.restitution, rel=1e-15)
-    assert band_of(found, most=5).ratios(found.block).tolist() == [[found.block.restitution] * 2]
-    assert band_of(_object("housner"), most=5).draws == 5
+    assert band_of(found).ratios(found.block).tolist() == [[found.block.restitution] * 2]
+    assert band_of(_object("housner")).draws == 5
 
 
 def test_a_table_has_it_too(tmp_path: Path) -> None:

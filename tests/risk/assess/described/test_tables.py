@@ -147,3 +147,13 @@ def test_rows_may_be_frames_of_columns(tmp_path: Path) -> None:
     text = f"{head[:-1]},content_mass_kg,content_mass_centre_height_m\nx,1.6,9.6,4,2,9,5,1\n"
     with pytest.raises(RocksteadyError, match="columns carry their cap alone; leave"):
         read_objects(written(tmp_path, text))
+
+
+@every("column", ["target_probability", "draws", "damage_states", "place"])
+def test_a_key_of_files_that_a_table_would_pass_over_is_refused(
+    column: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "store.csv"
+    file.write_text(f"name,width_m,height_m,{column}\nvase,0.12,0.5,floor\n", encoding="utf-8")
+    with pytest.raises(RocksteadyError, match=f"line 2, {column} = 'floor' is not valid"):
+        read_objects(file)

@@ -57,32 +57,14 @@ def test_numbers_reach_the_ends_of_their_ranges_and_no_further() -> None:
     assert wrong == []
 
 
-WHOLE = (
-    ("assessment", "levels", 2, 1000),
-    ("assessment", "replicates", 0, 100_000),
-)
-
-
-def test_whole_numbers_reach_the_ends_of_their_ranges_and_no_further() -> None:
-    wrong = []
-    for table, key, low, high in WHOLE:
-        for value, taken in ((low - 1, False), (low, True), (high, True), (high + 1, False)):
-            try:
-                validated(made(table, key, value), "object")
-                result = True
-            except InputError:
-                result = False
-            if result != taken:
-                wrong.append((key, value))
-    assert wrong == []
-    for suites, taken in ((1, False), (99, False), (100, True), (0, True)):
+def test_restitutions_are_one_to_a_thousand() -> None:
+    for draws, taken in ((0, False), (1, True), (1000, True), (1001, False)):
+        values = made("assessment", "draws", draws)
         if taken:
-            assert validated(made("assessment", "replicates", suites), "x").name == "cabinet"
+            assert validated(values, "x").assessment.draws == draws
         else:
-            with pytest.raises(
-                InputError, match="a band needs 100 suites or more; give the number"
-            ):
-                validated(made("assessment", "replicates", suites), "x")
+            with pytest.raises(InputError, match="whole number from 1 to 1000; give the number"):
+                validated(values, "x")
 
 
 def test_ranges_ascend_and_spectra_have_two_points() -> None:
