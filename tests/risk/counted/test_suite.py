@@ -205,7 +205,7 @@ def test_folds_are_of_factors_up_and_down() -> None:
 def test_copies_differ_by_sign_and_scale_alone() -> None:
     first, second, *_ = SUITE
     lifted = BaseMotion(first, second)
-    others = [
+    others: list[Motion] = [
         first.scaled(0.3),
         first.reversed(),
         replace(first, name="again"),
@@ -214,9 +214,9 @@ def test_copies_differ_by_sign_and_scale_alone() -> None:
     kept = distinct([first, second, lifted, *others])
     assert [id(each) for each in kept] == [id(each) for each in (first, second, lifted)]
     # Another step, another vertical component or its other sign is another motion.
-    changed = [
+    altered: list[Motion] = [
         replace(first, dt_s=2.0 * first.dt_s),
         BaseMotion(first, second.scaled(0.5)),
         BaseMotion(first, second.reversed()),
     ]
-    assert len(distinct([first, lifted, *changed])) == 5
+    assert len(distinct([first, lifted, *altered])) == 5
