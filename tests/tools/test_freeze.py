@@ -129,7 +129,9 @@ def test_each_line_of_help_and_pages_is_recorded_and_ends_well() -> None:
     assert len(lines) > 200
     forms = {line: [*commands.forms(shortened(line))] for line in lines}
     ended = {line: [held.get(form, "not recorded") for form in forms[line]] for line in lines}
-    wrong = {line: ends for line, ends in ended.items() if not any("exit 0" in e[:7] for e in ends)}
+    # Of the few records of the pages' folders there may be no answer.
+    well = re.compile("exit 0|exit 3\nNo answer")
+    wrong = {line: ends for line, ends in ended.items() if not any(map(well.match, ends))}
     assert wrong == {}
 
 
