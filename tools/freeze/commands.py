@@ -122,7 +122,7 @@ def ran(line: str, folder: Path) -> Iterator[tuple[str, str]]:
         warnings.simplefilter("always")
         warnings.showwarning = app._warn
         done = rocksteady("", *words)
-    out = of_json(done.out) if "--json" in words and done.code == 0 else done.out
+    out = of_json(done.out) if "--json" in words and done.out.startswith("{") else done.out
     if words[0] == "explore":  # a page is smaller where its script has been shortened
         out = PAGE_SIZE.sub(r"\1SIZE", out)
     yield "", "\n".join([f"exit {done.code}", tidy(out, folder), tidy(done.err, folder)])

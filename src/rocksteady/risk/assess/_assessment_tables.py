@@ -7,8 +7,7 @@ import numpy as np
 from rocksteady.results.description import Column, Table
 from rocksteady.results.numbers import share_of
 from rocksteady.risk.assess._sensitivity import Case, bars_of
-from rocksteady.risk.assess.placed_objects import has_vertical
-from rocksteady.risk.counted.suite import Shaking, Suite, across
+from rocksteady.risk.counted.suite import Shaking, Suite, across, has_vertical
 from rocksteady.risk.screens.screens import Screens
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from rocksteady.model.blocks.block import Block
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import Range
-from rocksteady.risk.assess.placed_objects import PlacedObjects, has_vertical
+from rocksteady.risk.assess.placed_objects import PlacedObjects
 from rocksteady.risk.counted.count import Count, count_falls
 from rocksteady.risk.counted.sliding import friction_at
 from rocksteady.risk.counted.suite import Shaking, folds, median_fold
@@ -107,11 +107,7 @@ def onset_of(described: DescribedObject, shaking: Shaking) -> Onset:
     worst = float(peaks.max())
     motions = [first_motion(block, worst, least, vertical) for block in blocks]
     slides = max(motions, key=MODES.index) in ("slides", "slides and rocks")
-    by_statics = (
-        demand.pga_g is not None
-        and not described.on_floor
-        and not any(has_vertical(each) for each in shaking.motions)
-    )
+    by_statics = demand.pga_g is not None and not described.on_floor and not shaking.is_lifted
     pga = demand.pga_g or 0.0
     rests = by_statics and not any(lifts(block, pga, vertical) for block in blocks)
     return Onset(
@@ -263,7 +259,6 @@ def run_at_demand(
     for members in groups.values():
         first = next(iter(members.values()))[0]
         _, shaking, band = asked[first]
-        lifted = any(has_vertical(each) for each in shaking.motions)
         ensemble = run_ensemble(
             list(members),
             list(shaking.motions),
@@ -271,7 +266,7 @@ def run_at_demand(
                 shaking.measure, [factor * shaking.level for factor in multiples], beside=()
             ),
             restitution=band,
-            ways=kinds[first] or Ways(vertical=True if lifted else "both"),
+            ways=kinds[first] or shaking.ways,
             run=None if run is None else replace(run, store=None),
         )
         for number, places in enumerate(members.values()):

@@ -11,14 +11,11 @@ from rocksteady.risk.counted.band import records_to_show, upper_of_none
 from rocksteady.risk.counted.built_in import ACCURACY
 from rocksteady.risk.counted.count import Count
 from rocksteady.risk.counted.suite import Shaking, Suite, folds, median_fold
-from rocksteady.risk.counted.verdict import LEAST, MARGIN, NEAR, TOO_FAR, Verdict
+from rocksteady.risk.counted.verdict import LEAST, MARGIN, NEAR, TOO_FAR, VERDICTS, Verdict
 
 SAME: Final = 1e-6
 """Part of a level by which peaks differ that are the same but for rounding."""
-WORDS: Final[dict[Verdict, str]] = {
-    verdict: verdict.replace("-", " ")
-    for verdict in ("green", "red", "stands", "slides", "not-shown", "no-answer")
-}
+WORDS: Final[dict[Verdict, str]] = {verdict: verdict.replace("-", " ") for verdict in VERDICTS}
 """Verdicts as people read them."""
 
 
@@ -161,7 +158,7 @@ class Screen:
     def _lifts(self) -> Stated:
         """Return where it lifts."""
         judged, shaking = self.judged, self.judged.shaking
-        moved = shaking is not None and (self.on_floor or bool(shaking.has_vertical.any()))
+        moved = shaking is not None and (self.on_floor or shaking.is_lifted)
         if moved and shaking is not None and judged.runs is not None:
             scales = judged.runs["uplift_scale"].values
             ratio = scales.reshape(scales.shape[0], scales.shape[1], -1).min(axis=2)
@@ -213,7 +210,7 @@ class Screen:
         ]
 
     def _stretched(self, shaking: Shaking) -> tuple[str, str]:
-        """Return how far records were stretched, and the share of those that hardly were."""
+        """Return the stretch of the records, and the share among the least stretched."""
         near = self.judged.near
         usual, most = (
             number(fold, 2)

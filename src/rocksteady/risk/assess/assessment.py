@@ -25,7 +25,7 @@ from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.facts import ObjectFacts, compute_object_facts
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import own_states
-from rocksteady.risk.assess.placed_objects import has_vertical, peaks_of, place_objects
+from rocksteady.risk.assess.placed_objects import peaks_of, place_objects
 from rocksteady.risk.counted.reach import reaching_levels
 from rocksteady.risk.counted.suite import Motion, Peaks, Shaking, Suite, folds, median_fold
 from rocksteady.risk.counted.verdict import CODES, LEAST, MARGIN, Decision
@@ -37,7 +37,6 @@ from rocksteady.risk.ensemble.qualification import (
     rocking_words,
 )
 from rocksteady.risk.ensemble.runs import run_ensemble
-from rocksteady.risk.ensemble.ways import Ways
 from rocksteady.risk.fragility.compute_fragility import count_fragility
 from rocksteady.risk.fragility.damage_states import DEFAULT_STATES, OVERTURNED, DamageState
 from rocksteady.risk.fragility.fragility import Fragility
@@ -411,16 +410,17 @@ def _fragility(described: DescribedObject, shaking: Shaking, run: Execution | No
     """Return counted shares over levels that hold the demand."""
     block, band = described.block, band_of(described)
     motions: list[Motion] = list(shaking.motions)
-    ways = Ways(vertical=True) if any(map(has_vertical, motions)) else None
     levels = reaching_levels(
         Levels(shaking.measure),
         [block],
         motions,
         restitution=band,
-        ways=ways,
+        ways=shaking.ways,
         also=(shaking.level, MARGIN * shaking.level),
     )
-    ensemble = run_ensemble(block, motions, levels=levels, restitution=band, ways=ways, run=run)
+    ensemble = run_ensemble(
+        block, motions, levels=levels, restitution=band, ways=shaking.ways, run=run
+    )
     return count_fragility(ensemble, states=_states(described))
 
 

@@ -5,8 +5,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated
 
-import numpy as np
-
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
@@ -14,11 +12,8 @@ from rocksteady.model.motions.floor import Floor
 from rocksteady.risk.assess.described.building import Building, floor_of
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.counted.built_in import make_built_in_suite
-from rocksteady.risk.counted.suite import PGA as PGA_MEASURE
-from rocksteady.risk.counted.suite import PGV as PGV_MEASURE
-from rocksteady.risk.counted.suite import Motion, Peaks, Shaking, Suite, across, distinct
+from rocksteady.risk.counted.suite import Motion, Peaks, Shaking, Suite, distinct, has_vertical
 from rocksteady.risk.observations.files.toml_tables import named
-from rocksteady.seismic.measures.scalar import Measure, compute_measure
 from rocksteady.seismic.spectra.grounds import grounds_of
 
 PGA = Bounds(0.0, 10.0, "(]", "give the peak in g; 0.3 is usual")
@@ -99,8 +94,9 @@ def place_objects(
         vertical = each.given.demand.vertical_g > 0.0
         shaking = shaken(stood, demand, lifted=vertical)
         beside = shaken(stood, demand, lifted=False) if vertical else None
-        on_it = _amplified(shaking or beside)
-        standing.append(replace(each, amplified=on_it, storey=storey))
+        either = shaking or beside
+        amplified = (1.0, 1.0) if either is None else either.amplified
+        standing.append(replace(each, amplified=amplified, storey=storey))
         shakings.append(shaking)
         plain.append(beside)
     return PlacedObjects(
@@ -110,11 +106,6 @@ def place_objects(
         suite=suite,
         seconds=time.perf_counter() - began,
     )
-
-
-def has_vertical(motion: Motion) -> bool:
-    """Return whether a motion has a vertical component."""
-    return getattr(motion, "vertical", None) is not None
 
 
 def peaks_of(described: DescribedObject, *, built_in: bool = False) -> Peaks:
@@ -169,22 +160,3 @@ def with_demand(
             "give the PGA, the PGV or both",
         )
     return described.with_peaks(pga_g=pga_g, pgv_m_s=pgv_m_s)
-
-
-def _amplified(shaking: Shaking | None) -> tuple[float, float]:
-    """Return by how much the floor multiplies PGA and PGV, the largest of the motions."""
-    if shaking is None or all(across(each).ground is None for each in shaking.motions):
-        return 1.0, 1.0
-
-    def most(measure: Measure) -> float:
-        return float(
-            np.max(
-                [
-                    compute_measure(across(each), measure)
-                    / compute_measure(across(each).reference, measure)
-                    for each in shaking.motions
-                ]
-            )
-        )
-
-    return most(PGA_MEASURE), most(PGV_MEASURE)

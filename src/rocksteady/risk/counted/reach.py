@@ -9,7 +9,6 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.risk.counted.count import count_falls
 from rocksteady.risk.counted.suite import Motion
 from rocksteady.risk.ensemble.levels import Levels
@@ -42,7 +41,6 @@ def reaching_levels(
     *,
     restitution: RestitutionBand | None = None,
     ways: Ways | None = None,
-    model: ModelChoice = None,
     also: Sequence[float] = (),
     most: float = np.inf,
 ) -> Levels:
@@ -54,7 +52,7 @@ def reaching_levels(
     ----------
     levels
         The measure; levels that are given are returned as they are.
-    blocks, motions, restitution, ways, model
+    blocks, motions, restitution, ways
         As for `run_ensemble`.
     also
         Levels that are to be among them, as that of a demand.
@@ -69,7 +67,7 @@ def reaching_levels(
     if levels.levels is not None:
         return levels
     bare = replace(levels, beside=())
-    at = lifting_levels(bare, blocks, motions, ways=ways, model=model)
+    at = lifting_levels(bare, blocks, motions, ways=ways)
     first = float(at.min()) * BELOW
     if not np.isfinite(first):
         raise InputError(
@@ -93,7 +91,6 @@ def reaching_levels(
                 levels=replace(bare, levels=[rising[-1]]),
                 restitution=restitution,
                 ways=ways,
-                model=model,
             )
         )
         whole = count.runs + count.without
@@ -108,7 +105,6 @@ def lifting_levels(
     motions: Sequence[Motion],
     *,
     ways: Ways | None = None,
-    model: ModelChoice = None,
 ) -> Floats:
     """Return the level above which each motion lifts each block, exactly; inf where none does.
 
@@ -120,7 +116,6 @@ def lifting_levels(
     asked = Ways() if ways is None else ways
     signs = chosen(asked.reverse, DIRECTIONS)
     lifts = chosen(asked.vertical, ("without", "with"))
-    linear = isinstance(chosen_model(model, blocks[0]), Linear)
-    scales = uplift_scales(blocks, grounds, signs, lifts, linear=linear)
+    scales = uplift_scales(blocks, grounds, signs, lifts, linear=False)
     at_one = levels.at_scale_one([each.record for each in grounds], blocks)
     return np.asarray(at_one[:, :, np.newaxis, np.newaxis] * scales)

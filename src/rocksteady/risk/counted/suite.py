@@ -13,6 +13,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import quantity
+from rocksteady.risk.ensemble.ways import Ways
 from rocksteady.seismic.measures.scalar import Measure, compute_measure
 
 Motion = Record | BaseMotion
@@ -161,19 +162,39 @@ class Shaking:
     stretched: bool
     demand: Peaks
 
-    @property
+    @cached_property
     def floor_pga_g(self) -> Floats:
         """Peak acceleration of each motion at the demand where the object stands [g]."""
         factors = np.ones(len(self.scales)) if self.stretched else self.scales
         peaks = [compute_measure(across(each), PGA) for each in self.motions]
         return np.asarray(factors * np.array(peaks))
 
-    @property
-    def has_vertical(self) -> Floats:
-        """Which motions have a vertical component, shape (motions,)."""
-        return np.array(
-            [isinstance(each, BaseMotion) and each.vertical is not None for each in self.motions]
+    @cached_property
+    def amplified(self) -> tuple[float, float]:
+        """By how much a floor multiplies PGA and PGV, the largest of the motions; 1 without one."""
+        pga, pgv = (
+            max(
+                compute_measure(across(each), peak) / compute_measure(across(each).reference, peak)
+                for each in self.motions
+            )
+            for peak in (PGA, PGV)
         )
+        return float(pga), float(pgv)
+
+    @property
+    def is_lifted(self) -> bool:
+        """Whether a motion has a vertical component."""
+        return any(map(has_vertical, self.motions))
+
+    @property
+    def ways(self) -> Ways:
+        """How an ensemble runs the motions: with the verticals that they have."""
+        return Ways(vertical=True if self.is_lifted else "both")
+
+
+def has_vertical(motion: Motion) -> bool:
+    """Return whether a motion has a vertical component."""
+    return getattr(motion, "vertical", None) is not None
 
 
 def distinct(motions: Sequence[Motion]) -> list[Motion]:

@@ -9,7 +9,7 @@ Verdict = Literal["green", "red", "stands", "slides", "not-shown", "no-answer"]
 VERDICTS: Final[tuple[Verdict, ...]] = (
     "red", "slides", "not-shown", "no-answer", "green", "stands",
 )  # fmt: skip
-"""All verdicts, those that ask for something first."""
+"""All verdicts, those that call for action first."""
 Reason = Literal[
     "", "few-records", "few-vertical", "too-far", "band", "cliff", "cliff-unjudged",
     "stretched", "built-in", "friction", "without-answer",

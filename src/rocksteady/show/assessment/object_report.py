@@ -166,7 +166,7 @@ def _method(assessment: Assessment) -> dict[str, Any]:
         "ratios": span(float(ratios.min()), float(ratios.max())),
         "signs": int(runs.sizes["direction"]) > 1,
         "stretched": shaking.stretched,
-        "vertical": bool(shaking.has_vertical.any()),
+        "vertical": shaking.is_lifted,
         "wall": assessment.facts.block.one_sided,
     }
 
