@@ -116,7 +116,6 @@ ALLOWED = {
     ("model/motions/synthetic.py", "numpy.random"): "noise of NumPy",
     ("model/motions/synthetic.py", "scipy.signal"): "filters of SciPy",
     ("records/processing.py", "scipy.signal"): "the low-pass filter before a coarser sampling",
-    ("risk/assess/two_numbers.py", "math.log"): "the normal distribution, for a probability",
     ("risk/counted/band.py", "**"): COUNTS,
     ("risk/counted/band.py", "math.log"): COUNTS,
     ("risk/counted/band.py", "math.log1p"): COUNTS,

@@ -2,8 +2,8 @@
 Do the formulas agree?
 ======================
 
-The peak ground velocity from which a block of 1.8 m overturns, over its width, by two fits to
-thousands of computed runs and by Ishiyama's bound. The bound lies at about half of the medians: it
+The peak ground velocity from which a block of 1.8 m overturns, over its width, by a fit to
+thousands of computed runs and by Ishiyama's bound. The bound lies at about half of the median: it
 marks where overturning begins, not where half of the blocks fall. See :doc:`/guides/screens`.
 """
 
@@ -20,7 +20,6 @@ runs = [rs.risk.assess_by_formula(each, 0.6, 0.6) for each in blocks]
 fig, ax = plt.subplots(layout="constrained")
 for name, values in (
     ("published runs", [each.median_pgv_m_s for each in runs]),
-    ("runs of this package", [each.other_median_pgv_m_s for each in runs]),
     ("Ishiyama's bound", bound),
 ):
     ax.plot(widths, values, "C4--")

@@ -100,8 +100,7 @@ use_plots(
         "base",
     )
     | dict.fromkeys(("BasinEntropy", "BasinShare", "BoundaryCheck", "FateShare"), "rows")
-    | dict.fromkeys(("FormulaAssessment", "HazardBranchCheck", "Installation"), "rows")
-    | dict.fromkeys(("IntegrityDrop", "Screen"), "rows"),
+    | dict.fromkeys(("HazardBranchCheck", "Installation", "IntegrityDrop", "Screen"), "rows"),
     lambda name: getattr(__getattr__("plots"), name),
 )
 use_describer("base motion", "rocksteady.seismic.measures.motion_course")

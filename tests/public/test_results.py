@@ -164,6 +164,7 @@ MOTIONS = {
 WITHOUT = {
     "Certificate": "a claim and its verdict, in words",
     "CheckedCertificate": "a verdict, in words",
+    "FormulaAssessment": "one number",
     "Posterior": "plots.posterior draws it beside the prior, from the calibration",
     "Prior": "defaults of many objects, in unlike units",
     "Scores": "of some scores large values are good, of others small ones",

@@ -158,7 +158,7 @@ def _risks(t: dict[str, Any]) -> dict[str, Callable[[], Any]]:
     ]
     eleven = rs.motions.make_synthetic_suite(11)
     several = rs.assess_objects(objects, eleven, pga_g=0.4, pgv_m_s=0.5)
-    names = ("boundary", "quick", "screen", "branch test")
+    names = ("boundary", "screen", "branch test")
     drawn: dict[str, Callable[[], Any]] = {
         f"rows of {name}": partial(plots.rows, t[name]) for name in names
     }

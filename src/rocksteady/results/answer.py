@@ -1,6 +1,6 @@
 """Answer of a result: what a screen shows by default, in at most eight lines.
 
-One sentence with the number that matters, its doubt and its reason; up to five facts; the command
+One sentence with the number that matters, its doubt and its reason; up to six facts; the command
 that goes on from here.  Tables, caveats and further facts of the result follow with ``--more``.
 """
 
@@ -11,7 +11,7 @@ from typing import Final
 
 MOST_LINES: Final = 8
 """Lines of an answer, beside rows that are the answer."""
-MOST_FACTS: Final = 5
+MOST_FACTS: Final = 6
 """Facts of an answer."""
 MOST_ROWS: Final = 12
 """Rows of an answer that consists of rows."""
@@ -46,7 +46,7 @@ class Answer:
 
     @property
     def stated(self) -> list[tuple[str, str]]:
-        """Label and words of the facts that have words, five at most."""
+        """Label and words of the facts that have words, six at most."""
         pairs = [
             (label, words if isinstance(words, str) else words()) for label, words in self.facts
         ]

@@ -9,6 +9,8 @@ from .assess.described.objects import DescribedObject as DescribedObject
 from .assess.objects_table import ObjectsTable as ObjectsTable
 from .assess.two_numbers import FormulaAssessment as FormulaAssessment
 from .assess.two_numbers import assess_by_formula as assess_by_formula
+from .counted.suite import Peaks as Peaks
+from .counted.verdict import Target as Target
 from .ensemble.levels import Levels as Levels
 from .ensemble.restitution_band import RestitutionBand as RestitutionBand
 from .ensemble.ways import Ways as Ways

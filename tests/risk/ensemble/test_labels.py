@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rocksteady import Record, Status
-from rocksteady.risk.ensemble._labels import alike_words, warnings_of
+from rocksteady.risk.ensemble._labels import warnings_of
 from tests.every import every
 
 SUITE = [Record(acceleration_m_s2=np.array([0.0, 1.0, -1.0 - k, 0.0]), dt_s=0.1) for k in range(8)]
@@ -20,9 +20,7 @@ def told(
     factors = np.ones((2, count, 3)) if scale is None else scale
     ends = np.full((2, count, 3), int(Status.AT_REST)) if status is None else status
     copied = np.zeros((count, 2), dtype=bool)
-    found: list[str] = json.loads(
-        warnings_of(NAMES[:count], alike_words(NAMES[:count], records), factors, ends, copied)
-    )
+    found: list[str] = json.loads(warnings_of(NAMES[:count], records, factors, ends, copied))
     return found
 
 

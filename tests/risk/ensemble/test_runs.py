@@ -27,7 +27,6 @@ from rocksteady.model.equations import Linear
 from rocksteady.results.gridded import described
 from rocksteady.risk import Levels, RestitutionBand, Ways, count_fragility
 from rocksteady.risk.ensemble.qualification import FORCES, SHARE
-from rocksteady.risk.ensemble.runs import run_each
 from rocksteady.sweeps import evaluate
 from tests.every import every
 from tests.seismic.grounds import ground, lifting
@@ -193,31 +192,6 @@ def test_each_cell_of_a_block_against_a_wall_is_a_time_history(model: Linear | N
         assert found.restitution.values[0].tolist() == band.ratios(block)[:, 0].tolist()
 
 
-def test_one_sided_uplift_is_that_of_the_peak_of_one_sign() -> None:
-    # Brute force: the samples themselves, of a record whose peaks differ by their sign.
-    walls = [block.against_wall(0.4) for block in (SYMMETRIC, OFF_CENTRE)]
-    for model, slope in ((Linear(), lambda a: a), (None, np.tan)):
-        levels = np.geomspace(0.5, 3.0, 25)
-        found = run_ensemble(
-            walls,
-            SUITE,
-            levels=Levels("scale", levels, beside=()),
-            restitution=RestitutionBand(draws=1),
-            model=model,
-        )
-        for (i, block), (j, record), direction in product(
-            enumerate(walls), enumerate(SUITE), (0, 1)
-        ):
-            sign = -1.0 if direction else 1.0
-            driven = levels * float((sign * record.acceleration_m_s2).max())
-            lifts = driven > block.gravity * float(slope(block.positive.alpha))
-            cells = found.isel(block=i, record=j, direction=direction, vertical=0, draw=0)
-            np.testing.assert_array_equal(cells.peak_angle.values > 0.0, lifts)
-            np.testing.assert_array_equal(np.isfinite(cells.uplift_time_s.values), lifts)
-        lifted = found.peak_angle.isel(vertical=0, draw=0) > 0.0
-        assert (lifted.isel(direction=0) != lifted.isel(direction=1)).any()
-
-
 def test_scatter_at_a_wall_is_that_of_the_wall_alone_and_has_the_bits_of_every_executor() -> None:
     wall = SYMMETRIC.against_wall(0.5)
     levels = Levels("pga_per_uplift", LEVELS, beside=())
@@ -351,29 +325,6 @@ def test_measures_stand_beside_the_runs_as_they_are_measured() -> None:
     np.testing.assert_allclose(reached, np.broadcast_to(LEVELS, (3, 3, 3)), rtol=1e-14)
 
 
-def test_warnings_count_what_they_warn_of() -> None:
-    again = Record(
-        acceleration_m_s2=SUITE[0].acceleration_m_s2, dt_s=SUITE[0].dt_s, name="once more"
-    )
-    down = Record(acceleration_m_s2=np.array([0.0, -6.0, 6.0, 0.0]), dt_s=0.3)
-    found = run_ensemble(
-        SYMMETRIC,
-        [SUITE[0], again, BaseMotion(SUITE[1], down)],
-        levels=Levels("scale", [1.0, 30.0], beside=()),
-        restitution=RestitutionBand(draws=1),
-    )
-    flat, alike, large, lost = json.loads(found.attrs["warnings"])
-    assert flat.startswith("2 of 3 records have no vertical component")
-    assert "once more" in alike
-    assert "30" in large
-    assert "50 %" in large
-    count = int((found.status == Status.LOST_CONTACT).sum())
-    assert lost.startswith(f"{count} of 24 runs")
-    assert count > 0
-    clean = run_ensemble(SYMMETRIC, SUITE, levels=ONE)
-    assert json.loads(clean.attrs["warnings"]) == []
-
-
 def test_copies_of_runs_without_vertical_motion_are_marked() -> None:
     found = ensemble()
     assert found.copied.dims == ("record", "vertical")
@@ -396,32 +347,6 @@ def test_vertical_motion_needs_a_record_and_full_equations() -> None:
     flat = run_ensemble(SYMMETRIC, MOTIONS, model=Linear(), ways=Ways(vertical=False), levels=ONE)
     assert flat.attrs["model"] == "linear"
     assert flat.vertical.values.tolist() == ["without"]
-
-
-def test_a_linear_block_lifts_above_alpha_g() -> None:
-    block = Block.from_p(alpha=0.3, p=2.0)
-    shock = Record(acceleration_m_s2=np.array([0.0, 10.0, 0.0]), dt_s=1.0)
-    found = run_ensemble(
-        block,
-        shock,
-        model=Linear(),
-        levels=ONE,
-        restitution=RestitutionBand(draws=1),
-    )
-    assert float(found.uplift_time_s.isel(direction=0).squeeze()) == pytest.approx(
-        0.3 * 9.80665 / 10.0, rel=1e-14
-    )
-
-
-def test_blocks_at_levels_of_their_own_are_as_if_each_ran_alone() -> None:
-    levels = [Levels("pga_g", [low, 3.0 * low], beside=()) for low in (0.2, 0.3, 0.25)]
-    band = RestitutionBand(draws=2)
-    together = run_each(BLOCKS, MOTIONS, levels=levels, restitution=band)
-    for block, wanted, found in zip(BLOCKS, levels, together, strict=True):
-        alone = run_ensemble(block, MOTIONS, levels=wanted, restitution=band)
-        xarray.testing.assert_equal(found, alone)
-        assert found.attrs["runs"] == alone.attrs["runs"]
-        assert found.attrs["warnings"] == alone.attrs["warnings"]
 
 
 def test_blocks_of_an_ensemble_keep_their_gravity_when_some_are_taken() -> None:

@@ -115,18 +115,6 @@ def test_twice_the_trials_have_the_same_curve_and_twice_the_likelihood() -> None
     assert twice.log_likelihood == pytest.approx(2.0 * found.log_likelihood, rel=1e-12)
 
 
-def test_the_order_of_failures_within_a_record_is_kept_as_it_is() -> None:
-    """A record that falls at .3, stands at .4 and falls at .5 is no sorted one."""
-    at = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
-    raw = fit_curve(at, [0, 0, 1, 0, 1, 1])
-    assert raw.status == "fitted"
-    assert raw.beta > 0.1
-    stripes = fit_curve(at * 10, [0, 0, 1, 0, 1, 1] * 10).stripes
-    assert [row[1:3] for row in stripes] == [(10, k) for k in (0, 0, 10, 0, 10, 10)]
-    assert [row[0] for row in stripes] == pytest.approx(at)
-    assert fit_curve(at, [0, 0, 0, 1, 1, 1]).status == "separated"
-
-
 STEPS: list[tuple[list[float], list[int], str, tuple[float, float] | None]] = [
     ([1.0, 2.0], [0, 1], "separated", (1.0, 2.0)),
     ([3.0, 1.0, 2.0, 4.0], [1, 0, 0, 1], "separated", (2.0, 3.0)),
@@ -227,21 +215,6 @@ def test_an_intensity_below_0_has_no_probability() -> None:
         fit_curve([1.0, 2.0], [0, 1]).probability(-1.0)
 
 
-def test_levels_that_differ_by_rounding_are_one_stripe() -> None:
-    """A level over a record's measure, times that measure, is the level but for rounding."""
-    levels, measures = np.geomspace(0.2, 3.0, 6), np.random.default_rng(3).uniform(0.1, 9.0, 30)
-    at = (levels / measures[:, None] * measures[:, None]).ravel()
-    assert len(set(at.tolist())) > 6
-    capacity = np.exp(np.random.default_rng(4).normal(0.0, 0.5, (30, 1)))
-    failures = (levels >= capacity).astype(int).ravel()
-    found = fit_curve(at, failures)
-    assert [row[1] for row in found.stripes] == [30] * 6
-    exact = fit_curve(np.tile(levels, 30), failures)
-    assert found.log_likelihood == pytest.approx(exact.log_likelihood, rel=1e-9)
-    step = fit_curve(at, np.tile(levels > 0.5, 30).astype(int))
-    assert step.step == pytest.approx((levels[levels < 0.5].max(), levels[levels > 0.5].min()))
-
-
 def test_the_misfit_is_that_of_the_worst_stripe() -> None:
     found = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40] * 4, measure=("PGV", "m/s"))
     shares = np.array([2, 9, 27, 39]) / 40
@@ -251,15 +224,3 @@ def test_the_misfit_is_that_of_the_worst_stripe() -> None:
         "lognormal in PGV: median 0.591 m/s, beta 0.582, within "
         f"{100.0 * found.misfit:.2g} points of the shares of 160 trials"
     )
-
-
-def test_scattered_intensities_are_joined_to_stripes() -> None:
-    at, failures, _ = made(12, "lognormal", grouped=False)
-    found = fit_curve(at, failures)
-    trials = [row[1] for row in found.stripes]
-    assert sum(trials) == len(at)
-    assert len(trials) == min(10, len(at) // 10)
-    assert max(trials) - min(trials) <= 1
-    first = np.sort(at)[: trials[0]]
-    assert found.stripes[0][0] == pytest.approx(np.exp(np.log(first).mean()))
-    assert found.stripes[0][3] == pytest.approx(found.probability(first).mean())

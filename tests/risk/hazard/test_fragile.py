@@ -1,28 +1,44 @@
-"""Fragilities as a hazard sees them: lognormal ones, multiples, and what is unknown outside."""
+"""Fragilities as a hazard curve sees them: lognormal, fitted and counted ones, and multiples."""
 
 import math
+import pickle
+from typing import Any
 
 import numpy as np
 import pytest
 from scipy import stats
 
+from rocksteady import Block, compute_fragility
 from rocksteady.errors import InputError
-from rocksteady.risk import fit_curve
-from rocksteady.risk.hazard._fragile import Converted, Lognormal
+from rocksteady.motions import make_synthetic_suite
+from rocksteady.risk import Fragility, HazardCurve, Levels, RestitutionBand, fit_curve
+from rocksteady.risk.hazard._fragile import fragile_of, resampled
 from tests.every import every
 
 AT = np.array([0.01, 0.1, 0.4, 0.9, 5.0])
+BLOCK = Block.rectangle(width=0.32, height=1.8)
+
+
+def hazard(measure: str = "pgv_m_s") -> HazardCurve:
+    return HazardCurve(measure=measure, levels=[0.01, 10.0], rates=[0.1, 1e-6])
+
+
+def counted(records: int = 12, measure: str = "pga_g") -> Fragility:
+    return compute_fragility(
+        BLOCK,
+        make_synthetic_suite(records),
+        levels=Levels(measure, [0.2, 0.4, 0.8, 1.6], beside=()),
+        restitution=RestitutionBand(draws=2),
+    )
 
 
 def test_a_lognormal_is_that_of_scipy() -> None:
-    made, exact = Lognormal(0.4, 0.5), stats.lognorm(0.5, scale=0.4)
-    assert made.probability(AT) == pytest.approx(exact.cdf(AT), rel=1e-12)
-    for p in (0.001, 0.05, 0.5, 0.9):
-        assert made.quantile(p) == pytest.approx(exact.ppf(p), rel=1e-12)
-    for beta in (0.0, 1e-13):
-        step = Lognormal(0.4, beta)
-        assert step.probability(AT).tolist() == [0.0, 0.0, 1.0, 1.0, 1.0]
-        assert step.probability(math.nextafter(0.4, 0.0)) == 0.0
+    made = fragile_of((0.4, 0.5), hazard(), None, None)
+    assert made.at(AT) == pytest.approx(stats.lognorm(0.5, scale=0.4).cdf(AT), rel=1e-12)
+    step = fragile_of((0.4, 0.0), hazard(), None, None)
+    assert step.at(AT).tolist() == [0.0, 0.0, 1.0, 1.0, 1.0]
+    assert (made.last, made.counted) == (math.inf, None)
+    assert pickle.loads(pickle.dumps(made)).at(0.4) == made.at(0.4)
 
 
 @every(
@@ -34,39 +50,96 @@ def test_a_lognormal_is_that_of_scipy() -> None:
 )  # fmt: skip
 def test_medians_and_betas_have_bounds(median: float, beta: float, fits: bool) -> None:
     if fits:
-        assert Lognormal(median, beta).beta == beta
+        assert fragile_of((median, beta), hazard(), None, None).given == (median, beta)
         return
     with pytest.raises(InputError, match=r"give the fragility as \(median, beta\)"):
-        Lognormal(median, beta)
-
-
-def test_a_multiple_moves_intensities_and_leaves_beta() -> None:
-    curve = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40] * 4)
-    found = Converted(curve, 4.0)
-    assert found.probability(AT) == pytest.approx(curve.probability(4.0 * AT), rel=1e-14)
-    assert found.quantile(0.3) == pytest.approx(curve.quantile(0.3) / 4.0)
-    assert found.beta == curve.beta
-    assert found.sampled == (0.05, 0.4)
-    assert Converted(Lognormal(0.4, 0.5), 4.0).sampled is None
-    # Steps, quantiles and the ends of the runs divide the integral.
-    knots = np.exp(found.knots)
-    for intensity in (found.quantile(0.5), found.quantile(1e-9), 0.05, 0.4):
-        assert np.abs(knots / intensity - 1.0).min() < 1e-12
-
-
-def test_the_beta_of_another_family_is_that_from_its_median_to_its_5_per_cent() -> None:
-    logistic = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40] * 4, family="logistic")
-    expected = logistic.beta * math.log(19.0) / stats.norm.ppf(0.95)
-    assert Converted(logistic, 3.0).beta == pytest.approx(expected, rel=1e-12)
+        fragile_of((median, beta), hazard(), None, None)
 
 
 @every(
-    ("failures", "inside", "outside"),
-    [([0, 0, 0], [0.0, 0.0, 0.0], [0.0, 1.0]), ([9, 9, 9], [1.0, 1.0, 1.0], [1.0, 1.0])],
+    ("measure", "of", "factor"),
+    [
+        ("p_pgv_per_uplift", "pgv_m_s", BLOCK.positive.p / (9.80665 * 0.32 / 1.8)),
+        ("pga_per_uplift", "pga_g", 1.8 / 0.32),
+    ],
 )
-def test_outside_trials_of_one_kind_a_failure_is_taken_to_be_sure(
-    failures: list[int], inside: list[float], outside: list[float]
+def test_a_measure_of_the_block_is_a_multiple_of_one_of_the_ground(
+    measure: str, of: str, factor: float
 ) -> None:
-    curve = Converted(fit_curve([0.2, 0.4, 0.8], failures, [9] * 3), 2.0)
-    assert curve.probability(np.array([0.1, 0.2, 0.4])).tolist() == inside
-    assert curve.probability(np.array([0.01, 0.41])).tolist() == outside
+    scaled = fragile_of((0.4 * factor, 0.5), hazard(of), measure, BLOCK)
+    assert scaled.factor == pytest.approx(factor, rel=1e-12)
+    assert scaled.at(AT) == pytest.approx(
+        fragile_of((0.4, 0.5), hazard(of), None, None).at(AT), rel=1e-9
+    )
+
+
+def test_of_counted_shares_the_last_state_counts_over_its_own_measure() -> None:
+    fragility = counted()
+    made = fragile_of(fragility, hazard("pga_g"), None, None)
+    last = fragility.states[-1]
+    assert made.given is last
+    assert made.at([0.3, 0.8]).tolist() == last.share([0.3, 0.8]).tolist()
+    assert made.last == 1.6
+    first = fragile_of(fragility.state("uplift"), hazard("pga_g"), "pga_g", None)
+    assert first.at([0.17, 0.19]).tolist() == [0.0, 1.0]
+
+
+def test_records_that_are_drawn_once_each_give_the_shares_and_one_its_own() -> None:
+    curve = counted().states[-1].curve
+    at, size = np.array([0.3, 0.41, 1.0]), len(curve.counts[0].fell)
+    draws = np.concatenate([np.ones((1, size), np.int64), size * np.eye(size, dtype=np.int64)])
+    first, *others = resampled(curve, draws, at)
+    assert first == pytest.approx(curve.at(at), rel=1e-12)
+    assert np.mean([row[-1] for row in resampled(curve, draws[1:], curve.levels)]) == (
+        pytest.approx(curve.shares[-1])
+    )
+    assert len(others) == size
+
+
+NEVER = fit_curve([0.2, 0.4, 0.8], [0, 0, 0], [9] * 3)
+OTHER = fit_curve([0.2, 0.4, 0.8], [2, 5, 8], [9] * 3, measure=("PGA", "g"))
+FALLING = fit_curve([0.2, 0.4, 0.8], [8, 5, 2], [9] * 3)
+
+
+@every(
+    ("given", "over", "line"),
+    [
+        ({}, "sa_g:1", "fit the fragility over sa_g:1.0"),
+        ({"measure": "velocity"}, "pga_g", "measure = 'velocity' is not valid"),
+        ({"measure": "p_pgv_per_uplift"}, "pgv_m_s", "give block="),
+        ({"fragility": NEVER}, "pgv_m_s", "fragility has no curve: its status is never: "),
+        ({"fragility": FALLING}, "pgv_m_s", "its status is not-rising"),
+        ({"fragility": OTHER}, "pgv_m_s", "fragility is a curve over PGA: the hazard curve is "),
+        ({"fragility": "x"}, "pgv_m_s", "it is a Fragility, one of its states, a FragilityCurve"),
+        ({"fragility": (0.4,)}, "pgv_m_s", "or (median, beta)"),
+    ],
+)
+def test_what_does_not_fit_is_refused_with_the_way_out(
+    given: dict[str, Any], over: str, line: str
+) -> None:
+    asked: dict[str, Any] = {"fragility": (0.4, 0.5), "measure": "pga_g" if not given else None}
+    asked |= given
+    with pytest.raises(InputError) as refusal:
+        fragile_of(asked["fragility"], hazard(over), asked["measure"], None)
+    assert line in str(refusal.value)
+
+
+def test_counts_of_too_few_records_or_over_another_measure_have_no_rate() -> None:
+    with pytest.raises(InputError, match=r"fragility is of 10 records: .* 11 records or more"):
+        fragile_of(counted(10), hazard("pga_g"), None, None)
+    with pytest.raises(InputError, match="the hazard curve is over PGV"):
+        fragile_of(counted(), hazard(), None, None)
+    with pytest.raises(InputError, match="the shares are over pga_g"):
+        fragile_of(counted(), hazard(), "pgv_m_s", None)
+    with pytest.raises(InputError, match="the shares are over factors"):
+        fragile_of(
+            compute_fragility(
+                BLOCK,
+                make_synthetic_suite(11),
+                levels=Levels("scale", [0.5, 1.0], beside=()),
+                restitution=RestitutionBand(draws=1),
+            ),
+            hazard(),
+            None,
+            None,
+        )

@@ -1,4 +1,4 @@
-"""Hazard curves: interpolation, tails, and what is no curve."""
+"""Hazard curves: interpolation, bounds, and what is no curve."""
 
 import dataclasses
 from typing import Any
@@ -40,10 +40,6 @@ def test_a_power_law_is_itself_between_its_points(
     power = curve(levels=at, rates=rate * at**-k)
     x = data.draw(st.floats(float(at[0]), float(at[-1])))
     assert power.rate(x) == pytest.approx(rate * x**-k, rel=1e-9)
-    tailed = power.extended()
-    assert tailed.rate([at[0] / 7.0, at[-1] * 7.0]) == pytest.approx(
-        rate * np.array([at[0] / 7.0, at[-1] * 7.0]) ** -k, rel=1e-6
-    )
     assert power.slopes == pytest.approx(np.full(at.size - 1, k), rel=1e-6)
 
 
@@ -51,14 +47,6 @@ def test_a_power_law_is_itself_between_its_points(
 def test_beyond_its_ends_a_curve_is_unknown(level: float) -> None:
     with pytest.raises(InputError, match=r"reaches from 0\.05 to 1\.2 g"):
         curve().rate(level)
-
-
-def test_a_tail_is_fitted_to_three_points_through_the_end() -> None:
-    x, y = np.log(LEVELS), np.log(RATES)
-    dx, dy = x[1:] - x[-1], y[1:] - y[-1]
-    fitted = np.linalg.lstsq(dx[:, None], dy, rcond=None)[0][0]
-    assert curve().end_slopes[1] == pytest.approx(-fitted, rel=1e-12)
-    assert curve().extended().rate(2.4) == pytest.approx(RATES[-1] * 2.0**fitted, rel=1e-12)
 
 
 @every(
@@ -79,7 +67,6 @@ def test_a_tail_is_fitted_to_three_points_through_the_end() -> None:
         ({"measure": "p_pgv_per_uplift"}, "measure = 'p_pgv_per_uplift' is not valid"),
         ({"weight": 1.5}, "weight = 1.5 is not valid"),
         ({"site": (0.0, 91.0)}, "give longitude and latitude in degrees"),
-        ({"rates": [0.1, 0.01, 0.01, 0.01], "tail": "power-law"}, "no power law falls through"),
     ],
 )
 def test_what_is_no_curve_is_refused_in_a_line(changed: dict[str, Any], line: str) -> None:
@@ -101,22 +88,6 @@ def test_a_curve_cannot_be_changed_and_describes_itself() -> None:
     assert "One is gone." in branch.summary()
 
 
-def test_both_tails_are_fitted_to_three_points_and_rise_to_neither_side() -> None:
-    x, y = np.log(LEVELS), np.log(RATES)
-    for k, ends, at in ((0, slice(0, 3), 0.01), (1, slice(1, 4), 3.0)):
-        end = (0, -1)[k]
-        dx, dy = x[ends] - x[end], y[ends] - y[end]
-        slope = float(np.linalg.lstsq(dx[:, None], dy, rcond=None)[0][0])
-        assert curve().end_slopes[k] == pytest.approx(-slope, rel=1e-12)
-        expected = RATES[end] * (at / LEVELS[end]) ** slope
-        assert curve().extended().rate(at) == pytest.approx(expected, rel=1e-12)
-    flat = curve(rates=[0.1, 0.1, 0.1, 0.001])
-    assert flat.end_slopes[0] == 0.0
-    assert flat.extended().rate(0.001) == pytest.approx(0.1)
-    # Far out a rate is a number all the same.
-    assert 0.0 < curve().extended().rate(1e99) < curve().extended().rate(1e-99) < np.inf
-
-
 def test_levels_rates_and_sites_may_reach_their_bounds() -> None:
     wide = curve(levels=[1e-100, 1e100], rates=[1e100, 1e-100])
     assert wide.slopes == pytest.approx([1.0])
@@ -129,13 +100,3 @@ def test_levels_rates_and_sites_may_reach_their_bounds() -> None:
         with pytest.raises(InputError, match=r"must lie in \[1e-100, 1e\+100\]"):
             curve(**changed, rates=[0.1, 0.01])
     assert curve(rates=[0.1, 0.02, 0.02, 0.001]).slopes[1] == 0.0
-    assert curve(levels=[0.1, 0.2], rates=[0.1, 0.01]).end_slopes[0] == pytest.approx(
-        curve(levels=[0.1, 0.2], rates=[0.1, 0.01]).end_slopes[1]
-    )
-
-
-def test_what_is_beyond_the_ends_is_told() -> None:
-    low, high = curve().end_slopes
-    assert "unknown" in curve().summary()
-    assert f"power laws of exponents {low:.3g} and {high:.3g}" in curve().extended().summary()
-    assert curve(weight=1.0).weight == 1.0

@@ -1,7 +1,6 @@
 """Hazard files: OpenQuake's and two columns, whole, spoilt and random."""
 
 import math
-import re
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +22,8 @@ NEW = (
 OLD = "# source_model_tree_path=('b1',), investigation_time=1.0, imt=\"PGA\"\n"
 NAMES = "lon,lat,depth,poe-0.1,poe-0.4,poe-0.6\n"
 SITE = "0.0,45.5,0.0,.4528811,.05589804,.006\n"
+RATES = "PGA [g],rate\n"
+G = 9.80665
 
 
 def of(curve: HazardCurve) -> str:
@@ -30,68 +31,44 @@ def of(curve: HazardCurve) -> str:
     return str(curve.to_dict()["measure"])
 
 
-@pytest.fixture(name="file")
-def _file(tmp_path: Path) -> Any:
-    def write(content: str | bytes) -> Path:
-        path = tmp_path / "hazard.csv"
-        path.write_bytes(content.encode() if isinstance(content, str) else content)
-        return path
-
-    return write
+def read(folder: Path, content: str | bytes, **options: Any) -> list[HazardCurve]:
+    """Return the curves of a file of this content."""
+    path = folder / "hazard.csv"
+    path.write_bytes(content.encode() if isinstance(content, str) else content)
+    return read_hazard_curves(path, **options)
 
 
-def test_probabilities_in_a_year_are_rates(file: Any) -> None:
-    (curve,) = read_hazard_curves(file(OLD + NAMES + SITE))
+def test_probabilities_in_a_year_are_rates(tmp_path: Path) -> None:
+    (curve,) = read(tmp_path, OLD + NAMES + SITE)
     # OpenQuake's own case: its seven digits of .4528811 leave 9e-8 of the rate open.
     assert curve.rates[:2] == pytest.approx([0.6030892, 0.0575211], abs=9e-8)
     assert curve.levels.tolist() == [0.1, 0.4, 0.6]
     assert (of(curve), curve.site, curve.name) == ("pga_g", (0.0, 45.5), "")
-
-
-@every(
-    ("name", "second"),
-    [
-        ("rate per 50 years", 0.01 / 50.0),
-        ("rate/50yr", 0.01 / 50.0),
-        ("rate [1/yr]", 0.01),
-        ("probability in 50 years [%]", -math.log1p(-1e-4) / 50.0),
-        ("annual probability (%)", -math.log1p(-1e-4)),
-    ],
-)
-def test_rates_of_several_years_and_per_cents_are_counted_as_such(
-    file: Any, name: str, second: float
-) -> None:
-    (curve,) = read_hazard_curves(file(f"PGA [g], {name}\n0.1,0.1\n0.2,0.01\n"))
-    assert curve.rates[1] == pytest.approx(second, rel=1e-14)
-
-
-@every("name", ["rate per month", "annual rate [%]", "return period [ka]"])
-def test_rates_of_other_times_and_in_per_cent_are_refused(file: Any, name: str) -> None:
-    with pytest.raises(InputError, match=re.escape(repr(name))):
-        read_hazard_curves(file(f"PGA [g], {name}\n0.1,100\n0.2,10\n"))
+    (bare,) = read(tmp_path, NAMES + SITE, measure="pga_g", poe_years=1.0)
+    assert bare.rates.tolist() == curve.rates.tolist()
 
 
 @every("kind", ["mean", "quantile-0.15", "rlz-000"])
 @every("years", [1.0, 50.0])
-def test_kind_time_and_sites_are_those_of_the_file(file: Any, kind: str, years: float) -> None:
+def test_kind_time_and_sites_are_those_of_the_file(tmp_path: Path, kind: str, years: float) -> None:
     header = NEW.format(kind, years, "SA(1.0)")
-    curves = read_hazard_curves(file(header + NAMES + SITE + "9.5,46,0.0,.4,.3,.2\n"))
+    curves = read(tmp_path, header + NAMES + SITE + "9.5,46,0.0,.4,.3,.2\n")
     assert [(each.name, of(each)) for each in curves] == [(kind, "sa_g:1.0")] * 2
     assert curves[1].site == (9.5, 46.0)
     assert curves[1].rates * years == pytest.approx([-math.log(0.6), -math.log(0.7), 0.22314355])
 
 
-def test_velocities_of_openquake_are_in_cm_s(file: Any) -> None:
+def test_velocities_of_openquake_are_in_cm_s(tmp_path: Path) -> None:
     names = "lon,lat,depth,poe-10,poe-40,poe-60\n"
-    (curve,) = read_hazard_curves(file(NEW.format("mean", 1.0, "PGV") + names + SITE))
+    (curve,) = read(tmp_path, NEW.format("mean", 1.0, "PGV") + names + SITE)
     assert (of(curve), curve.unit) == ("pgv_m_s", "m/s")
     assert curve.levels == pytest.approx([0.1, 0.4, 0.6], rel=1e-15)
 
 
-def test_infinite_rates_and_none_are_left_out_with_a_remark(file: Any) -> None:
+def test_infinite_rates_and_none_are_left_out_with_a_remark(tmp_path: Path) -> None:
     row = "0,0,0,1.000000E+00,.4,.2,.1,0.0,0.0\n"
     names = "lon,lat,depth,poe-0.01,poe-0.1,poe-0.2,poe-0.3,poe-0.4,poe-0.5\n"
-    (curve,) = read_hazard_curves(file(OLD + names + row))
+    (curve,) = read(tmp_path, OLD + names + row)
     assert curve.levels.tolist() == [0.1, 0.2, 0.3]
     assert curve.remarks == (
         "1 level left out: a probability of 1, an infinite rate.",
@@ -100,45 +77,69 @@ def test_infinite_rates_and_none_are_left_out_with_a_remark(file: Any) -> None:
 
 
 @every(
-    ("header", "levels", "measure"),
+    ("name", "options", "measure", "unit"),
     [
-        ("PGA [g], annual rate", [0.1, 0.4], "pga_g"),
-        ("pga_g,annual_rate", [0.1, 0.4], "pga_g"),
-        ("Sa(1.0) [g],MAFE", [0.1, 0.4], "sa_g:1.0"),
-        ("SA(0.3s) (g),annual frequency of exceedance", [0.1, 0.4], "sa_g:0.3"),
-        ("# PGV [m/s],lambda", [0.1, 0.4], "pgv_m_s"),
-        ("PGV [cm/s],rate (1/yr)", [0.001, 0.004], "pgv_m_s"),
-        ("PGV (cm/sec),AFE", [0.001, 0.004], "pgv_m_s"),
-        ("pgv_cm_s,rate", [0.001, 0.004], "pgv_m_s"),
-        ("PGA [m/s^2],rate", [0.1 / 9.80665, 0.4 / 9.80665], "pga_g"),
-        ("PGA [gal],rate", [0.001 / 9.80665, 0.004 / 9.80665], "pga_g"),
-        ("Peak ground acceleration (g),annual exceedance rate", [0.1, 0.4], "pga_g"),
+        *((name, {}, "pga_g", 1.0) for name in ("PGA [g]", "pga_g", "pga (g)", "PGA, g", "a_g/g")),
+        ("Peak ground acceleration (g)", {}, "pga_g", 1.0),
+        ("PGA [m/s^2]", {}, "pga_g", 1.0 / G),
+        *((name, {}, "pga_g", 0.01 / G) for name in ("PGA [gal]", "PGA in cm/s2", "PGA_cm/s2")),
+        *((name, {}, "pga_g", 0.01) for name in ("PGA [%g]", "PGA (% of g) on rock")),
+        *((name, {}, "pgv_m_s", 1.0) for name in ("# PGV [m/s]", "pgv_m_s", "PGV (m s-1)")),
+        *((name, {}, "pgv_m_s", 0.01) for name in ("PGV (cm/sec)", "pgv_cm_s", "PGV [kine]")),
+        ("peak ground velocity (mm/s)", {}, "pgv_m_s", 0.001),
+        ("PGV [in/s]", {}, "pgv_m_s", 0.0254),
+        ("PGV [ft/sec]", {}, "pgv_m_s", 0.3048),
+        *((f"{name} [g]", {}, "sa_g:1.0", 1.0) for name in ("Sa(1.0)", "SA_1.0", "Sa(1,5%)")),
+        *((f"{name} (g)", {}, "sa_g:0.3", 1.0) for name in ("SA(0.3s)", "SA(T1=0,3 s)", "Sa .3")),
+        ("psa[2] (m/s2)", {}, "sa_g:2.0", 1.0 / G),
+        ("sa_g:0.5", {}, "sa_g:0.5", 1.0),
+        *((name, {}, "sa_avg_g:0.5", 1.0) for name in ("sa_avg_g:0.5", "Sa_avg(0.5) [g]")),
+        ("spectral acceleration [g]", {"measure": "sa_g:0.7"}, "sa_g:0.7", 1.0),
+        ("PGA", {"level_unit": "m/s2"}, "pga_g", 1.0 / G),
+        ("PGA [gal]", {"level_unit": "cm/s^2"}, "pga_g", 0.01 / G),
+        *((name, {"measure": "pga_g"}, "pga_g", 1.0) for name in ("PGA [g]", "PGA", "level")),
+        ("level", {"measure": "pgv_m_s", "level_unit": "cm/s"}, "pgv_m_s", 0.01),
     ],
 )
-def test_names_and_units_of_two_columns(
-    file: Any, header: str, levels: list[float], measure: str
+def test_what_the_first_column_is_called(
+    tmp_path: Path, name: str, options: dict[str, Any], measure: str, unit: float
 ) -> None:
-    (curve,) = read_hazard_curves(file(f"{header}\n0.1,0.02\n0.4,0.001\n"))
-    assert curve.levels == pytest.approx(levels, rel=1e-14)
-    assert curve.rates.tolist() == [0.02, 0.001]
+    (curve,) = read(tmp_path, f"{name};rate\n0.1;0.2\n0.4;0.01\n", **options)
     assert of(curve) == measure
+    assert curve.levels == pytest.approx([0.1 * unit, 0.4 * unit], rel=1e-14)
+    assert curve.rates.tolist() == [0.2, 0.01]
+
+
+def poe(years: float, percent: float = 1.0) -> float:
+    """Return the annual rate of a probability in some years."""
+    return -math.log1p(-percent / 100.0) / years
 
 
 @every(
-    ("header", "values", "options"),
+    ("names", "rate"),
     [
-        ("PGA [g],return period [years]", (50, 1000), {}),
-        ("PGA [g],annual probability of exceedance", (-math.expm1(-0.02), -math.expm1(-0.001)), {}),
-        ("PGA [g],probability in 50 years", (-math.expm1(-1.0), -math.expm1(-0.05)), {}),
-        ("PGA [g],PoE", (-math.expm1(-1.0), -math.expm1(-0.05)), {"poe_years": 50.0}),
+        ("annual rate,MAFE,mafoe,afe,frequency,lambda,λ,1/yr,H [/year],x (/a),H (1/y)", 0.01),
+        ("events per year,tasso annuo,taux annuel,jährliche Rate", 0.01),
+        ("rate per 10 years,rate [1/10 yr]", 0.001),
+        ("rate per 50 years,rate/50yr,rate in 50 a", 0.0002),
+        ("annual probability,AEP,apoe,PoE in 1 year,yearly probability", poe(1.0)),
+        ("PoE in 50 years,probability (50 yr),wahrscheinlichkeit in 50 Jahren", poe(50.0)),
+        ("probabilité en 50 ans,probabilità in 50 anni,probabilidad en 50 años", poe(50.0)),
+        ("prob in 475.5 y", poe(475.5)),
+        ("probability in 50 years [%],PoE in 50 yr (per cent)", poe(50.0, 0.01)),
+        ("PoE,P(exceedance),H,poe in 30 years", poe(30.0)),
+        ("return period [years],TR,T_R (yr),RP,recurrence,Wiederkehrperiode [Jahre]", 100.0),
+        ("periodo di ritorno,période de retour,periodo de retorno", 100.0),
     ],
 )
-def test_probabilities_and_return_periods_of_two_columns(
-    file: Any, header: str, values: tuple[float, float], options: dict[str, Any]
-) -> None:
-    path = file(f"{header}\n0.1,{values[0]!r}\n0.4,{values[1]!r}\n")
-    (curve,) = read_hazard_curves(path, **options)
-    assert curve.rates == pytest.approx([0.02, 0.001], rel=1e-12)
+def test_what_the_second_column_is_called(tmp_path: Path, names: str, rate: float) -> None:
+    """Rates by hand: of a probability p in T years -ln(1 - p)/T, of a return period its inverse."""
+    for name in names.split(","):
+        first = "0.001" if rate == 100.0 else "0.2"
+        options = {"poe_years": 30.0} if rate == poe(30.0) else {}
+        (curve,) = read(tmp_path, f"PGA [g],{name}\n0.1,{first}\n0.4,0.01\n", **options)
+        assert curve.rates[1] == pytest.approx(rate, rel=1e-12), name
+        assert curve.remarks == ()
 
 
 @every(
@@ -146,102 +147,122 @@ def test_probabilities_and_return_periods_of_two_columns(
     [
         b"\xef\xbb\xbfPGA [g],rate\r\n0.1,0.02\r\n0.4,0.001\r\n",
         "PGA [g],rate\n0.1,0.02\n0.4,0.001\n".encode("utf-16"),
-        b"PGA [g];rate\n0,1;0,02\n0,4;0,001\n",
+        "PGA [g],Häufigkeit\n0.1,0.02\n0.4,0.001\n".encode("latin-1"),
+        b"sep=;\r\nPGA [g];rate\r\n0,1;0,02\r\n0,4;0,001\r\n",
         b"PGA [g];rate;\n0.1;0.02;\n0.4;0.001;\n",
         b"PGA [g]\trate\n0,1\t0,02\n0,4\t0,001\n",
-        b"PGA [g]  rate\n0.1 0.02\n0.4 1e-3\n",
-        b"# PGA [g], rate\n0,1 0,02\n0,4 0,001\n",
+        b"PGA [g] annual rate\n0.1 0.02\n0.4 1e-3\n",
+        b"# PGA [g], rate\n# of site A, Basel\n0,1 0,02\n0,4 0,001\n",
         b"PGA [g],rate\n0.4,0.001\n0.1,0.02\n",
         b"rate,PGA [g]\n0.02,0.1\n0.001,0.4\n",
-        b"a site\n\nPGA [g],rate\n\n0.1,0.02\n# a remark\n0.4,0.001\n\n\n",
+        b"return period, 475\n2020\n\nPGA [g],rate\n\n0.1,0.02# low\n# a remark\n0.4,0.001\n\n,\n",
         b'"PGA [g]","rate"\n"0.1","0.02"\n"0.4","0.001"\n',
     ],
 )
-def test_marks_line_ends_separators_commas_and_orders(file: Any, content: bytes) -> None:
-    (curve,) = read_hazard_curves(file(content))
+def test_marks_line_ends_separators_commas_and_orders(tmp_path: Path, content: bytes) -> None:
+    (curve,) = read(tmp_path, content)
     assert (curve.levels.tolist(), curve.rates.tolist()) == ([0.1, 0.4], [0.02, 0.001])
 
 
-@every(
-    ("content", "line"),
-    [
-        (".1,.02\n.4,.001\n", "the columns have no names, as PGA, PGV and Sa(PERIOD)"),
-        ("x,rate\n.1,.02\n.4,.001\n", "or give measure="),
-        ("Sa [g],rate\n.1,.02\n.4,.001\n", 'as "Sa(1.0) [g]", or give measure="sa_g:1.0"'),
-        ("PGA,rate\n.1,.02\n.4,.001\n", 'give level_unit=, as "g"'),
-        ("PGV,rate\n.1,.02\n.4,.001\n", 'give level_unit=, as "m/s"'),
-        ("PGV [g],rate\n.1,.02\n.4,.001\n", "names no unit of velocity"),
-        ("PGA [g],probability\n.1,.02\n.4,.001\n", "give poe_years="),
-        ("PGA [g],H\n.1,.02\n.4,.001\n", 'name the column "annual rate", or give poe_years='),
-        ("PGA [g],rate\n.1,.02\n.4,.03\n", "line 3, '.4,.03': the rate of 0.4 is above that"),
-        ("PGA [g],rate\n.1,.02\n.1,.02\n", "line 3, '.1,.02': the level 0.1 is repeated"),
-        ("PGA [g],rate\n.1,.02\n.4,.01\n.2,.001\n", "line 4, '.2,.001': the level 0.2 follows 0.4"),
-        ("PGA [g],rate\n.1,.02\n.4,.01,3\n", "line 3, '.4,.01,3': it must be two numbers"),
-        ("PGA [g],rate\n.1,nan\n.2,.1\n.4,.01\n", "line 2, '.1,nan': it must be two numbers"),
-        ("PGA [g],rate\n.1,.02\n.4,\n", "line 3, '.4,': it must be two numbers"),
-        ("PGA [g],rate\n.1,-.02\n.4,-1\n", "a rate is not negative"),
-        ("PGA [g],rate\n0,.02\n.4,.01\n", "a level must be above 0"),
-        ("PGA [g],poe in 1 year\n.1,2\n.4,.01\n", "a probability of exceedance must lie in [0, 1]"),
-        ("PGA [g],rate\n.1,.02\n", "fewer than two levels"),
-        ("PGA [g],rate\n", "it has no line of two numbers"),
-        ("", "it is empty"),
-        ("\n \r\n\n", "it is empty"),
-        (OLD + NAMES + "0,0,0,.4,.3\n", "it has 5 columns, and there are 6 names"),
-        (OLD + NAMES + "0,0,0,.4,.5,.3\n", "the rate of 0.4 is above that of 0.1"),
-        (OLD + NAMES + "0,0,0,1.4,.5,.3\n", "a probability of exceedance must lie in [0, 1]"),
-        (OLD + NAMES + "0,0,0,x,.5,.3\n", "line 3, '0,0,0,x,.5,.3': a probability"),
-        (OLD + NAMES + "0,95,0,.4,.3,.2\n", "longitude and latitude must be degrees"),
-        (OLD + NAMES + "0,0,0,1,.3,0\n", "fewer than two levels"),
-        (OLD + NAMES, "it has no row of a site"),
-        (OLD + "lon,lat,depth,poe-0.1,poe-0.1\n0,0,0,.2,.1\n", "the level 0.1 is repeated"),
-        (OLD + "lon,lat,depth,poe-x,poe-0.1\n0,0,0,.2,.1\n", "must name its level"),
-        (OLD + "x,y,poe-0.1,poe-0.2\n0,0,.2,.1\n", "the columns lon and lat are missing"),
-        (NAMES + SITE, "give measure="),
-        ("# imt='PGA'\n" + NAMES + SITE, "give poe_years="),
-        (NEW.format("mean", 1.0, "MMI") + NAMES + SITE, "its imt is MMI: known are PGA"),
-        (NEW.format("mean", 1.0, "SA") + NAMES + SITE, "its imt is SA: known are PGA"),
-        (NEW.format("mean", 0.0, "PGA") + NAMES + SITE, "investigation_time = 0.0 is no time"),
-    ],
-)
-def test_what_is_not_clear_is_refused_in_a_line(file: Any, content: str, line: str) -> None:
-    path = file(content)
+def test_columns_without_names_are_annual_rates_with_a_remark(tmp_path: Path) -> None:
+    (plain,) = read(tmp_path, "sep=;\n.1;.02\n.4;.001\n", measure="sa_g:0.5")
+    assert (of(plain), plain.rates.tolist()) == ("sa_g:0.5", [0.02, 0.001])
+    assert plain.remarks == ("The second column is taken as annual rates.",)
+    (curve,) = read(tmp_path, ".1,.02\n.4,.01\n", measure="pga_g", poe_years=10.0)
+    assert (curve.rates[1], curve.remarks) == (pytest.approx(poe(10.0)), ())
+
+
+OQ = OLD + NAMES
+TWO = ".1,.02\n.4,.001\n"
+REFUSED: list[tuple[str | bytes, str]] = [
+    (TWO, "'a column without a name' is not one of PGA, PGV and Sa(PERIOD); state it"),
+    *((f"{name},rate\n{TWO}", f"{name!r} is not one of PGA") for name in ("MMI", "Sa [g]", "x")),
+    (f"PGA,rate\n{TWO}", 'write it into the name, as "[g]", or give level_unit='),
+    (f"PGA {'x ' * 400},rate\n{TWO}", "x ' names no unit of acceleration"),
+    (f"PGV [g],rate\n{TWO}", "'PGV [g]' names no unit of velocity"),
+    *((f"PGA [{unit}],rate\n{TWO}", "names no unit of accel") for unit in ("cm/s", "furlong")),
+    *((f"PGA [g],{p}\n{TWO}", "has no time in years; state it") for p in ("PoE", "PoE in 0 y")),
+    *(
+        (f"PGA [g],{name}\n{TWO}", f'{name!r} is not "annual rate", "return period [years]"')
+        for name in ("H", "rate per month", "rate per 0 y", "rate [%]", "TR [ka]", "TR [10 y]")
+    ),
+    (f"{RATES}.1,.02\n.4,.03\n", "line 3, '.4,.03': the rate of 0.4 is above that of 0.1"),
+    ("PGA [g],TR\n.1,475\n.4,50\n", "line 3, '.4,50': the rate of 0.4 is above that of 0.1"),
+    (f"{RATES}.1,.02\n.1,.02\n", "line 3, '.1,.02': the level 0.1 is not above 0.1; sort"),
+    (f"{RATES}.1,.02\n.4,.01\n.2,.001\n", "line 4, '.2,.001': the level 0.2 is not above 0.4"),
+    (f"{RATES}0,.02\n.4,.01\n", "line 2, '0,.02': the level 0 is not above 0"),
+    *(
+        (f"{RATES}.1,.02\n{line}\n.5,.001\n", f"line 3, {line!r}: it must be two numbers from 0")
+        for line in (".4,.01,3", ".4,", ".4", ".4,nan", ".4,inf", "-.4,.01", ".4,-.01", "N/A,x")
+    ),
+    (f"{RATES}N/A,.02\n.4,.01\n.5,.001\n", "line 2, 'N/A,.02': it must be two numbers"),
+    ("PGA [g],rate,poe\n.1,.1,.1\n", "line 1, 'PGA [g],rate,poe': it must be two numbers"),
+    ("PGA [g];TR\n0,1;1.000\n0,4;2.475\n", "line 2, '0,1;1.000': it must be two numbers"),
+    ('PGA [g],TR\n.1,475\n.4,"2,475"\n', "line 3, '.4,\"2,475\"': it must be two numbers"),
+    (f"{RATES}.4,.01{'x' * 40}\n{TWO}", f"line 2, '.4,.01{'x' * 34}...': it must be"),
+    *((f"PGA [g],{p}\n.4,.01\n", "a probability must") for p in ("AEP\n.1,2", "TR\n.1,0")),
+    *((f"{RATES}.1,.02\n{end}", "line 2, '.1,.02': the curve has 1") for end in ("", ".4,0.0")),
+    (f"{RATES}10,.02\n40,.01\n", "no ground shakes with 40 g; state the unit of the file"),
+    *((each, "it has no line of two numbers") for each in (RATES, "PGA [g]\n.1\n.4\n", "a text")),
+    *((each, "it is empty") for each in ("", "\n \r\n\n")),
+    *((each, "it is not text; give a CSV file") for each in (bytes(range(256)), b"\x00.\x001")),
+    (b"PK\x03\x04 xl/workbook", "it is a spreadsheet; give a CSV file"),
+    (OQ + "0,0,0,.4,.3\n", "line 3, '0,0,0,.4,.3': it has 5 columns, and there are 6 names"),
+    (OQ + "0,0,0,.4,.5,.3\n", "line 3, '0,0,0,.4,.5,.3': the rate of 0.4 is above that of 0.1"),
+    *((OQ + f"0,0,0,{p},.5,.3\n", "a probability must lie") for p in ("1.4", "-.4", "x", "nan")),
+    *((OQ + f"{site},0,.4,.3,.2\n", "lon and lat must be degrees") for site in ("0,95", "x,0")),
+    (OQ + "0,0,0,1,.3,0\n", "line 3, '0,0,0,1,.3,0': the curve has 1 level"),
+    (OQ, "it has no row of a site"),
+    (OLD + "lon,lat,poe-0.1,poe-0.1\n0,0,.2,.1\n", "the level 0.1 is not above 0.1"),
+    *(
+        (OLD + f"{names}\n0,0,.2,.1\n", f"line 2, '{names}': its names must be lon, lat and poe-L")
+        for names in ("lon,lat,poe-x,poe-0.1", "x,y,poe-0.1,poe-0.2", "lon,lat,poe-0,poe-0.1")
+    ),
+    (NAMES + SITE, "'a file without imt' is not one of PGA, PGV and Sa(PERIOD)"),
+    ("# imt='PGA'\n" + NAMES + SITE, "or give poe_years="),
+    (NEW.format("mean", 1.0, "SA") + NAMES + SITE, "'SA' is not one of PGA"),
+    *(
+        (NEW.format("mean", years, "PGA") + NAMES + SITE, "has no time in years; state it")
+        for years in ("0.0", "inf", "1e7")
+    ),
+]
+
+
+@every(("content", "line"), REFUSED)
+def test_what_is_not_clear_is_refused_in_a_line(
+    tmp_path: Path, content: str | bytes, line: str
+) -> None:
     with pytest.raises(InputError) as refusal:
-        read_hazard_curves(path)
+        read(tmp_path, content)
     told = str(refusal.value)
     assert line in told
     assert "\n" not in told
+    assert len(told) < 700
     assert told.startswith("hazard = ")
-
-
-def test_arguments_give_what_a_file_leaves_open(file: Any) -> None:
-    path = file(".1,.02\n.4,.001\n")
-    (plain,) = read_hazard_curves(path, measure="sa_g:0.5")
-    assert (of(plain), plain.levels.tolist()) == ("sa_g:0.5", [0.1, 0.4])
-    (velocity,) = read_hazard_curves(path, measure="pgv_m_s", level_unit="cm/s", poe_years=10.0)
-    assert velocity.levels == pytest.approx([0.001, 0.004])
-    assert velocity.rates == pytest.approx([-math.log(0.98) / 10.0, -math.log(0.999) / 10.0])
-    (bare,) = read_hazard_curves(file(NAMES + SITE), measure="pga_g", poe_years=1.0)
-    assert bare.rates[0] == pytest.approx(0.6030892, abs=9e-8)
 
 
 @every(
     ("content", "options", "line"),
     [
-        ("PGA [g],rate\n.1,.02\n.4,.001\n", {"measure": "pgv_m_s"}, "measure = 'pgv_m_s'"),
-        ("PGA [g],rate\n.1,.02\n.4,.001\n", {"level_unit": "m/s^2"}, "level_unit = 'm/s^2'"),
-        ("PGA [g],rate\n.1,.02\n.4,.001\n", {"level_unit": "cm"}, "a unit of acceleration"),
-        ("PGA [g],rate\n.1,.02\n.4,.001\n", {"poe_years": 50.0}, "poe_years = 50.0"),
-        ("PGA [g],poe in 10 years\n.1,.2\n.4,.1\n", {"poe_years": 50.0}, "poe_years = 50.0"),
-        (OLD + NAMES + SITE, {"measure": "pgv_m_s"}, "the file states PGA"),
-        (OLD + NAMES + SITE, {"poe_years": 50.0}, "the file states 1 years"),
-        (OLD + NAMES + SITE, {"level_unit": "g"}, "leave it out"),
+        (RATES + TWO, {"measure": "pgv_m_s"}, "measure = 'pgv_m_s' is not valid: the file states"),
+        (RATES + TWO, {"level_unit": "m/s^2"}, "the file states 'PGA [g]'; give g, or none"),
+        (RATES + TWO, {"level_unit": "cm"}, "level_unit = 'cm' is not valid: it must be a unit of"),
+        (RATES + TWO, {"poe_years": 50.0}, "poe_years = 50.0 is not valid: the file states 'rate'"),
+        (RATES + TWO, {"poe_years": -1.0}, "it must lie in (0, 1000000]; give a time in years"),
+        (f"PGA [g],poe in 10 y\n{TWO}", {"poe_years": 50.0}, "the file states 'poe in 10 y'"),
+        (f"PGA [x],rate\n{TWO}", {"measure": "pga_g"}, "'PGA [x]' names no unit of acceleration"),
+        (f"Sa [g],rate\n{TWO}", {"measure": "pga_g"}, "'Sa [g]' is not one of PGA"),
+        (OQ + SITE, {"measure": "pgv_m_s"}, "measure = 'pgv_m_s' is not valid: the file states"),
+        (OQ + SITE, {"poe_years": 50.0}, "the file states 'investigation_time=1.0'; leave it out"),
+        (OQ + SITE, {"level_unit": "g"}, "OpenQuake's levels are in g or, of PGV, cm/s; leave it"),
+        (OQ.replace("PGA", "MMI") + SITE, {"measure": "pga_g"}, "its imt is MMI; export PGA"),
     ],
 )
 def test_arguments_against_the_file_are_refused(
-    file: Any, content: str, options: dict[str, Any], line: str
+    tmp_path: Path, content: str, options: dict[str, Any], line: str
 ) -> None:
     with pytest.raises(InputError) as refusal:
-        read_hazard_curves(file(content), **options)
+        read(tmp_path, content, **options)
     assert line in str(refusal.value)
 
 
@@ -252,34 +273,23 @@ def test_no_file_and_a_folder_are_refused(tmp_path: Path) -> None:
         read_hazard_curves(tmp_path)
 
 
-CURVES = (
-    st.lists(st.floats(1e-3, 10.0), min_size=2, max_size=8, unique=True)
-    .map(sorted)
-    .flatmap(
-        lambda levels: st.tuples(
-            st.just(levels),
-            st.lists(st.floats(1e-6, 5.0), min_size=len(levels), max_size=len(levels)),
-        )
-    )
-)
+CURVES = st.dictionaries(st.floats(1e-3, 10.0), st.floats(1e-6, 5.0), min_size=2, max_size=8)
 
 
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(CURVES, st.sampled_from([",", ";", "\t", " "]), st.sampled_from(["\n", "\r\n", "\r"]))
 def test_what_is_written_is_read(
-    tmp_path: Path, points: tuple[list[float], list[float]], separator: str, end: str
+    tmp_path: Path, points: dict[float, float], separator: str, end: str
 ) -> None:
-    levels, rates = points[0], sorted(points[1], reverse=True)
+    levels, rates = sorted(points), sorted(points.values(), reverse=True)
     rows = [f"{x!r}{separator}{y!r}" for x, y in zip(levels, rates, strict=True)]
-    path = tmp_path / "two.csv"
-    path.write_bytes(end.join(["PGA [g], rate", *rows, ""]).encode())
-    (curve,) = read_hazard_curves(path)
-    assert (curve.levels.tolist(), curve.rates.tolist()) == (levels, rates)
+    for ordered in (rows, rows[::-1]):
+        (curve,) = read(tmp_path, end.join(["PGA [g], rate", *ordered, ""]))
+        assert (curve.levels.tolist(), curve.rates.tolist()) == (levels, rates)
     names = ["lon", "lat", *(f"poe-{x!r}" for x in levels)]
     poes = [-math.expm1(-0.5 * rate) for rate in rates]
     rows = [NEW.format("mean", 0.5, "PGA").strip(), ",".join(names)]
-    path.write_bytes(end.join([*rows, ",".join(map(repr, [1.0, 2.0, *poes]))]).encode())
-    (curve,) = read_hazard_curves(path)
+    (curve,) = read(tmp_path, end.join([*rows, ",".join(map(repr, [1.0, 2.0, *poes]))]))
     assert curve.levels.tolist() == levels
     assert curve.rates == pytest.approx(rates, rel=1e-12)
 
@@ -299,10 +309,10 @@ PIECES = st.sampled_from(
         st.text(max_size=200).map(lambda text: text.encode("utf-8", "surrogatepass")),
         st.lists(PIECES, max_size=60).map(lambda parts: "".join(parts).encode()),
         st.tuples(st.integers(0, 200), st.integers(0, 4), st.binary(max_size=4)).map(
-            lambda cut: spoilt((OLD + NAMES + SITE).encode(), *cut)
+            lambda cut: spoilt((OQ + SITE).encode(), *cut)
         ),
         st.tuples(st.integers(0, 40), st.integers(0, 4), st.binary(max_size=4)).map(
-            lambda cut: spoilt(b"PGA [g],rate\n0.1,0.02\n0.4,0.001\n", *cut)
+            lambda cut: spoilt((RATES + TWO).encode(), *cut)
         ),
     ),
     st.sampled_from([None, "pga_g", "pgv_m_s"]),
@@ -311,14 +321,11 @@ PIECES = st.sampled_from(
 def test_any_bytes_are_curves_or_one_clear_line(
     tmp_path: Path, content: bytes, measure: str | None, poe_years: float | None
 ) -> None:
-    path = tmp_path / "any.csv"
-    path.write_bytes(content)
+    curves, line = [], ""
     try:
-        curves = read_hazard_curves(path, measure=measure, poe_years=poe_years)
+        curves = read(tmp_path, content, measure=measure, poe_years=poe_years)
     except InputError as error:
-        curves, line = [], str(error)
-    else:
-        line = ""
+        line = str(error)
     assert bool(curves) != bool(line)
     assert "\n" not in line
     assert len(line) < 700
@@ -331,112 +338,3 @@ def test_any_bytes_are_curves_or_one_clear_line(
 def spoilt(content: bytes, at: int, count: int, instead: bytes) -> bytes:
     """Return bytes of which some are replaced by others."""
     return content[:at] + instead + content[at + count :]
-
-
-def test_what_the_second_column_is_called(file: Any) -> None:
-    """Rates by hand: of a probability p in T years -ln(1 - p)/T, of a return period its inverse."""
-
-    def poe(years: float) -> float:
-        return -math.log1p(-0.01) / years
-
-    for name, options, rate in (
-        *(
-            (each, {}, 0.01)
-            for each in ("annual rate", "MAFE", "mafoe", "afe", "frequency", "lambda")
-        ),
-        *(
-            (each, {}, 0.01)
-            for each in ("1/yr", "H [/year]", "x (/a)", "events per year", "H (1/y)")
-        ),
-        *(("rate per 10 years", {}, 0.001), ("rate/2.5 y", {}, 0.004), ("rate in 5 a", {}, 0.002)),
-        *(("annual probability", {}, poe(1.0)), ("AEP", {}, poe(1.0)), ("apoe", {}, poe(1.0))),
-        *(("PoE in 50 years", {}, poe(50.0)), ("poe in 1 year", {}, poe(1.0))),
-        *(("prob in 475.5 y", {}, poe(475.5)), ("yearly probability", {}, poe(1.0))),
-        *(("PoE", {"poe_years": 30.0}, poe(30.0)), ("P(exceedance)", {"poe_years": 2.0}, poe(2.0))),
-        *(("poe in 30 years", {"poe_years": 30.0}, poe(30.0)), ("H", {"poe_years": 1.0}, poe(1.0))),
-        *(("return period [years]", {}, 100.0), ("recurrence in 10 years", {}, 100.0)),
-    ):
-        first = "0.001" if "re" in name[:3] and rate == 100.0 else "0.2"
-        text = f"PGA [g],{name}\n0.1,{first}\n0.4,0.01\n"
-        (curve,) = read_hazard_curves(file(text), **options)  # type: ignore[arg-type]
-        assert curve.rates[1] == pytest.approx(rate, rel=1e-12), name
-    for name, options, words in (
-        ("rate per 0 years", {}, "is of no time; name the columns"),
-        ("annual rate %", {}, "is in per cent, which is for probabilities"),
-        ("poe in 0 years", {}, "0 years is no time; give poe_years="),
-        ("poe in 1000001 years", {}, "1e.06 years is no time"),
-        ("return period", {"poe_years": 1.0}, "the file states 'return period'; leave it out"),
-        ("H", {}, "'h' is not clear; name the column \"annual rate\", or give poe_years="),
-        ("rate per decade", {}, "is of a time that is not counted in years"),
-    ):
-        with pytest.raises(InputError, match=words):
-            read_hazard_curves(file(f"PGA [g],{name}\n0.1,0.2\n0.4,0.01\n"), **options)  # type: ignore[arg-type]
-    for name, value in (("return period", "0"), ("return period", "-5"), ("rate", "-0.01")):
-        with pytest.raises(
-            InputError, match=r"line 3, .*a rate is not negative, a return period ab"
-        ):
-            read_hazard_curves(file(f"PGA [g],{name}\n0.1,0.2\n0.4,{value}\n"))
-    (ended,) = read_hazard_curves(file("PGA [g],rate\n0.1,0.2\n0.4,0.01\n0.6,0\n"))
-    assert ended.remarks == ("1 level left out: no rate.",)
-
-
-def test_what_the_first_column_is_called(file: Any) -> None:
-    g = 9.80665
-    for name, options, measure, factor in (
-        ("pga (g)", {}, "pga_g", 1.0),
-        ("peak ground acceleration [cm/s2]", {}, "pga_g", 0.01 / g),
-        ("PGA, g", {}, "pga_g", 1.0),
-        ("peak ground velocity (mm/s)", {}, "pgv_m_s", 0.001),
-        ("PGV [in/s]", {}, "pgv_m_s", 0.0254),
-        ("PGV [ft/sec]", {}, "pgv_m_s", 0.3048),
-        ("PGV [kine]", {}, "pgv_m_s", 0.01),
-        ("PGV [mps]", {}, "pgv_m_s", 1.0),
-        ("pgv_m_s", {}, "pgv_m_s", 1.0),
-        ("SA(T=0.5 s) [g]", {}, "sa_g:0.5", 1.0),
-        ("psa[2] (m/s2)", {}, "sa_g:2.0", 1.0 / g),
-        ("spectral acceleration [g]", {"measure": "sa_g:0.7"}, "sa_g:0.7", 1.0),
-        ("PGA", {"level_unit": "m/s2"}, "pga_g", 1.0 / g),
-        ("PGA [g]", {"level_unit": "g"}, "pga_g", 1.0),
-        ("PGA [g]", {"measure": "pga_g"}, "pga_g", 1.0),
-        ("PGA", {"measure": "pga_g"}, "pga_g", 1.0),
-        ("level", {"measure": "pgv_m_s", "level_unit": "cm/s"}, "pgv_m_s", 0.01),
-    ):
-        separator = ";" if "," in name else ","
-        text = f"{name}{separator}rate\n0.1{separator}0.2\n0.4{separator}0.01\n"
-        (curve,) = read_hazard_curves(file(text), **options)  # type: ignore[arg-type]
-        assert of(curve) == measure, name
-        assert curve.levels == pytest.approx([0.1 * factor, 0.4 * factor], rel=1e-12), name
-    for name, options, words in (
-        ("PGA [furlong]", {}, "names no unit of acceleration; give level_unit="),
-        ("PGV [g]", {}, "names no unit of velocity; give level_unit="),
-        ("PGA [furlong]", {"measure": "pga_g"}, "names no unit of acceleration; give level_unit="),
-        ("PGA [g]", {"level_unit": "furlong"}, "level_unit = 'furlong' .*a unit of acceleration"),
-        ("PGV [m/s]", {"level_unit": "cm/s"}, "the file states 'pgv .m/s.'; leave it out"),
-        ("Sa [g]", {}, "'sa .g.' names no period"),
-        ("x", {}, "'x' is not one of PGA, PGV and Sa"),
-        ("PGA [g]", {"measure": "pgv_m_s"}, "the file states 'pga .g.'; leave out measure="),
-    ):
-        with pytest.raises(InputError, match=words):
-            read_hazard_curves(file(f"{name},rate\n0.1,0.2\n0.4,0.01\n"), **options)  # type: ignore[arg-type]
-
-
-def test_bounds_of_a_file_of_a_hazard_curve(file: Any) -> None:
-    head = "PGA [g],rate\n0.1,0.2\n0.4,0.01\n"
-    for length, fits in ((100_000, True), (100_001, False)):
-        text = f"# {'x' * (length - 2)}\n{head}"
-        if fits:
-            assert len(read_hazard_curves(file(text))) == 1
-        else:
-            with pytest.raises(InputError, match="it has lines of 100,000 characters; give an"):
-                read_hazard_curves(file(text))
-    long = "0.5,0.5" + " " * 60 + "x"
-    with pytest.raises(InputError) as refused:
-        read_hazard_curves(file(f"{head}{long}\n"))
-    assert "line 4, '0.5,0.5" in str(refused.value)
-    assert "x'" not in str(refused.value)
-    for forty in ("0.5,0.5" + "y" * 33, "0.5,0.5" + "y" * 34):
-        with pytest.raises(InputError) as refused:
-            read_hazard_curves(file(f"{head}{forty}\n"))
-        assert ("..." in str(refused.value)) == (len(forty) > 40)
-    (equal,) = read_hazard_curves(file("PGA [g],rate\n0.1,0.2\n0.4,0.2\n"))
-    assert equal.rates.tolist() == [0.2, 0.2]

@@ -103,59 +103,6 @@ def test_only_rows_that_apply_are_counted(kind: Kind | None) -> None:
     assert {row["name"] for row in rows if row["passes"]} == passed
 
 
-def test_without_a_kind_rows_of_all_kinds_follow_those_for_any_block_uncounted() -> None:
-    found = screened(None, RACK, pga_g=0.35)
-    own = [name for name in OWN.values() if name]
-    assert [row.name for row in found.rows] == [*GENERAL, *own]
-    answer = found.describe().answer
-    assert answer is not None
-    assert [name for name, _ in answer.rows][-3:] == own
-    for name in own:
-        row = found.row(name)
-        assert row.passes is None
-        assert row.verdict.endswith(f"; made for {row.made_for}")
-    assert not found.left_out
-    words = str(dict(answer.facts)["kind"])
-    assert words.startswith("none of cask, cabinet, wall, statue is stated: rows of all kinds are")
-    assert {row.made_for for row in found.rows if row.name in GENERAL} == {"any block"}
-    assert as_json(found.to_dict())["kind"] is None
-
-
-def test_a_row_without_a_value_is_listed_all_the_same() -> None:
-    """A cask of which the capacity is above the demand at every angle has no root to show."""
-    row = screened("cask").row("ASCE 43-05 rocking")
-    assert (row.value, row.passes) == (None, True)
-    assert "ASCE 43-05 rocking does not overturn: no root, capacity above demand; spectrum" in said(
-        screened("cask")
-    )
-    assert "(—)" not in screened("cask").summary()
-    moon = Block.rectangle(width=2.4, height=4.3, gravity=1.62)
-    assert "Kaneko-Hayashi 50 % no answer: made for 9.81 m/s^2" in said(screened("cask", moon))
-
-
-@every(
-    ("damping", "words"),
-    [
-        (0.05, "spectrum scaled from 5 % to 13.9 % damping by 0.728, eta of EN 1998-1 eq. 3.6"),
-        (0.10, "spectrum scaled from 10 % to 13.9 % damping by 0.891, eta of EN 1998-1 eq. 3.6"),
-        ([0.10, 0.20], "spectrum interpolated from 10 and 20 % to 13.9 % damping"),
-        (0.13892104, "spectrum as given at 13.9 % damping"),
-    ],
-)
-def test_a_damping_is_changed_in_words(damping: Any, words: str) -> None:
-    """By hand: sqrt(10/(5 + 13.892)) = 0.7275, over sqrt(10/15) = 0.8910."""
-    if damping == 0.13892104:
-        gamma = [value for name, value, _ in screened("cask").rows[0].details if name == "beta_e"]
-        (damping,) = gamma
-    table = [[*row, 0.8 * row[1]] for row in TABLE] if isinstance(damping, list) else TABLE
-    found = screened("cask", spectrum=table, spectrum_damping=damping)
-    assert found.rows[0].verdict.endswith(words)
-    assert words in said(found)
-    assert words in as_json(found.to_dict())["screens"][0]["verdict"]
-    unstated = screened("cask", spectrum=table, spectrum_damping=None).rows[0]
-    assert (unstated.value, unstated.verdict) == (None, "needs its damping")
-
-
 def test_rows_made_for_other_blocks_are_named_beside_the_count() -> None:
     facts = screened("statue", RACK.against_wall()).describe().answer
     assert facts is not None
@@ -226,16 +173,6 @@ def test_an_unknown_kind_is_refused() -> None:
         screened("vase")  # type: ignore[arg-type]
     line = refused("screens --width-m 2 --height-m 5 --kind vase")
     assert all(word in line for word in ("--kind", "vase", "cask, cabinet, wall, statue"))
-
-
-def test_the_command_takes_the_kind_and_exits_by_what_counts() -> None:
-    block, peaks = "screens --width-m 2.4 --height-m 4.3", "--pga-g 0.5 --pgv-m-s 0.1 --check"
-    # 0.5 g is above a0 of a wall, 0.558/1.35 g; a statue has no such row, a cask one to come.
-    kinds = ("--kind wall", "--kind cask", "--kind statue", "")
-    assert [rocksteady(f"{block} {peaks} {kind}").code for kind in kinds] == [1, 3, 0, 0]
-    assert rocksteady(f"{block} --check").code == 3
-    values = rocksteady(f"{block} --pga-g 0.5 --pgv-m-s 0.1 --kind wall --json").json
-    assert (values["kind"], values["screens"][0]["name"]) == ("wall", "Circolare rectangle")
 
 
 @every(

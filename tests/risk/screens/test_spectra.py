@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import Block, Demand, Record, screen_block
+from rocksteady import Record
 from rocksteady.errors import InputError
 from rocksteady.measures import compute_response_spectrum
 from rocksteady.risk.screens import spectra
@@ -282,18 +282,6 @@ def test_a_factor_of_1_is_not_shown(given: float, damping: float, words: str) ->
     table = tabulated(TABLE, given)
     assert table is not None
     assert table.at_damping(damping, 4.0)[1] == words
-
-
-def test_the_row_says_that_the_damping_is_of_the_header(tmp_path: Path) -> None:
-    file = tmp_path / "spectrum.txt"
-    rows = "\n".join(f"{t} {sa}" for t, sa in [*TABLE, [9.0, 0.01]])
-    file.write_text(f"# 5 % damping, 2 % in 50 years\n{rows}\n", encoding="utf-8")
-    block = Block.rectangle(width=2.4, height=4.3)
-    verdicts = [
-        screen_block(block, Demand(spectrum=file, **given), object_kind="cask").rows[0].verdict
-        for given in ({}, {"spectrum_damping": 0.05})
-    ]
-    assert verdicts[0] == f"{verdicts[1]}; 5 % by its header"
 
 
 @every(

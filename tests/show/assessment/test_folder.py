@@ -5,6 +5,7 @@ import hashlib
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.seismic.measures.scalar import Measure, compute_measure
 from rocksteady.show.assessment import folder as module
 from rocksteady.show.assessment.folder import write_assessment
+from tests.every import every
 from tests.outputs import unrendered
 from tests.show.assessment.pages import drawn_once
 
@@ -168,15 +170,17 @@ def test_a_file_that_no_answer_wrote_is_not_replaced(sliding: Assessment, tmp_pa
         assert [each.read_text(encoding="utf-8") for each in folder.iterdir()] == ["mine"]
 
 
+@every(("place", "name"), [(module, "write_manifest"), (durable, "write")])
 def test_what_fails_leaves_nothing_half_written(
-    rocking: Assessment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    place: Any, name: str, sliding: Assessment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(module, "write_manifest", full)
-    with pytest.raises(OutputError, match="No space left"):
-        write_assessment(rocking, tmp_path / "answer")
+    monkeypatch.setattr(place, name, full)
+    with pytest.raises(OutputError, match="No space left") as refusal:
+        write_assessment(sliding, tmp_path / "answer")
+    assert "partial-" not in str(refusal.value)
     assert not (tmp_path / "answer").exists()
 
 
@@ -201,16 +205,3 @@ def test_what_is_interrupted_at_the_disk_leaves_no_mixture(
     with pytest.raises(KeyboardInterrupt):
         write_assessment(sliding, out, command="second", force=True)
     assert {each.name: each.read_bytes() for each in out.iterdir()} == before
-
-
-def test_a_full_disk_is_reported_with_the_folder_of_the_answer(
-    sliding: Assessment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def full(*_: object) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(durable, "write", full)
-    with pytest.raises(OutputError, match="No space left") as refusal:
-        write_assessment(sliding, tmp_path / "answer")
-    assert "partial-" not in str(refusal.value)
-    assert not (tmp_path / "answer").exists()

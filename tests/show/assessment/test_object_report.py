@@ -1,9 +1,7 @@
 """The page of an assessment: its figures, its sections, and that it needs and runs nothing."""
 
-import base64
 import math
 import re
-import xml.etree.ElementTree as ET
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -26,10 +24,6 @@ from tests.show.assessment.pages import Page, check_alone, drawn_once
 HOSTILE = "<script>alert('1')</script> & \u202eevil \"q\" $\\frac{x}$ {{ 7*7 }} </style>\\"
 SUITE = make_synthetic_suite(12)
 COMMAND = "rocksteady assess statue.toml --records <DIR> --out \"OUT\" && echo '$x$'"
-ALL = [
-    "Counted shares", "Sensitivity", "Published formulas, side by side", "Motions", "The object",
-    "Method", "What the answer depends on", "Inputs",
-]  # fmt: skip
 
 
 def statue(name: str = "statue", **keys: Any) -> DescribedObject:
@@ -101,16 +95,6 @@ def inside(page: Page) -> list[str]:
     return [re.sub(r"^\d+", "", text) for _, text in page.headings[2:]]
 
 
-def test_its_headings_are_in_order_and_numbered(found: Assessment, page: Page) -> None:
-    level, sentence = page.headings[0]
-    assert (level, sentence.replace("\N{NO-BREAK SPACE}", " ")) == (1, found.sentence)
-    assert inside(page) == ALL
-    numbers = [int(re.match(r"\d+", text)[0]) for _, text in page.headings[2:]]  # type: ignore[index]
-    assert numbers == [*range(1, len(ALL) + 1)]
-    linked = [each["href"][1:] for each in page.of("a") if "skip" not in each.get("class", "")]
-    assert linked == [each["id"] for each in page.of("h2") if each["id"] != "contents"]
-
-
 def first_page(page: Page) -> str:
     """Return the text before the first section."""
     return page.text.partition("Contents")[0]
@@ -132,17 +116,11 @@ def test_its_first_page_is_the_screen(
     assert places == sorted(places)
 
 
-def test_the_verdict_is_a_word_with_its_colour(found: Assessment, slides: Assessment) -> None:
-    def badges(each: Assessment) -> list[str]:
-        page = Page(page_of(each))
-        looks = [part.get("class", "") for part in page.of("span")]
-        return [look.removeprefix("badge ") for look in looks if look.startswith("badge")]
-
-    assert found.verdict == "red"
-    assert badges(found)[0] == "red"
-    assert set(badges(found)[1:]) <= {"plain"}, "a formula has no colour of a verdict"
-    assert "slides" in first_page(Page(page_of(slides)))
-    assert set(badges(slides)) <= {"plain"}
+def test_a_formula_has_no_colour_of_a_verdict(found: Assessment, page: Page) -> None:
+    looks = [part.get("class", "") for part in page.of("span")]
+    first, *others = (look for look in looks if look.startswith("badge"))
+    assert first == f"badge {found.verdict}"
+    assert set(others) == {"badge plain"}
 
 
 def test_all_figures_of_the_answer_stand_on_it(found: Assessment, page: Page) -> None:
@@ -160,45 +138,6 @@ def test_all_figures_of_the_answer_stand_on_it(found: Assessment, page: Page) ->
     assert [each for each in expected if each not in page.text] == []
 
 
-def test_the_counted_shares_of_all_levels_and_states_stand_on_it(
-    found: Assessment, page: Page
-) -> None:
-    assert found.fragility is not None
-    part = page.text.partition("1Counted shares")[2].partition("2Sensitivity")[0]
-    at = 0
-    for place, level in enumerate(found.fragility.states[0].curve.levels):
-        at = part.index(f"{number(level)} g", at)
-        for each in found.fragility.states:
-            count = each.curve.counts[place]
-            words = "none" if not count.falls else chance(count.share)
-            at = part.index("all" if count.falls == count.runs else words, at)
-    assert part.count("this demand") == 2
-    assert "theta" not in page.text
-
-
-def test_what_summarises_the_shares_is_no_answer(found: Assessment, page: Page) -> None:
-    assert found.fragility is not None
-    for each in found.fragility.states:
-        assert each.half is not None
-        assert f"{number(each.half[0])} g" in page.text
-        if each.lognormal.status == "separated":
-            words = "none: a step"
-        else:
-            words = (
-                f"median {number(each.lognormal.median)} g" if each.is_lognormal else "none: use"
-            )
-        assert words in page.text
-
-
-def test_hashes_versions_and_command_stand_on_it(found: Assessment, page: Page) -> None:
-    manifest = make_manifest(found.suite.motions)
-    for record in manifest["records"]:
-        assert record["sha256"][:16] in page.text
-    assert COMMAND in page.text
-    assert f"rocksteady {manifest['rocksteady']}" in page.text
-    assert {"mass_kg", "200.0", "friction", "0.5"} <= {word.strip() for word in page.words}
-
-
 def test_each_file_that_was_read_has_its_hash(slides: Assessment, tmp_path: Path) -> None:
     file = tmp_path / "a&b.toml"
     file.write_bytes(b"")
@@ -207,17 +146,6 @@ def test_each_file_that_was_read_has_its_hash(slides: Assessment, tmp_path: Path
     assert "a&b.toml" in text
     # The hash of no bytes, which everyone knows.
     assert "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855" in text
-
-
-def test_every_picture_is_a_drawing_with_words(page: Page) -> None:
-    pictures = page.of("img")
-    assert len(pictures) == 3
-    for each in pictures:
-        assert len(each["alt"]) > 40
-        assert each["alt"].endswith(".")
-        content = each["src"].removeprefix("data:image/svg+xml;base64,")
-        assert ET.fromstring(base64.b64decode(content)).tag.endswith("svg")
-    assert len({each["alt"] for each in pictures}) == 3
 
 
 @pytest.mark.slow
@@ -244,17 +172,6 @@ def test_names_of_any_kind_are_shown_and_never_run(page: Page) -> None:
     assert not set(running[1]) & set("\\<>&{}'")
 
 
-def test_an_object_that_slides_has_a_short_page(slides: Assessment) -> None:
-    page = Page(page_of(slides))
-    check_alone(page)
-    assert inside(page) == [
-        "Published formulas, side by side", "The object", "What the answer depends on", "Inputs",
-    ]  # fmt: skip
-    assert slides.sentence in page.text
-    assert "Falls" not in page.text
-    assert len(page.of("img")) == 1
-
-
 def test_an_object_that_stands_needs_no_run() -> None:
     """It has no share in a picture or a table, and 1.1 times its demand lifts it."""
     found = assess_object(statue(demand={"pga_g": 0.18, "pgv_m_s": 0.1}), SUITE)
@@ -276,9 +193,9 @@ def test_too_few_records_have_a_page_with_their_motions() -> None:
 
 
 @pytest.mark.slow
-def test_headings_stand_over_content_alone(found: Assessment) -> None:
-    page = Page(page_of(replace(found, cases=found.cases[:1])))
-    assert [each for each in ALL if each not in inside(page)] == ["Sensitivity"]
+def test_headings_stand_over_content_alone(found: Assessment, page: Page) -> None:
+    rest = Page(page_of(replace(found, cases=found.cases[:1])))
+    assert [each for each in inside(page) if each not in inside(rest)] == ["Sensitivity"]
 
 
 @pytest.mark.slow

@@ -124,14 +124,5 @@ def test_a_page_of_floors_has_their_plan_and_names_them() -> None:
     assert part.count("house, ground") == 1
 
 
-def test_verdicts_are_counted_in_words(table: ObjectsTable, html: str) -> None:
-    page = Page(html)
-    head = page.text.partition("Contents")[0]
-    for verdict, count in table.verdicts.items():
-        assert f"{verdict.replace('-', ' ')}{count}" in head
-    looks = [part["class"] for part in page.of("span") if "badge" in part.get("class", "")]
-    assert len(looks) == len(table.verdicts) + len(SIZES) + len(table.rows)
-
-
 def test_the_same_table_gives_the_same_bytes(table: ObjectsTable, html: str) -> None:
     assert report_html(table, make_manifest(command="rocksteady assess objects.csv")) == html

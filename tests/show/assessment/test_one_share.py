@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import assess_object, assess_objects
+from rocksteady import assess_object
 from rocksteady.export import write_assessment
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.results.numbers import chance
@@ -47,16 +47,6 @@ def test_screen_page_json_and_tables_state_the_same_share(stretch: bool, tmp_pat
     share = found.share
     assert share is not None
     assert 0.1 < share < 0.9
-    values = found.describe().to_dict()
-    assert (values["share"], values["low"], values["high"]) == (share, *(found.band or ()))
-    assert values["cases"][0]["share"] == share
-    (at_demand,) = (
-        row["share"]
-        for row in found.fragility.to_dict()["shares"]  # type: ignore[union-attr]
-        if row["level"] == 0.5 and row["damage_state"] == "overturned"
-    )
-    assert at_demand == share
-
     folder = tmp_path / "answer"
     with unrendered(), drawn_once():
         write_assessment(found, folder)
@@ -66,7 +56,8 @@ def test_screen_page_json_and_tables_state_the_same_share(stretch: bool, tmp_pat
         for row in rows_of(folder / "fragility.csv")
         if float(row["level"]) == 0.5 and row["damage_state"] == "overturned"
     )
-    assert (float(row["share"]), float(row["low"])) == (share, values["low"])
+    assert found.band is not None
+    assert (float(row["share"]), float(row["low"])) == (share, found.band[0])
     answer = json.loads((folder / "run.json").read_text(encoding="utf-8"))["settings"]["answer"]
     assert answer["share"] == share
 
@@ -80,6 +71,3 @@ def test_screen_page_json_and_tables_state_the_same_share(stretch: bool, tmp_pat
     assert words in table.partition("this demand")[2].partition(" g")[0]
     described = page.text.partition("as described")[2]
     assert described.lstrip().startswith(words)
-
-    (kind,) = assess_objects([CABINET], SUITE, stretch=stretch).rows
-    assert (kind["share"], kind["low"], kind["verdict"]) == (share, values["low"], found.verdict)

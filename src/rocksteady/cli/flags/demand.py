@@ -19,6 +19,7 @@ from rocksteady.model.checks.validation import in_range
 
 if TYPE_CHECKING:
     from rocksteady.risk.assess.described.objects import DescribedObject
+    from rocksteady.risk.counted.suite import Peaks
     from rocksteady.risk.screens.demand import Demand
 
 demand_flag = options.Panel("Demand")
@@ -78,6 +79,22 @@ class PeakFlags:
             "--vertical-g": self.vertical_g or None,
             "--vertical-share": None if self.vertical_share == 1.0 else self.vertical_share,
         }
+
+    @property
+    def demand(self) -> "Peaks | None":
+        """Both peaks; None where neither is given.
+
+        Raises
+        ------
+        InputError
+            If one is outside its range.
+        """
+        if self.pga_g is None and self.pgv_m_s is None:
+            return None
+        from rocksteady.risk.counted.suite import Peaks
+
+        with flags_of({"pga_g": "--pga-g", "pgv_m_s": "--pgv-m-s"}, InputError):
+            return Peaks(pga_g=self.pga_g, pgv_m_s=self.pgv_m_s)
 
     def need_both_peaks(self) -> None:
         """Refuse a demand of one peak, which built-in motions are not made of.
@@ -189,7 +206,7 @@ def sized_block(flags: BlockFlags) -> Block:
     )
 
 
-def described_block(flags: BlockFlags, peaks: PeakFlags, target: float | None) -> "DescribedObject":
+def described_block(flags: BlockFlags, peaks: PeakFlags) -> "DescribedObject":
     """Return the block of flags with its demand as an object file describes them.
 
     Raises
@@ -206,7 +223,6 @@ def described_block(flags: BlockFlags, peaks: PeakFlags, target: float | None) -
     tables: dict[str, dict[str, Any]] = {
         "geometry": _geometry(flags, body),
         "demand": demand,
-        "assessment": {"target_probability": target},
         "": {
             "friction": peaks.friction,
             "restitution": _restitution(flags, body),
@@ -221,7 +237,7 @@ def described_block(flags: BlockFlags, peaks: PeakFlags, target: float | None) -
         named(SOURCE, table, key): options.FLAG_OF_ARGUMENT.get(key, "--" + key.replace("_", "-"))
         for table, values in known.items()
         for key in values
-    } | {named(SOURCE, "assessment", "target_probability"): "--target"}
+    }
     with flags_of(names, InputError):
         return DescribedObject(
             values={

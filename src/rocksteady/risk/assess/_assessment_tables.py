@@ -5,14 +5,29 @@ from collections.abc import Sequence
 import numpy as np
 
 from rocksteady.results.description import Column, Table
-from rocksteady.results.numbers import share_of
+from rocksteady.results.numbers import number, share_of
+from rocksteady.risk.assess._remedy import Remedy
 from rocksteady.risk.assess._sensitivity import Case, bars_of
 from rocksteady.risk.counted.suite import Shaking, Suite, across, has_vertical
 from rocksteady.risk.screens.screens import Screens
 
+REMEDIES = (
+    Column("change", "what is changed", left=True),
+    Column("value", "to [m]", number),
+    Column("share", "falls", share_of),
+    Column("share_1_1", "at 1.1 x", share_of),
+    Column("shown_at", "shown from [m]", number),
+    Column("friction_needed", "friction", number),
+)
+"""Columns of the least changes."""
+
 
 def tables_of(
-    screens: Screens, cases_found: Sequence[Case], suite: Suite, shaking: Shaking | None
+    screens: Screens,
+    cases_found: Sequence[Case],
+    suite: Suite,
+    shaking: Shaking | None,
+    remedies: Sequence[Remedy],
 ) -> list[Table]:
     """Return the tables of an assessment that have rows; some are for JSON alone."""
     rows = [dict(row.values()) for row in screens.rows]
@@ -32,6 +47,7 @@ def tables_of(
     tables = [
         Table("cases", [case.to_dict() for case in cases_found]),
         Table("tornado", bars, bar_columns, title="What matters most"),
+        Table("remedies", [each.to_dict() for each in remedies], REMEDIES, title="Least changes"),
         Table("screens", rows),
         Table("", words, screen_columns, title="Code formulas, side by side"),
         Table("inputs", _inputs(suite, shaking)),

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rocksteady.model.blocks.block import Block
+from rocksteady.risk.assess._remedy import Remedy
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import Range
 from rocksteady.risk.assess.placed_objects import PlacedObjects
@@ -18,6 +19,7 @@ from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
 from rocksteady.risk.ensemble.ways import Ways
+from rocksteady.risk.hazard.failure_risk import Risk
 from rocksteady.risk.screens.friction import (
     MODES,
     FrictionNeed,
@@ -59,6 +61,12 @@ class Judged:
         Of a demand with a vertical motion the runs of all motions without one; else None.
     runs
         The runs at the demand; None without.
+    risk
+        Annual rate of falling; None without a hazard curve or runs.
+    friction_of_rate
+        Friction that it needs up to the level below which 95 % of the rate lie.
+    remedies
+        Least changes with which it meets its target at the demand.
     """
 
     decision: Decision
@@ -73,6 +81,9 @@ class Judged:
     near: Count | None = None
     plain: Count | None = None
     runs: "xarray.Dataset | None" = None
+    risk: Risk | None = None
+    friction_of_rate: FrictionNeed | None = None
+    remedies: tuple[Remedy, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -180,45 +191,64 @@ def _judged(
     vertical: bool,
 ) -> Judged:
     """Return an object with the verdict on its counts."""
-    count = beyond = near = None
-    lifted = fold = None
-    built_in = placed.suite.built_in
-    if runs is not None:
-        count, beyond = count_falls(runs)
-    if shaking is not None:
-        if runs is not None:
-            lifted = 0 if onset.stands else int(_lifting(runs).sum())
-        if shaking.stretched and not built_in and count is not None:
-            near = count.among(folds(shaking.stretches) < NEAR)
-        if not built_in:
-            fold = max(median_fold(shaking.scales), median_fold(shaking.stretches))
-    decision = decide(
-        Evidence(
-            target=described.given.assessment.target_probability,
-            count=count,
-            beyond=beyond,
-            near=near,
-            stands=onset.stands,
-            slides=onset.slides,
-            friction_known=described.given.friction is not None,
-            built_in=built_in,
-            for_vertical=vertical,
-            fold=1.0 if fold is None else fold,
-        )
+    counts = None if runs is None else count_falls(runs)
+    known = described.given.friction is not None
+    evidence = evidence_of(
+        described,
+        onset,
+        shaking,
+        counts,
+        built_in=placed.suite.built_in,
+        vertical=vertical,
+        friction_known=known,
     )
+    lifted = None
+    if runs is not None and shaking is not None:
+        lifted = 0 if onset.stands else int(_lifting(runs).sum())
     return Judged(
-        decision=decision,
+        decision=decide(evidence),
         shaking=shaking,
         friction=onset.friction,
         uplift_g=onset.uplift_g,
-        friction_known=described.given.friction is not None,
+        friction_known=known,
         stands=onset.stands,
         lifted=lifted,
+        count=evidence.count,
+        beyond=evidence.beyond,
+        near=evidence.near,
+        plain=None if plain is None else count_falls(plain)[0],
+        runs=None if runs is None else runs.isel(level=0),
+    )
+
+
+def evidence_of(
+    described: DescribedObject,
+    onset: Onset,
+    shaking: Shaking | None,
+    counts: Sequence[Count] | None,
+    *,
+    built_in: bool,
+    vertical: bool,
+    friction_known: bool,
+) -> Evidence:
+    """Return what the verdict on an object rests on; `counts` are those at 1 and 1.1 times."""
+    count, beyond = (None, None) if counts is None else counts
+    near, fold = None, 1.0
+    if shaking is not None and not built_in:
+        fold = max(median_fold(shaking.scales), median_fold(shaking.stretches))
+        if shaking.stretched and count is not None:
+            near = count.among(folds(shaking.stretches) < NEAR)
+    return Evidence(
+        target=described.target.share,
         count=count,
         beyond=beyond,
         near=near,
-        plain=None if plain is None else count_falls(plain)[0],
-        runs=None if runs is None else runs.isel(level=0),
+        stands=onset.stands,
+        slides=onset.slides,
+        friction_known=friction_known,
+        built_in=built_in,
+        for_vertical=vertical,
+        fold=fold,
     )
 
 

@@ -5,13 +5,15 @@ from typing import Final
 import numpy as np
 
 from rocksteady.results.numbers import chance, number, plural, quantity
-from rocksteady.results.stated import Stated, runs_that, share_words
+from rocksteady.results.stated import Stated, band_words, runs_that, share_words
 from rocksteady.risk.assess._judging import Judged
+from rocksteady.risk.assess._remedy import change_words
 from rocksteady.risk.counted.band import records_to_show, upper_of_none
 from rocksteady.risk.counted.built_in import ACCURACY
 from rocksteady.risk.counted.count import Count
 from rocksteady.risk.counted.suite import Shaking, Suite, folds, median_fold
-from rocksteady.risk.counted.verdict import LEAST, MARGIN, NEAR, TOO_FAR, VERDICTS, Verdict
+from rocksteady.risk.counted.verdict import LEAST, MARGIN, NEAR, TOO_FAR, VERDICTS, Target, Verdict
+from rocksteady.risk.hazard.failure_risk import LEAST_FOR_BAND, rate_words, why_unknown
 
 SAME: Final = 1e-6
 """Part of a level by which peaks differ that are the same but for rounding."""
@@ -27,7 +29,7 @@ class Screen:
     judged
         The object at its demand.
     target
-        Share that is accepted.
+        Share that is accepted, at the demand or in some years.
     friction
         Lowest friction that is given; None where it is not.
     demand
@@ -42,7 +44,7 @@ class Screen:
         self,
         judged: Judged,
         *,
-        target: float,
+        target: Target,
         friction: float | None,
         demand: str,
         suite: Suite,
@@ -60,20 +62,38 @@ class Screen:
         """The first line."""
         judged, decision = self.judged, self.decision
         if decision.verdict == "slides":
-            return f"It slides at {self.demand}: rocking alone is no answer."
+            when = "before it lifts" if judged.stands else f"at {self.demand}"
+            return f"It slides {when}: rocking alone is no answer."
+        on = " on built-in motions" * self.built_in
+        if self.target.years is not None and decision.verdict != "no-answer":
+            words = self._rate()
+            return f"{words[:1].upper()}{words[1:]}{on}."
         if judged.stands:
             lifts = quantity(judged.uplift_g, "g")
             return f"It stands at {self.demand}: nothing below {lifts} can lift it."
         if decision.verdict == "no-answer":
             return f"No answer at {self.demand}: {self._no_answer()}."
-        assert judged.count is not None
-        count, on = judged.count, " on built-in motions" * self.built_in
+        return f"{self._counted()[0]} at {self.demand}{on}: {self._counted()[1]}."
+
+    def _counted(self) -> tuple[str, str]:
+        """Return how many runs fall, and the share."""
+        count = self.judged.count
+        assert count is not None
         words = share_words(count.falls, count.runs, count.band, count.share)
-        return f"{runs_that('Falls', count.falls, count.runs)} at {self.demand}{on}: {words}."
+        return runs_that("Falls", count.falls, count.runs), words
+
+    def _rate(self) -> str:
+        """Return how often it falls, or why that is not known."""
+        risk = self.judged.risk
+        if risk is None:
+            return "no rate: nothing is counted"
+        if not risk.is_known:
+            return f"no rate: {why_unknown(risk)}"
+        return f"falls {rate_words(risk)}"
 
     def _no_answer(self) -> str:
         """Return why there is no answer."""
-        reason, count = self.decision.reason, self.judged.count
+        reason, count, shaking = self.decision.reason, self.judged.count, self.judged.shaking
         if reason == "too-far":
             assert self.judged.shaking is not None
             fold = number(median_of(self.judged), 2)
@@ -82,6 +102,8 @@ class Screen:
                 f"{TOO_FAR:g} is the most"
             )
         records = 0 if count is None else count.records
+        if count is None and shaking is not None and reason == "few-records":
+            records = len(shaking.motions)
         verb = "has" if records == 1 else "have"
         what = "a vertical" if reason == "few-vertical" else "an answer"
         who = plural(records, "record") if records else "no record"
@@ -90,33 +112,67 @@ class Screen:
     @property
     def lines(self) -> list[Stated]:
         """The facts below the sentence."""
-        decision = self.decision
+        decision, judged = self.decision, self.judged
         lines = [Stated(quantity="verdict", text=f"{WORDS[decision.verdict]}: {self._why()}")]
         if decision.verdict == "no-answer":
             lines = self._of_no_answer()
         if decision.verdict == "slides":
             return [*lines, self._lifts(), self._friction()]
-        if not self.judged.stands:
-            lines += [self._lifts(), self._friction(), *self._records()]
-            return lines
-        return [*lines, self._friction()]
+        if judged.stands:
+            return [*lines, *self._beside_rate(), *self._change(), self._friction()]
+        lines += self._beside_rate()
+        lines += [self._friction(), *self._change(), self._lifts(), *self._records()]
+        return lines
+
+    def _beside_rate(self) -> list[Stated]:
+        """Return the rate, or of a target in years what is counted at the demand."""
+        judged = self.judged
+        if self.target.years is None or self.decision.verdict == "no-answer":
+            if judged.risk is None:
+                return []
+            words = self._rate().removeprefix("falls ").removeprefix("no rate: ")
+            if not judged.risk.is_known:
+                return [Stated(quantity="no rate", text=words)]
+            return [Stated(quantity="rate", text=words)]
+        if self.judged.stands or self.judged.count is None:
+            return [Stated(quantity="at the demand", text=f"it stands at {self.demand}")]
+        runs, share = self._counted()
+        return [Stated(quantity="at the demand", text=f"{runs.lower()} at {self.demand}: {share}")]
+
+    def _change(self) -> list[Stated]:
+        """Return the least change that is a remedy."""
+        remedies, count = self.judged.remedies, self.judged.count
+        if not remedies or count is None:
+            return []
+        best = next((each for each in remedies if each.values), remedies[0])
+        takes = records_to_show(self.target.share)
+        few = "" if takes <= count.records else f"{self.target.words} takes {takes} records"
+        words = change_words(best, self.target)
+        return [Stated(quantity="least change", text=words, condition=few)]
+
+    def _at_best(self, count: Count) -> str:
+        """Return what records show at best, and how many the target takes."""
+        best = chance(upper_of_none(count.records))
+        takes = records_to_show(self.target.share)
+        return (
+            f"{plural(count.records, 'record')} show {best} at best, a target of "
+            f"{number(100.0 * self.target.share)} % takes {takes}"
+        )
 
     def _why(self) -> str:
         """Return what the verdict rests on."""
-        judged, target = self.judged, f"target {self._target}"
+        judged, target = self.judged, f"target {self.target.words}"
         count, beyond, near = judged.count, judged.beyond, judged.near
+        reason = self.decision.reason
         if self.decision.verdict == "slides":
             return "its friction is too low for rocking alone"
+        if self.target.years is not None:
+            return self._why_rate(target)
         if judged.stands or count is None or beyond is None:
             return self._by_statics()
         words = f"{target}; at {MARGIN:g} x this demand {_fall(beyond)}"
-        reason = self.decision.reason
         if reason == "band" and not count.falls:
-            best = chance(upper_of_none(count.records))
-            words = (
-                f"{plural(count.records, 'record')} show {best} at best, a target of "
-                f"{self._target} takes {records_to_show(self.target)}"
-            )
+            words = self._at_best(count)
         elif reason == "stretched" and near is not None:
             words = f"{target}; of the {near.records} records stretched less than {NEAR:g}-fold "
             words += _fall(near)
@@ -128,10 +184,19 @@ class Screen:
             words = f"green if the friction is at least {number(judged.friction.largest)}"
         return words
 
-    @property
-    def _target(self) -> str:
-        """The target in words."""
-        return f"{number(100.0 * self.target)} %"
+    def _why_rate(self, target: str) -> str:
+        """Return what the verdict on a probability in some years rests on."""
+        risk, need = self.judged.risk, self.judged.friction_of_rate
+        if risk is None or need is None:
+            return target
+        low, high = risk.probability_band or (0.0, 0.0)
+        return {
+            "rate-unknown": f"{target}; give a hazard curve that reaches further",
+            "rate-records": f"{target}; a rate has an interval from {LEAST_FOR_BAND} records on",
+            "stretched": f"{target}; records stretched less than {NEAR:g}-fold say otherwise",
+            "built-in": "built-in motions are noise with your two peaks",
+            "friction": f"green if the friction is at least {number(need.largest)}",
+        }.get(self.decision.reason, f"{target}; {band_words((low, high)).strip(' ()')}")
 
     def _by_statics(self) -> str:
         """Return what statics says, and what of 1.1 times the demand."""
@@ -232,10 +297,22 @@ class Screen:
         if shaking is not None and float(np.ptp(shaking.floor_pga_g)) > SAME * shaking.level:
             worst = " in the worst record"
         if self.friction is None:
-            words, known = f"must be at least {need}", "it is not given"
-            return Stated(quantity="friction", text=words + worst, condition=known)
+            more = [f"{what} {number(value)}" for what, value in self._more_friction()]
+            words = (
+                ", ".join([f"needs {need}", *more]) if more else f"must be at least {need}{worst}"
+            )
+            known = "not given" if more else "it is not given"
+            return Stated(quantity="friction", text=words, condition=known)
         known = f"given {number(self.friction)}"
         return Stated(quantity="friction", text=f"needs {need}{worst}", evidence=known)
+
+    def _more_friction(self) -> list[tuple[str, float]]:
+        """Return for what it needs more friction, and how much."""
+        judged = self.judged
+        changed = max((each.friction_needed or 0.0 for each in judged.remedies), default=0.0)
+        rate = 0.0 if judged.friction_of_rate is None else judged.friction_of_rate.largest
+        needs = [("once changed", changed), ("for the rate", rate)]
+        return [(what, value) for what, value in needs if value > judged.friction.largest]
 
 
 def _scaled(shaking: Shaking) -> tuple[str, str]:

@@ -17,29 +17,28 @@ from rocksteady.results.numbers import force_words, number, number_or_none
 from rocksteady.results.result import Result
 from rocksteady.results.stated import Stated, facts_stated
 from rocksteady.risk.assess._assessment_tables import tables_of
-from rocksteady.risk.assess._judging import Judged, band_of, judge_objects
+from rocksteady.risk.assess._judging import Judged, judge_objects
+from rocksteady.risk.assess._rates import curve_of, is_curved, site_of, with_rate, without_rate
+from rocksteady.risk.assess._remedies import is_helped, remedies_of
+from rocksteady.risk.assess._remedy import Remedy
 from rocksteady.risk.assess._sensitivity import Case, bars_of, vary
 from rocksteady.risk.assess._sentences import Screen
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.facts import ObjectFacts, compute_object_facts
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
-from rocksteady.risk.assess.described.schema import own_states
 from rocksteady.risk.assess.placed_objects import peaks_of, place_objects
-from rocksteady.risk.counted.reach import reaching_levels
-from rocksteady.risk.counted.suite import Motion, Peaks, Shaking, Suite, folds, median_fold
-from rocksteady.risk.counted.verdict import CODES, LEAST, MARGIN, Decision
-from rocksteady.risk.ensemble.levels import Levels
+from rocksteady.risk.counted.suite import Peaks, Shaking, Suite, folds, median_fold
+from rocksteady.risk.counted.verdict import CODES, LEAST, Decision, Target
 from rocksteady.risk.ensemble.qualification import (
     OF_ROCKING,
     forces_of_rocking,
     most_of_rocking,
     rocking_words,
 )
-from rocksteady.risk.ensemble.runs import run_ensemble
-from rocksteady.risk.fragility.compute_fragility import count_fragility
-from rocksteady.risk.fragility.damage_states import DEFAULT_STATES, OVERTURNED, DamageState
 from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.risk.hazard.failure_risk import Risk
+from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.screens.screen import KINDS
 from rocksteady.risk.screens.screens import Screens, screen_block
 from rocksteady.sweep.run import Execution
@@ -118,9 +117,19 @@ class Assessment(Result):
         return self.verdict in ("green", "red", "not-shown")
 
     @property
-    def target(self) -> float:
-        """Share that is accepted."""
-        return self.described.given.assessment.target_probability
+    def target(self) -> Target:
+        """Share that is accepted, at the demand or in 50 years."""
+        return self.described.target
+
+    @property
+    def risk(self) -> Risk | None:
+        """Annual rate of falling; None without a hazard curve or runs."""
+        return self.judged.risk
+
+    @property
+    def remedies(self) -> tuple[Remedy, ...]:
+        """Least changes with which it meets its target at the demand."""
+        return self.judged.remedies
 
     @property
     def sentence(self) -> str:
@@ -186,7 +195,9 @@ class Assessment(Result):
         return Description(
             headline=self.sentence,
             facts=[*self._answer(), *kept],
-            tables=tables_of(self.screens, self.cases, self.suite, self.judged.shaking),
+            tables=tables_of(
+                self.screens, self.cases, self.suite, self.judged.shaking, self.remedies
+            ),
             notes=[*self.facts.warnings, *self._warnings(), *CAVEATS, self.scope_words],
             answer=Answer(self.sentence, facts_stated(self.lines)),
         )
@@ -225,7 +236,7 @@ class Assessment(Result):
             *(Fact("", label=label, text=text) for label, text in facts_stated(self.lines)),
             *answer_facts(judged, built_in=self.suite.built_in),
             Fact("copies", self.suite.copies),
-            Fact("target_probability", target, "target", f"{number(100.0 * target)} %"),
+            *target_facts(target),
             Fact("demand", self.demand, "demand"),
             Fact("vertical_g", self.described.demand.vertical_g),
             Fact("vertical_share", self.described.demand.vertical_share),
@@ -236,7 +247,7 @@ class Assessment(Result):
         ]
 
     def _warnings(self) -> list[str]:
-        """Return what limits the runs."""
+        """Return what limits the runs, and least changes beside others that would do."""
         warnings = [] if self.fragility is None else list(self.fragility.warnings)
         shaking = self.judged.shaking
         if shaking is not None and shaking.stretched and self.fragility is not None:
@@ -247,6 +258,7 @@ class Assessment(Result):
                 "The curve is over multiples of the demand: PGV over PGA is kept at "
                 f"{number(ratio)} m/s per g."
             )
+        warnings += [each.warning for each in self.remedies if each.warning]
         return list(dict.fromkeys(warnings))
 
 
@@ -289,6 +301,31 @@ def answer_facts(judged: Judged, *, built_in: bool) -> list[Fact]:
         Fact("stretched", shaking is not None and shaking.stretched),
         Fact("friction_needed", judged.friction.largest),
         Fact("friction_cause", judged.friction.cause),
+        *_rate_facts(judged),
+    ]
+
+
+def _rate_facts(judged: Judged) -> list[Fact]:
+    """Return the rate of falling in JSON; None where it is not known."""
+    risk, need = judged.risk, judged.friction_of_rate
+    known = risk if risk is not None and risk.is_known else None
+    low, high = known.band if known and known.band else (None, None)
+    return [
+        Fact("rate_per_year", known and known.annual_rate),
+        Fact("rate_low", low),
+        Fact("rate_high", high),
+        Fact("rate_outside", risk and risk.outside),
+        Fact("probability_50_years", known and known.probability),
+        Fact("friction_needed_of_rate", need and need.largest),
+    ]
+
+
+def target_facts(target: Target) -> list[Fact]:
+    """Return a target in JSON and in words."""
+    at_demand = target.years is None
+    return [
+        Fact("target_probability", target.share if at_demand else None, "target", target.words),
+        Fact("target_50_years", None if at_demand else target.share),
     ]
 
 
@@ -310,7 +347,7 @@ def screen_of(described: DescribedObject, judged: Judged, suite: Suite) -> Scree
     friction = described.given.friction
     return Screen(
         judged,
-        target=described.given.assessment.target_probability,
+        target=described.target,
         friction=None if friction is None else bounds_of(friction)[0],
         demand=demand_words(described, judged.shaking),
         suite=suite,
@@ -327,6 +364,7 @@ def assess_object(
     buildings: Sequence[Building] = (),
     floor: Floor | None = None,
     stretch: bool = True,
+    hazard: HazardCurve | None = None,
     run: Execution | None = None,
 ) -> Assessment:
     """Count the runs in which an object falls at its demand, and judge what that shows.
@@ -349,6 +387,9 @@ def assess_object(
         Floor of an object that states none; None (default) for the ground.
     stretch
         Whether time is stretched (default); else motions are scaled to the PGA alone.
+    hazard
+        Hazard curve of the site, over the PGA or the PGV of the ground; with it the annual rate of
+        falling is summed, which a target in 50 years needs.  None by default.
     run
         Executor, workers, store and progress of the ensemble; default `Execution()`.
 
@@ -360,8 +401,9 @@ def assess_object(
     Raises
     ------
     InputError, ModelError
-        If the object states no peak, or one alone without motions, a motion is of another type, or
-        the object's building is not given or has no such floor.
+        If the object states no peak, or one alone without motions, a motion is of another type, the
+        object's building is not given or has no such floor, or the hazard curve is over another
+        measure or missing.
 
     Examples
     --------
@@ -381,6 +423,7 @@ def assess_object(
     ('slides', True)
     """
     began = time.perf_counter()
+    site = site_of(described, hazard, stretch=stretch)
     placed = place_objects([described], motions, buildings, floor=floor, stretch=stretch)
     (standing,) = placed.objects
     inner = None if run is None else replace(run, store=None, progress=None)
@@ -395,41 +438,20 @@ def assess_object(
         judged=judged,
         suite=placed.suite,
     )
-    counted = judged.decision.verdict in ("green", "red", "not-shown")
-    shaking = judged.shaking
-    if counted and shaking is not None:
+    built_in, shaking = placed.suite.built_in, judged.shaking
+    if shaking is not None and is_curved(judged, site, curves=True):
+        fragility = curve_of(standing, shaking, site, run)
+        if is_helped(judged, standing, built_in=built_in):
+            (remedies,) = remedies_of([(standing, shaking)], run=inner)
+            judged = replace(judged, remedies=remedies)
+        if site is not None:
+            judged = with_rate(standing, judged, fragility, site, built_in=built_in)
         assessment = replace(
             assessment,
-            fragility=_fragility(standing, shaking, run),
+            judged=judged,
+            fragility=fragility,
             cases=() if judged.stands else vary(standing, shaking, run=inner),
         )
+    elif site is not None:
+        assessment = replace(assessment, judged=without_rate(standing, judged))
     return replace(assessment, seconds=time.perf_counter() - began)
-
-
-def _fragility(described: DescribedObject, shaking: Shaking, run: Execution | None) -> Fragility:
-    """Return counted shares over levels that hold the demand."""
-    block, band = described.block, band_of(described)
-    motions: list[Motion] = list(shaking.motions)
-    levels = reaching_levels(
-        Levels(shaking.measure),
-        [block],
-        motions,
-        restitution=band,
-        ways=shaking.ways,
-        also=(shaking.level, MARGIN * shaking.level),
-    )
-    ensemble = run_ensemble(
-        block, motions, levels=levels, restitution=band, ways=shaking.ways, run=run
-    )
-    return count_fragility(ensemble, states=_states(described))
-
-
-def _states(described: DescribedObject) -> Sequence[DamageState | float | str]:
-    """Return the damage states of the file, overturning among them."""
-    states = [
-        name if peak is None else DamageState(name, peak)
-        for name, peak in own_states(described.given.assessment)
-    ]
-    if not states:
-        return DEFAULT_STATES
-    return [*states, *([] if OVERTURNED in states else [OVERTURNED])]

@@ -2,44 +2,46 @@
 
 import time
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated, Any, Final
+from typing import Any, Final
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural, share_of
+from rocksteady.results.numbers import chance, number, plural, share_of
 from rocksteady.results.result import Result
 from rocksteady.results.stated import share_words
 from rocksteady.risk.assess._judging import Judged, band_of, judge_objects
+from rocksteady.risk.assess._rates import curve_of, is_curved, site_of, with_rate, without_rate
+from rocksteady.risk.assess._remedies import is_helped, remedies_of
+from rocksteady.risk.assess._remedy import CHANGES, Remedy, change_words
 from rocksteady.risk.assess._sentences import WORDS
-from rocksteady.risk.assess.assessment import answer_facts, screen_of
+from rocksteady.risk.assess.assessment import answer_facts, screen_of, target_facts
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import Value
 from rocksteady.risk.assess.placed_objects import (
-    PGA,
-    PGV,
     PlacedObjects,
     peaks_of,
     place_objects,
     with_demand,
 )
 from rocksteady.risk.counted.suite import Peaks, Suite
-from rocksteady.risk.counted.verdict import CODES, LEAST, VERDICTS, Verdict
+from rocksteady.risk.counted.verdict import CODES, LEAST, VERDICTS, Target, Verdict
 from rocksteady.risk.ensemble.qualification import (
     FORCES,
     OUTPUTS,
     forces_of_rocking,
     most_of_rocking,
 )
+from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.screens.friction import uplift_acceleration_g
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.sweep.run import Execution
@@ -49,6 +51,8 @@ OPEN: Final[tuple[Verdict, ...]] = ("slides", "not-shown", "no-answer")
 EACH = "the demand of each object"
 MOST_ROWS = 5
 """Kinds of objects on a screen."""
+MOST_HELPED = 20
+"""Kinds of objects whose least changes are looked for, the worst first."""
 
 
 @checked_result
@@ -62,13 +66,16 @@ class ObjectsTable(Result):
         A row for each object, in the order given: its place and demand, ``verdict`` and the fields
         of an assessment's JSON, as ``share``, ``low``, ``high`` and ``share_1_1``; ``like``, a
         number that objects share which are alike in all that the runs depend on; motion of the top,
-        clearance and forces as of an `Assessment`; further columns of its table after them.
+        clearance and forces as of an `Assessment`; least changes, of the 20 worst kinds; further
+        columns of its table after them.
     pga_g, pgv_m_s
         The demand of objects that state none of their own.
-    target_probability
-        Share that is accepted.
+    target
+        Share that is accepted, at the demand or in some years.
     suite
         Motions of the ground.
+    curves
+        Counted shares of each kind over levels, by its ``like``; empty where none were counted.
     seconds
         Time that it took [s].
     """
@@ -76,8 +83,9 @@ class ObjectsTable(Result):
     rows: tuple[dict[str, Any], ...]
     pga_g: float | None
     pgv_m_s: float | None
-    target_probability: float
+    target: Target
     suite: Suite
+    curves: Mapping[int, Fragility]
     seconds: float
 
     @property
@@ -137,7 +145,8 @@ class ObjectsTable(Result):
     @property
     def worst(self) -> list[dict[str, Any]]:
         """The rows, by verdict, and of each verdict the highest share first."""
-        return sorted(self.sorted_by("share"), key=lambda row: VERDICTS.index(row["verdict"]))
+        column = "share" if self.target.years is None else "rate_per_year"
+        return sorted(self.sorted_by(column), key=lambda row: VERDICTS.index(row["verdict"]))
 
     @property
     def kinds(self) -> list[tuple[dict[str, Any], int]]:
@@ -150,13 +159,13 @@ class ObjectsTable(Result):
 
     def describe(self) -> Description:
         """Return how many objects have which verdict, and a row for each, the worst first."""
-        target = f"{number(100.0 * self.target_probability)} %"
         columns = [
             Column("name", "object", left=True),
             Column("share", "falls", share_of),
             Column("low", "from", share_of),
             Column("high", "to (90 %)", share_of),
             Column("share_1_1", "at 1.1 x", share_of),
+            *[Column("probability_50_years", "in 50 years", share_of)] * self._has_rates,
             Column("verdict", "verdict", lambda verdict: WORDS[verdict], left=True),
         ]
         demand = EACH if self.demand is None else self.demand.words
@@ -171,7 +180,7 @@ class ObjectsTable(Result):
             Fact("pga_g", self.pga_g),
             Fact("pgv_m_s", self.pgv_m_s),
             Fact("demand", demand, "demand"),
-            Fact("target_probability", self.target_probability, "target", target),
+            *target_facts(self.target),
             Fact("verdicts", self.verdicts, "verdicts", words),
             Fact("seconds", self.seconds),
         ]
@@ -197,17 +206,18 @@ class ObjectsTable(Result):
         demand = EACH if self.demand is None else self.demand.words
         several = len(kinds) < len(self.rows)
         objects = plural(len(self.rows), "object")
-        at = f"at {demand}{' on built-in motions' * self.suite.built_in}"
-        target = f"the target of {number(100.0 * self.target_probability)} %"
+        place = "" if self.target.years else f" at {demand}"
+        at = f"{place}{' on built-in motions' * self.suite.built_in}"
+        target = f"the target of {self.target.words}"
         count = sum(row["verdict"] == "red" for row, _ in kinds) if several else red
         subject = f"{red} of {objects}"
         if several:
             subject = f"{count} of {plural(len(kinds), 'kind')} ({subject})"
         neither = {key: self.verdicts[key] for key in OPEN if key in self.verdicts}
         others = f"; {verdict_words(neither)}" if neither else ""
-        sentence = f"{subject} {'are' if count > 1 else 'is'} above {target} {at}{others}."
+        sentence = f"{subject} {'are' if count > 1 else 'is'} above {target}{at}{others}."
         if not red:
-            sentence = f"{verdict_words(self.verdicts)} of {objects} {at}, for {target}."
+            sentence = f"{verdict_words(self.verdicts)} of {objects}{at}, for {target}."
         rest = kinds[MOST_ROWS:]
         left = verdict_words(Counter(row["verdict"] for row, _ in rest))
         needs = [row["friction_needed"] for row in self.rows if row["friction"] is None]
@@ -219,8 +229,14 @@ class ObjectsTable(Result):
                 f"must be at least {number(max(needs))} where it is not given" if needs else "",
             ),
         ]
-        rows = [(row["name"], _row_words(row, count)) for row, count in kinds[:MOST_ROWS]]
+        in_years = self.target.years is not None
+        rows = [(row["name"], _row_words(row, count, in_years)) for row, count in kinds[:MOST_ROWS]]
         return Answer(sentence, facts, rows)
+
+    @property
+    def _has_rates(self) -> bool:
+        """Whether a rate is known of an object."""
+        return any(row["rate_per_year"] is not None for row in self.rows)
 
 
 def verdict_words(counts: Mapping[Verdict, int]) -> str:
@@ -230,10 +246,12 @@ def verdict_words(counts: Mapping[Verdict, int]) -> str:
     )
 
 
-def _row_words(row: Mapping[str, Any], count: int) -> str:
+def _row_words(row: Mapping[str, Any], count: int, in_years: bool) -> str:
     """Return verdict and share of objects that are alike."""
-    words = WORDS[row["verdict"]]
-    if row["by"] == "statics" and row["verdict"] != "slides":
+    words, rate = WORDS[row["verdict"]], row["probability_50_years"]
+    if in_years and rate is not None:
+        words += f", {chance(rate)} in 50 years"
+    elif row["by"] == "statics" and row["verdict"] != "slides":
         words += ", by statics"
     elif row["share"] is not None:
         band = (row["low"], row["high"])
@@ -249,28 +267,28 @@ def assess_objects(
     motions: Sequence[Record | BaseMotion] | None = None,
     *,
     buildings: Sequence[Building] = (),
-    pga_g: Annotated[float | None, PGA] = None,
-    pgv_m_s: Annotated[float | None, PGV] = None,
-    target_probability: Annotated[float, Bounds(0.0, 1.0, "()", "give a share")] = 0.1,
+    demand: Peaks | None = None,
+    target: Target | float = 0.1,
+    hazard: HazardCurve | None = None,
     stretch: bool = True,
     run: Execution | None = None,
 ) -> ObjectsTable:
     """Assess count objects at their demands, each kind of object run once.
 
-    Each gets the counted share and the verdict that `assess_object` gives; curve and sensitivity
-    are left to it.
+    Each gets the counted share and the verdict that `assess_object` gives, and with a hazard curve
+    the rate; the 20 worst kinds get the least changes too.  The sensitivity is left to it.
 
     Parameters
     ----------
     objects
         As `read_objects` returns them; for a range the middle is taken.  Each keeps its own
         vertical motion and its options, the target excepted.
-    motions, buildings, stretch
+    motions, buildings, hazard, stretch
         As for `assess_object`.
-    pga_g, pgv_m_s
-        Peaks of the demand, [g] and [m/s], of the objects that state none of their own.
-    target_probability
-        Share that is accepted; default 0.1.
+    demand
+        Peaks that the objects are to stand which state none of their own.
+    target
+        Share that is accepted of the runs at the demand, default 0.1; or a `Target` in 50 years.
     run
         Executor, workers and progress; default `Execution()`.
 
@@ -289,44 +307,67 @@ def assess_objects(
     --------
     >>> from rocksteady import assess_objects
     >>> from rocksteady.motions import make_synthetic_suite
-    >>> from rocksteady.risk import DescribedObject
+    >>> from rocksteady.risk import DescribedObject, Peaks
     >>> sizes = {"vase": (0.12, 0.5), "chest": (0.9, 1.1)}
     >>> objects = [
     ...     DescribedObject(values={"name": name, "geometry": {"width_m": b, "height_m": h}})
     ...     for name, (b, h) in sizes.items()
     ... ]
-    >>> table = assess_objects(objects, make_synthetic_suite(12), pga_g=0.4, pgv_m_s=0.5)
+    >>> table = assess_objects(objects, make_synthetic_suite(12), demand=Peaks(pga_g=0.4))
     >>> [(row["name"], row["verdict"]) for row in table.rows]
     [('vase', 'red'), ('chest', 'stands')]
     """
-    asked = [with_demand(each, pga_g, pgv_m_s) for each in objects]
+    goal = target if isinstance(target, Target) else Target(target)
+    asked = [with_demand(each, demand).with_target(goal) for each in objects]
+    sites = [site_of(each, hazard, stretch=stretch) for each in asked]
     placed = place_objects(asked, motions, buildings, stretch=stretch)
-    return assess_placed(placed, (pga_g, pgv_m_s), target_probability, run=run)
+    return assess_placed(placed, demand, sites, run=run)
 
 
 def assess_placed(
     placed: PlacedObjects,
-    peaks: tuple[float | None, float | None],
-    target_probability: float,
+    demand: Peaks | None,
+    sites: Sequence[HazardCurve | None],
     *,
+    curves: bool = False,
     run: Execution | None = None,
 ) -> ObjectsTable:
     """Assess objects at their places; as `assess_objects`, which documents it.
 
-    `peaks` are the PGA [g] and the PGV [m/s] of the objects that state none of their own.
+    `demand` is that of the objects that state none of their own, `sites` the hazard curve of each
+    as `site_of` returns it; `curves` counts curves without one too.
     """
     began = time.perf_counter()
-    asked = [each.with_target(target_probability) for each in placed.objects]
-    placed = replace(placed, objects=asked)
+    objects, built_in = placed.objects, placed.suite.built_in
     judged = judge_objects(placed, run=run)
     forces = _forces(placed, judged, run)
     likes: dict[object, int] = {}
-    rows = []
-    for each, judgement, force in zip(asked, judged, forces, strict=True):
+    firsts: list[int] = []
+    like = []
+    for place, (each, judgement) in enumerate(zip(objects, judged, strict=True)):
         asked_of, vertical = peaks_of(each), each.demand.vertical_at_peak_g
         friction = repr(each.given.friction)
         key = (each.block, id(judgement.shaking), asked_of, vertical, band_of(each), friction)
-        row = _row(each, judgement, placed.suite) | {"like": likes.setdefault(key, len(likes))}
+        if key not in likes:
+            firsts.append(place)
+        like.append(likes.setdefault(key, len(likes)))
+    kinds = [judged[place] for place in firsts]
+    fragilities: dict[int, Fragility] = {}
+    for kind, place in enumerate(firsts):
+        each, judgement, site = objects[place], judged[place], sites[place]
+        shaking = judgement.shaking
+        if not is_curved(judgement, site, curves=curves) or shaking is None:
+            kinds[kind] = without_rate(each, judgement)
+            continue
+        fragilities[kind] = curve_of(each, shaking, site, run)
+        if site is not None:
+            kinds[kind] = with_rate(each, judgement, fragilities[kind], site, built_in=built_in)
+    for kind, remedies in _worst_remedies([objects[place] for place in firsts], kinds, placed, run):
+        kinds[kind] = replace(kinds[kind], remedies=remedies)
+    rows = []
+    for each, kind, force in zip(objects, like, forces, strict=True):
+        judgement = kinds[kind]
+        row = _row(each, judgement, placed.suite) | {"like": kind}
         row |= dict.fromkeys((*OUTPUTS, *FORCES))
         if judgement.runs is not None and not judgement.stands:
             row |= most_of_rocking(judgement.runs)
@@ -334,12 +375,37 @@ def assess_placed(
         rows.append(row | _kept(each, row))
     return ObjectsTable(
         rows=tuple(rows),
-        pga_g=peaks[0],
-        pgv_m_s=peaks[1],
-        target_probability=target_probability,
+        pga_g=None if demand is None else demand.pga_g,
+        pgv_m_s=None if demand is None else demand.pgv_m_s,
+        target=objects[0].target,
         suite=placed.suite,
+        curves=fragilities,
         seconds=placed.seconds + time.perf_counter() - began,
     )
+
+
+def _worst_remedies(
+    objects: Sequence[DescribedObject],
+    judged: Sequence[Judged],
+    placed: PlacedObjects,
+    run: Execution | None,
+) -> Iterator[tuple[int, tuple[Remedy, ...]]]:
+    """Yield the places of the worst kinds of objects, with their least changes."""
+    wanted = [
+        (place, shaking)
+        for place, (each, judgement) in enumerate(zip(objects, judged, strict=True))
+        if is_helped(judgement, each, built_in=placed.suite.built_in)
+        and (shaking := judgement.shaking) is not None
+    ]
+    wanted.sort(key=lambda pair: -_share(judged[pair[0]]))
+    some = wanted[:MOST_HELPED]
+    asked = [(objects[place], shaking) for place, shaking in some]
+    yield from zip((place for place, _ in some), remedies_of(asked, run=run), strict=True)
+
+
+def _share(judged: Judged) -> float:
+    """Return the share that falls at the demand."""
+    return 0.0 if judged.count is None else judged.count.share
 
 
 def _forces(
@@ -381,6 +447,7 @@ def _row(described: DescribedObject, judged: Judged, suite: Suite) -> dict[str, 
         "building": given.building,
         "floor": given.floor,
         "storey": described.storey,
+        "place": given.demand.place,
         "pga_g": given.demand.pga_g,
         "pgv_m_s": given.demand.pgv_m_s,
         "floor_pga_g": demand.pga_g if described.on_floor else None,
@@ -391,8 +458,20 @@ def _row(described: DescribedObject, judged: Judged, suite: Suite) -> dict[str, 
         "friction": _friction(given.friction),
         "vertical_g": demand.vertical_g,
         "vertical_share": demand.vertical_share,
+        **_least(judged.remedies, described.target),
         "sentence": f"{described.label}: {sentence[0].lower()}{sentence[1:]}",
     }
+
+
+def _least(remedies: Sequence[Remedy], target: Target) -> dict[str, Any]:
+    """Return the least changes of a row, in metres and in words; None where there is none."""
+    row: dict[str, Any] = {}
+    for change in CHANGES:
+        remedy = next((each for each in remedies if each.change == change), None)
+        key = change.replace(" ", "_")
+        row |= {f"{key}_m": remedy and remedy.value, f"{key}_shown_m": remedy and remedy.shown_at}
+    helped = next((each for each in remedies if each.values), None)
+    return row | {"least_change": helped and change_words(helped, target)}
 
 
 def _friction(given: Value | None) -> str | None:

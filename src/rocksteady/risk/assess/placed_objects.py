@@ -3,11 +3,8 @@
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated
 
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.motions.floor import Floor
 from rocksteady.risk.assess.described.building import Building, floor_of
 from rocksteady.risk.assess.described.objects import DescribedObject
@@ -15,9 +12,6 @@ from rocksteady.risk.counted.built_in import make_built_in_suite
 from rocksteady.risk.counted.suite import Motion, Peaks, Shaking, Suite, distinct, has_vertical
 from rocksteady.risk.observations.files.toml_tables import named
 from rocksteady.seismic.spectra.grounds import grounds_of
-
-PGA = Bounds(0.0, 10.0, "(]", "give the peak in g; 0.3 is usual")
-PGV = Bounds(0.0, 10.0, "(]", "give the peak in m/s; 0.4 is usual")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -117,8 +111,7 @@ def peaks_of(described: DescribedObject, *, built_in: bool = False) -> Peaks:
         If it states none, or one alone and there are no records.
     """
     demand = described.given.demand
-    peaks = Peaks(pga_g=demand.pga_g, pgv_m_s=demand.pgv_m_s)
-    missing = [key for key in ("pga_g", "pgv_m_s") if getattr(peaks, key) is None]
+    missing = [key for key in ("pga_g", "pgv_m_s") if getattr(demand, key) is None]
     if len(missing) == 2:
         raise ModelError(
             named(described.source, "demand", "pga_g"),
@@ -133,30 +126,25 @@ def peaks_of(described: DescribedObject, *, built_in: bool = False) -> Peaks:
             "built-in motions are made of both peaks",
             "give both peaks, or records",
         )
-    return peaks
+    return Peaks(pga_g=demand.pga_g, pgv_m_s=demand.pgv_m_s)
 
 
-@checked
-def with_demand(
-    described: DescribedObject,
-    pga_g: Annotated[float | None, PGA],
-    pgv_m_s: Annotated[float | None, PGV],
-) -> DescribedObject:
+def with_demand(described: DescribedObject, demand: Peaks | None) -> DescribedObject:
     """Return an object with the demand of all where it states none of its own.
 
     Raises
     ------
-    InputError, ModelError
-        If a peak is not above 0 or above 10, or there is none at all.
+    ModelError
+        If there is none at all.
     """
-    demand = described.given.demand
-    if demand.pga_g is not None or demand.pgv_m_s is not None:
+    given = described.given.demand
+    if given.pga_g is not None or given.pgv_m_s is not None:
         return described
-    if pga_g is None and pgv_m_s is None:
+    if demand is None:
         raise ModelError(
-            "pga_g, pgv_m_s",
-            Words(f"are both missing of {described.name}"),
+            "demand",
+            Words(f"is missing of {described.name}"),
             "objects are assessed at a peak velocity, a peak acceleration or both",
-            "give the PGA, the PGV or both",
+            "give Peaks(pga_g=..., pgv_m_s=...)",
         )
-    return described.with_peaks(pga_g=pga_g, pgv_m_s=pgv_m_s)
+    return described.with_peaks(pga_g=demand.pga_g, pgv_m_s=demand.pgv_m_s)

@@ -42,6 +42,7 @@ def reaching_levels(
     restitution: RestitutionBand | None = None,
     ways: Ways | None = None,
     also: Sequence[float] = (),
+    least: float = 0.0,
     most: float = np.inf,
 ) -> Levels:
     """Return levels from just below the lowest that lifts to where 95 % fall.
@@ -56,6 +57,8 @@ def reaching_levels(
         As for `run_ensemble`.
     also
         Levels that are to be among them, as that of a demand.
+    least
+        Level that they reach even where more than 95 % fall before; none by default.
     most
         Level beyond which there is none; none by default.
 
@@ -84,6 +87,8 @@ def reaching_levels(
         rising += [level for level in step if level <= most]
         if rising[-1] != step[-1]:
             break
+        if rising[-1] < least:  # they go on, whatever falls
+            continue
         (count,) = count_falls(
             run_ensemble(
                 list(blocks),

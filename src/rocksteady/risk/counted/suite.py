@@ -3,12 +3,14 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Final
+from typing import Annotated, Final
 
 import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.record import Record
@@ -25,18 +27,41 @@ MIDDLE: Final = (0.1, 0.9)
 """Quantiles of the peak that is not given, between which its range is stated."""
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Peaks:
     """Peaks of the ground that are asked about.
 
-    Attributes
+    Parameters
     ----------
     pga_g, pgv_m_s
-        Peak acceleration [g] and velocity [m/s]; None of one that is not given.
+        Peak acceleration [g] and velocity [m/s], in (0, 10]; None of one that is not given.
+
+    Raises
+    ------
+    InputError
+        If there is none, or one is outside its range.
+
+    Examples
+    --------
+    >>> Peaks(pga_g=0.4, pgv_m_s=0.45).words
+    '0.4 g and 0.45 m/s'
     """
 
-    pga_g: float | None = None
-    pgv_m_s: float | None = None
+    pga_g: Annotated[float | None, Bounds(0.0, 10.0, "(]", "give the peak in g; 0.3 is usual")] = (
+        None
+    )
+    pgv_m_s: Annotated[
+        float | None, Bounds(0.0, 10.0, "(]", "give the peak in m/s; 0.4 is usual")
+    ] = None
+
+    def __post_init__(self) -> None:
+        """Refuse no peak at all."""
+        if self.pga_g is None and self.pgv_m_s is None:
+            raise InputError(
+                "pga_g, pgv_m_s", Words("are both missing"), "a demand has one peak or both",
+                "give the PGA, the PGV or both",
+            )  # fmt: skip
 
     @property
     def words(self) -> str:

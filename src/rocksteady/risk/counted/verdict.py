@@ -3,6 +3,8 @@
 from dataclasses import dataclass, field
 from typing import Final, Literal
 
+from rocksteady.model.checks.validation import in_range, positive
+from rocksteady.results.numbers import number
 from rocksteady.risk.counted.count import Count
 
 Verdict = Literal["green", "red", "stands", "slides", "not-shown", "no-answer"]
@@ -12,7 +14,7 @@ VERDICTS: Final[tuple[Verdict, ...]] = (
 """All verdicts, those that call for action first."""
 Reason = Literal[
     "", "few-records", "few-vertical", "too-far", "band", "cliff", "cliff-unjudged",
-    "stretched", "built-in", "friction", "without-answer",
+    "stretched", "built-in", "friction", "without-answer", "rate-unknown", "rate-records",
 ]  # fmt: skip
 """Why nothing is shown, or there is no answer; empty of another verdict."""
 LEAST: Final = 11
@@ -27,6 +29,45 @@ CODES: Final[dict[Verdict, int]] = {
     "green": 0, "stands": 0, "red": 1, "slides": 1, "not-shown": 3, "no-answer": 3,
 }  # fmt: skip
 """Exit code of each verdict where it is checked; of a table the worst counts, 1 before 3."""
+
+
+@dataclass(frozen=True)
+class Target:
+    """Share that is accepted, of runs at the demand or as a probability in some years.
+
+    Parameters
+    ----------
+    share
+        In (0, 1).
+    years
+        Time of the probability [years]; None (default) of runs at the demand.
+
+    Raises
+    ------
+    InputError
+        If one is outside its range.
+
+    Examples
+    --------
+    >>> Target(0.1).words, Target(0.01, years=50).words
+    ('10 %', '1 % in 50 years')
+    """
+
+    share: float
+    years: float | None = None
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        share = in_range("target", self.share, 0.0, 1.0, "()", hint="give a share, as 0.1")
+        object.__setattr__(self, "share", share)
+        if self.years is not None:
+            object.__setattr__(self, "years", positive("years", self.years, hint="give 50"))
+
+    @property
+    def words(self) -> str:
+        """The target in words."""
+        time = "" if self.years is None else f" in {number(self.years)} years"
+        return f"{number(100.0 * self.share)} %{time}"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -106,6 +147,62 @@ def decide(evidence: Evidence) -> Decision:
     return Decision(verdict=verdict, reason=reason, doubts=tuple(doubts))
 
 
+@dataclass(frozen=True, kw_only=True)
+class RateEvidence:
+    """What a verdict on a probability in some years rests on.
+
+    Attributes
+    ----------
+    target
+        Probability that is accepted.
+    band
+        The 90 % interval of the probability; None of too few records.
+    near
+        Probability by the records that are stretched less than `NEAR`-fold; None of too few.
+    is_known
+        Whether no more than a tenth of the rate rests on no run or lies above the hazard curve.
+    friction_known, built_in
+        As of `Evidence`.
+    """
+
+    target: float
+    band: tuple[float, float] | None
+    near: float | None
+    is_known: bool
+    friction_known: bool
+    built_in: bool
+
+
+def decide_rate(evidence: RateEvidence) -> tuple[Verdict, Reason]:
+    """Return verdict and reason of a probability in some years.
+
+    Green: the upper end of its band lies below the target.  Red: its lower end lies above.
+    """
+    target, near = evidence.target, evidence.near
+    if not evidence.is_known:
+        return "not-shown", "rate-unknown"
+    if evidence.band is None:
+        return "not-shown", "rate-records"
+    low, high = evidence.band
+    if low > target:
+        return _withdrawn("red", [("stretched", near is not None and near <= target)])
+    return _withdrawn(
+        "green",
+        [
+            ("band", high >= target),
+            ("stretched", near is not None and near > target),
+            ("built-in", evidence.built_in),
+            ("friction", not evidence.friction_known),
+        ],
+    )
+
+
+def _withdrawn(verdict: Verdict, doubts: list[tuple[Reason, bool]]) -> tuple[Verdict, Reason]:
+    """Return a verdict, or the first doubt that withdraws it."""
+    reason = next((reason for reason, holds in doubts if holds), None)
+    return (verdict, "") if reason is None else ("not-shown", reason)
+
+
 def _judged(evidence: Evidence, count: Count, beyond: Count) -> tuple[Verdict, Reason]:
     """Return verdict and reason of a count that is an answer."""
     target, near = evidence.target, evidence.near
@@ -127,10 +224,7 @@ def _judged(evidence: Evidence, count: Count, beyond: Count) -> tuple[Verdict, R
             ("built-in", evidence.built_in),
             ("friction", not evidence.friction_known),
         ]
-    for reason, holds in doubts:
-        if holds:
-            return "not-shown", reason
-    return verdict, ""
+    return _withdrawn(verdict, doubts)
 
 
 def _standing(evidence: Evidence) -> Decision:

@@ -96,7 +96,6 @@ def fates(
     band: RestitutionBand,
     mirrored_from: str | None,
     model: Model,
-    levels: Floats | None = None,
     weights_kn: Floats | None = None,
 ) -> dict[str, NDArray[Any]]:
     """Return how the blocks of some cells fare.
@@ -116,17 +115,13 @@ def fates(
         images are left undecided here.
     model
         The equations of motion.
-    levels
-        Levels of each block, shape (blocks, levels), where `level` is their number; by default
-        `level` is the same for all.
     weights_kn
         Weights of the blocks [kN], for the forces on their bases; by default there are none.
     """
     ways, way = told_apart(motion)
     bodies, body = told_apart(block)
     numbers = np.array([each.number for each in bodies])[body]
-    at = level if levels is None else levels[numbers, level.astype(np.int64)]
-    scale = at / at_one[numbers, np.array([each.record for each in ways])[way]]
+    scale = level / at_one[numbers, np.array([each.record for each in ways])[way]]
     sides = np.stack([sides_in_si(each.block, model) for each in bodies])[body]
     ratios = np.stack([band.ratios(each.block) for each in bodies])
     give_restitutions(sides, ratios[body, draw.astype(np.int64)])

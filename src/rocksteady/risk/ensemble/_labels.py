@@ -68,7 +68,7 @@ def labelled(
         "direction": ("direction", coordinates["direction"], {"long_name": "sign of the record"}),
         "vertical": ("vertical", coordinates["vertical"], {"long_name": "vertical component"}),
         "draw": ("draw", np.arange(band.draws), {"long_name": "value of the restitution"}),
-        "level": ("level", coordinates["level"], level),
+        "level": ("level", list(levels.values), level),
         "block": ("block", np.arange(1, len(bodies) + 1), {"long_name": "block"}),
         "gravity": (
             "block",
@@ -113,42 +113,33 @@ def labelled(
     return xarray.Dataset(
         {name: (DIMENSIONS, arrays[name], words[name]) for name in arrays},
         coords=columns,
-        attrs={
-            **attributes,
-            "seed": str(band.seed),
-            "scatter": band.scatter,
-        },
+        attrs={**attributes, "seed": str(band.seed), "scatter": band.scatter},
     )
-
-
-def alike_words(names: Sequence[str], records: Sequence[Record]) -> list[str]:
-    """Return a sentence on each record that stands among the records more than once."""
-    alike: dict[tuple[float, bytes], list[str]] = {}
-    for name, record in zip(names, records, strict=True):
-        alike.setdefault((record.dt_s, record.acceleration_m_s2.tobytes()), []).append(name)
-    return [
-        f"{', '.join(same[:MOST_NAMES])} hold the same samples: they count as "
-        f"{len(same)} records and are one."
-        for same in alike.values()
-        if len(same) > 1
-    ]
 
 
 def warnings_of(
     names: Sequence[str],
-    alike: Sequence[str],
+    records: Sequence[Record],
     scale: Floats,
     status: NDArray[Any],
     copied: NDArray[np.bool_],
 ) -> str:
-    """Return sentences on what to mind, as a list in JSON; `alike` are those of `alike_words`."""
+    """Return sentences on what to mind, as a list in JSON."""
     remarks = []
     if flat := int(copied.any(axis=1).sum()):
         remarks.append(
             f"{flat} of {plural(len(names), 'record')} have no vertical component: their runs with "
             "it are copies, which count in shares and curves so that all records weigh the same."
         )
-    remarks += alike
+    alike: dict[tuple[float, bytes], list[str]] = {}
+    for name, record in zip(names, records, strict=True):
+        alike.setdefault((record.dt_s, record.acceleration_m_s2.tobytes()), []).append(name)
+    remarks += [
+        f"{', '.join(same[:MOST_NAMES])} hold the same samples: they count as "
+        f"{len(same)} records and are one."
+        for same in alike.values()
+        if len(same) > 1
+    ]
     large = scale > LARGE_FACTOR
     if large.any():
         strongest = names[int(np.unravel_index(int(np.argmax(scale)), scale.shape)[1])]

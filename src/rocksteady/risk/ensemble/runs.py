@@ -16,7 +16,7 @@ from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.ensemble._cases import Body, copies_of, fates, ways_to_run, whole
-from rocksteady.risk.ensemble._labels import alike_words, labelled, warnings_of
+from rocksteady.risk.ensemble._labels import labelled, warnings_of
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.qualification import FORCE_OUTPUTS, qualification_of
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
@@ -118,64 +118,22 @@ def run_ensemble(
     """
     bodies = blocks_of(blocks)
     band = RestitutionBand() if restitution is None else restitution
-    (ensemble,) = run_each(
-        bodies,
-        motions,
-        levels=[levels],
-        restitution=band,
-        ways=ways,
-        mass_kg=mass_kg,
-        model=model,
-        run=run,
-    )
-    return ensemble
-
-
-def run_each(
-    blocks: Sequence[Block],
-    motions: Record | BaseMotion | Sequence[Record | BaseMotion],
-    *,
-    levels: Sequence[Levels],
-    restitution: RestitutionBand,
-    ways: Ways | None = None,
-    mass_kg: float | Sequence[float] | None = None,
-    model: ModelChoice = None,
-    run: Execution | None = None,
-) -> list["xarray.Dataset"]:
-    """Run each block at its own levels, all in one sweep.
-
-    Parameters
-    ----------
-    blocks, motions, restitution, ways, mass_kg, model, run
-        As for `run_ensemble`.
-    levels
-        Levels of each block, of one measure and equally many; or the levels of all blocks, which
-        then are one ensemble.
-
-    Returns
-    -------
-    list of xarray.Dataset
-        For each block what `run_ensemble` returns for it alone; or that of all.
-    """
     grounds = grounds_of(motions)
     records = [ground.record for ground in grounds]
     names = names_of(records)
-    for block in blocks:
-        restitution.ratios(block)  # refused before anything runs
-    weights = _weights(blocks, mass_kg)
-    asked = Ways() if ways is None else ways
-    directions = chosen(asked.reverse, DIRECTIONS)
-    lifts = _lifts(asked.vertical, grounds)
-    parts = [slice(place, place + len(blocks) // len(levels)) for place in range(len(levels))]
-    rows = [each.values for each in levels]
-    at, alike = np.array(rows), len(set(rows)) == 1
-    at_one = levels[0].at_scale_one(records, blocks)
-    scale = at[:, np.newaxis] / at_one[:, :, np.newaxis]
-    equations = chosen_model(model, blocks[0])
+    for block in bodies:
+        band.ratios(block)  # refused before anything runs
+    weights = _weights(bodies, mass_kg)
+    chosen_ways = Ways() if ways is None else ways
+    directions = chosen(chosen_ways.reverse, DIRECTIONS)
+    lifts = _lifts(chosen_ways.vertical, grounds)
+    at_one = levels.at_scale_one(records, bodies)
+    scale = np.array(levels.values) / at_one[:, :, np.newaxis]
+    equations = chosen_model(model, bodies[0])
     used = grounds if "with" in lifts else [GroundShaking(record=record) for record in records]
-    check_grounds(used, scale.max(axis=(0, 2)).tolist(), extremes_of(blocks), equations)
+    check_grounds(used, scale.max(axis=(0, 2)).tolist(), extremes_of(bodies), equations)
     # Of symmetric blocks alone one direction is the mirror image of the other.
-    several = directions if not all(block.symmetric for block in blocks) else directions[:1]
+    several = directions if not all(block.symmetric for block in bodies) else directions[:1]
     shakings = ways_to_run(grounds, several, lifts)
     # Draws run fastest: those of one block on one ground share its table and its scale.
     axes = (
@@ -187,78 +145,59 @@ def run_each(
         ),
         Axis(
             name="block",
-            values=[f"block {place}" for place in range(1, len(blocks) + 1)],
+            values=[f"block {place}" for place in range(1, len(bodies) + 1)],
             long_name="block",
-            items=[Body(block=block, number=place) for place, block in enumerate(blocks)],
+            items=[Body(block=block, number=place) for place, block in enumerate(bodies)],
         ),
-        Axis(name="level", values=at[0], long_name=levels[0].key)
-        if alike
-        else Axis(name="level", values=np.arange(at.shape[1]), long_name="number of the level"),
-        Axis(
-            name="draw", values=np.arange(restitution.draws), long_name="value of the restitution"
-        ),
+        Axis(name="level", values=levels.values, long_name=levels.key),
+        Axis(name="draw", values=np.arange(band.draws), long_name="value of the restitution"),
     )
-    more: dict[str, Any] = {} if alike else {"levels": at}
-    outputs = [*OUTPUTS]
-    if weights is not None:
-        more["weights_kn"] = weights
-        outputs += FORCE_OUTPUTS
+    more: dict[str, Any] = {} if weights is None else {"weights_kn": weights}
     load_kernel(equations)
     swept = evaluate(
         functools.partial(
             fates,
             at_one=at_one,
-            band=restitution,
+            band=band,
             mirrored_from=directions[0] if len(several) > 1 else None,
             model=equations,
             **more,
         ),
         Grid(axes=axes),
-        outputs,
+        [*OUTPUTS, *(FORCE_OUTPUTS if more else ())],
         run=run,
         numbered="cell",
-        attributes={"model": equations.name, "measure": levels[0].key},
+        attributes={"model": equations.name, "measure": levels.key},
     )
-    arrays = whole(swept, shakings, blocks, directions, lifts)
+    arrays = whole(swept, shakings, bodies, directions, lifts)
     speeds = arrays.pop("peak_velocity")
-    arrays |= qualification_of(blocks, arrays["peak_angle"], speeds, arrays["status"])
+    arrays |= qualification_of(bodies, arrays["peak_angle"], speeds, arrays["status"])
     linear = isinstance(equations, Linear)
-    times = uplift_times(blocks, grounds, scale, directions, lifts, linear=linear)
-    thresholds = uplift_scales(blocks, grounds, directions, lifts, linear=linear)
+    times = uplift_times(bodies, grounds, scale, directions, lifts, linear=linear)
     # Uplift does not depend on the restitution.
     rocked = arrays["peak_angle"] > 0.0
     arrays["uplift_time_s"] = np.where(rocked, times[:, :, :, :, np.newaxis], np.nan)
     copied = copies_of(grounds, lifts)
-    alike_records = alike_words(names, records)
-    ensembles = []
-    for each, row, part in zip(levels, at, parts, strict=True):
-        members = blocks[part]
-        runs = sum(len(shakings) // (len(several) if block.symmetric else 1) for block in members)
-        ensembles.append(
-            labelled(
-                {name: values[part] for name, values in arrays.items()},
-                (members, records, names),
-                each,
-                scale[part],
-                restitution,
-                coordinates={
-                    "direction": list(directions),
-                    "vertical": list(lifts),
-                    "level": row,
-                    "copied": copied,
-                    "uplift_scale": thresholds[part],
-                },
-                attributes={
-                    **swept.attrs,
-                    "kind": "rocking ensemble",
-                    "runs": runs * at.shape[1] * restitution.draws,
-                    "warnings": warnings_of(
-                        names, alike_records, scale[part], arrays["status"][part], copied
-                    ),
-                },
-            )
-        )
-    return ensembles
+    runs = sum(len(shakings) // (len(several) if block.symmetric else 1) for block in bodies)
+    return labelled(
+        arrays,
+        (bodies, records, names),
+        levels,
+        scale,
+        band,
+        coordinates={
+            "direction": list(directions),
+            "vertical": list(lifts),
+            "copied": copied,
+            "uplift_scale": uplift_scales(bodies, grounds, directions, lifts, linear=linear),
+        },
+        attributes={
+            **swept.attrs,
+            "kind": "rocking ensemble",
+            "runs": runs * len(levels.values) * band.draws,
+            "warnings": warnings_of(names, records, scale, arrays["status"], copied),
+        },
+    )
 
 
 def _weights(blocks: Sequence[Block], mass_kg: float | Sequence[float] | None) -> Floats | None:

@@ -5,7 +5,7 @@ stands there.  Between two
 samples both sides of this are lines, so that the moment is a crossing of two lines.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -112,22 +112,30 @@ def uplift_scales(
     """
     ratios, limits = uplift_limits(blocks, linear=linear)
     least = np.full((len(blocks), len(grounds), len(directions), len(lifts)), np.inf)
-    for record, ground in enumerate(grounds):
-        for i, direction in enumerate(directions):
-            sign = -1.0 if direction == DIRECTIONS[1] else 1.0
-            for j, lift in enumerate(lifts):
-                vertical = ground.vertical if lift == "with" else None
-                for column, driven in ((0, sign), (1, -sign)):
-                    most, top = np.empty(len(blocks)), 0.0
-                    for row, share in enumerate(ratios[:, column].tolist()):
-                        if row == 0 or vertical is not None:
-                            lines = driving(ground.record, driven, share, vertical)
-                            top = max(float(lines.first.max()), float(lines.last.max()))
-                        most[row] = top
-                    with np.errstate(divide="ignore"):
-                        scales = np.where(most > 0.0, limits[:, column] / most, np.inf)
-                    least[:, record, i, j] = np.minimum(least[:, record, i, j], scales)
+    for place, ground, sign, column in _drives(grounds, directions, lifts):
+        shares = ratios[:, column].tolist()
+        if ground.vertical is None:  # the lines are the same for all blocks
+            shares = shares[:1]
+        each = [driving(ground.record, sign, share, ground.vertical) for share in shares]
+        tops = np.array([max(lines.first.max(), lines.last.max()) for lines in each])
+        with np.errstate(divide="ignore"):
+            scales = np.where(tops > 0.0, limits[:, column] / tops, np.inf)
+        least[:, *place] = np.minimum(least[:, *place], scales)
     return least
+
+
+def _drives(
+    grounds: Sequence[GroundShaking], directions: Sequence[str], lifts: Sequence[str]
+) -> Iterator[tuple[tuple[int, int, int], GroundShaking, float, int]]:
+    """Yield place, ground, sign and number of the driven side, for both sides of each run."""
+    for i, ground in enumerate(grounds):
+        flat = GroundShaking(record=ground.record)
+        for j, direction in enumerate(directions):
+            sign = -1.0 if direction == DIRECTIONS[1] else 1.0
+            for k, lift in enumerate(lifts):
+                shaken = ground if lift == "with" else flat
+                yield (i, j, k), shaken, sign, 0
+                yield (i, j, k), shaken, -sign, 1
 
 
 def uplift_times(
@@ -159,21 +167,14 @@ def uplift_times(
     ratios, limits = uplift_limits(blocks, linear=linear)
     count, records, levels = scale.shape
     earliest = np.full((count, records, len(directions), len(lifts), levels), np.nan)
-    for record, ground in enumerate(grounds):
-        for i, direction in enumerate(directions):
-            sign = -1.0 if direction == DIRECTIONS[1] else 1.0
-            for j, lift in enumerate(lifts):
-                vertical = ground.vertical if lift == "with" else None
-                for column, driven in ((0, sign), (1, -sign)):
-                    thresholds = limits[:, column, np.newaxis] / scale[:, record]
-                    times = np.empty((count, levels))
-                    if vertical is None:
-                        lines = driving(ground.record, driven)
-                        times[:] = lines.first_above(thresholds.ravel()).reshape(times.shape)
-                    else:
-                        for row in range(count):
-                            share = float(ratios[row, column])
-                            lines = driving(ground.record, driven, share, vertical)
-                            times[row] = lines.first_above(thresholds[row])
-                    earliest[:, record, i, j] = np.fmin(earliest[:, record, i, j], times)
+    for place, ground, sign, column in _drives(grounds, directions, lifts):
+        thresholds = limits[:, column, np.newaxis] / scale[:, place[0]]
+        if ground.vertical is None:
+            times = driving(ground.record, sign).first_above(thresholds)
+        else:
+            shares = ratios[:, column].tolist()
+            each = [driving(ground.record, sign, share, ground.vertical) for share in shares]
+            rows = zip(each, thresholds, strict=True)
+            times = np.stack([lines.first_above(row) for lines, row in rows])
+        earliest[:, *place] = np.fmin(earliest[:, *place], times)
     return earliest

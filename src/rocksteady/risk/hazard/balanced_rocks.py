@@ -17,9 +17,8 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
-from rocksteady.risk.fits.fragility_curve import FragilityCurve
-from rocksteady.risk.hazard._fragile import Converted, Fragile
-from rocksteady.risk.hazard.failure_risk import failure_integral, fragility_over
+from rocksteady.risk.hazard._fragile import Fragile, Given, fragile_of
+from rocksteady.risk.hazard._sum import mass_of
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.hazard.hazard_measures import measure_fact, written
 from rocksteady.seismic.measures.scalar import Measure
@@ -66,7 +65,7 @@ class HazardBranchCheck(Result):
         is NaN where no branch lets the object stand.
     """
 
-    fragility: Fragile
+    fragility: Given
     branches: tuple[HazardCurve, ...]
     measure: Measure
     age_years: Annotated[float, Label("Age", unit="years")]
@@ -76,7 +75,6 @@ class HazardBranchCheck(Result):
     survival: Floats
     prior: Floats
     posterior: Floats
-    remarks: tuple[str, ...] = ()
 
     @property
     def confidence(self) -> Floats:
@@ -135,13 +133,13 @@ class HazardBranchCheck(Result):
                     kind=lambda row: "rejected" if row["rejected"] else "not rejected",
                 )
             ],
-            notes=[*self.remarks, *SENTENCES],
+            notes=SENTENCES,
         )
 
 
 @checked
 def check_hazard_branches(
-    fragility: FragilityCurve | tuple[float, float],
+    fragility: Given,
     branches: Sequence[HazardCurve],
     age_years: Annotated[float, Bounds(0.0, OLDEST_YEARS, "(]", "give an age in years")],
     *,
@@ -200,15 +198,20 @@ def check_hazard_branches(
     ([False, True], [0.53, 1.0])
     """
     prior = _prior(branches)
-    curve, words, remarks = fragility_over(fragility, branches[0], measure, block)
+    fragile = fragile_of(fragility, branches[0], measure, block)
     factors, weights = lognormal_rule(alpha_cv)
-    rates = np.array([[_rate(curve, factor, hazard) for factor in factors] for hazard in branches])
+    rates = np.array(
+        [
+            [_rate(replace(fragile, factor=fragile.factor / each), hazard) for each in factors]
+            for hazard in branches
+        ]
+    )
     survival = np.exp(-age_years * rates) @ weights
     total = float(prior @ survival)
     return HazardBranchCheck(
-        fragility=curve.curve,
+        fragility=fragile.given,
         branches=tuple(branches),
-        measure=words,
+        measure=fragile.measure,
         age_years=age_years,
         alpha_cv=alpha_cv,
         level=level,
@@ -216,7 +219,6 @@ def check_hazard_branches(
         survival=np.minimum(survival, 1.0),
         prior=prior,
         posterior=prior * survival / total if total > 0.0 else np.full(len(prior), math.nan),
-        remarks=remarks,
     )
 
 
@@ -235,9 +237,10 @@ def lognormal_rule(cv: float) -> tuple[Floats, Floats]:
     return np.exp(sigma * nodes), weights / weights.sum()
 
 
-def _rate(curve: Converted, factor: float, hazard: HazardCurve) -> float:
-    """Return the rate of toppling of an object whose tan alpha is larger by a factor."""
-    return failure_integral(replace(curve, factor=curve.factor / factor), hazard).total
+def _rate(fragile: Fragile, hazard: HazardCurve) -> float:
+    """Return the rate of toppling under a hazard curve."""
+    mass = mass_of(hazard, fragile.edges / fragile.factor)
+    return math.fsum((fragile.at(mass.levels) * mass.rates).tolist())
 
 
 def _prior(branches: Sequence[HazardCurve]) -> Floats:

@@ -1,7 +1,7 @@
 """Hazard curves: the annual rate at which shaking exceeds each level of an intensity measure."""
 
-from dataclasses import dataclass, replace
-from typing import Annotated, Literal
+from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,10 +21,6 @@ from rocksteady.seismic.measures.scalar import Measure
 
 LOWEST, HIGHEST = 1e-100, 1e100
 """Of levels and rates: their logarithms and powers are numbers."""
-LARGEST_EXPONENT = 700.0
-"""Of e: beyond it are no numbers."""
-FITTED = 3
-"""Points at either end of a curve that a power-law tail is fitted to."""
 
 
 def _row(name: str, values: ArrayLike) -> Floats:
@@ -49,8 +45,7 @@ def _row(name: str, values: ArrayLike) -> Floats:
 class HazardCurve(Result):
     """Annual rates at which shaking exceeds levels of an intensity measure.
 
-    Between two levels the curve is straight in logarithms of both.  Beyond them it is unknown,
-    unless it is given tails.
+    Between two levels the curve is straight in logarithms of both.  Beyond them it is unknown.
 
     Parameters
     ----------
@@ -67,17 +62,13 @@ class HazardCurve(Result):
         Weight of the branch, in (0, 1]; none by default.
     site
         Longitude and latitude [degrees]; none by default.
-    tail
-        ``"none"`` (default), or ``"power-law"``: beyond either end the curve goes on as a straight
-        line in logarithms, through its end and fitted to the last three points.
     remarks
         What was left out when the curve was read.
 
     Raises
     ------
     InputError
-        If there are fewer than two levels, they do not rise, a rate is not positive, rates rise, or
-        no tail can be fitted.
+        If there are fewer than two levels, they do not rise, a rate is not positive, or rates rise.
 
     Examples
     --------
@@ -100,7 +91,6 @@ class HazardCurve(Result):
     site: Annotated[tuple[float, float] | None, Label("Longitude, latitude [°]", optional=True)] = (
         None
     )
-    tail: Annotated[Literal["none", "power-law"], Label("Beyond the ends")] = "none"
     remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -128,13 +118,6 @@ class HazardCurve(Result):
                 rates[at[0] + 1].item(),
                 f"it is more than the rate {rates[at[0]]:g} of the level below it",
                 "give rates of exceedance, which never rise with the level",
-            )
-        if self.tail == "power-law" and self.end_slopes[1] == 0.0:
-            raise InputError(
-                "tail",
-                self.tail,
-                f"the last {FITTED} rates are equal, and no power law falls through them",
-                "leave the curve without tails",
             )
         if self.site is not None:
             lon, lat = self.site
@@ -165,14 +148,6 @@ class HazardCurve(Result):
         slopes: Floats = -np.diff(np.log(self.rates)) / np.diff(np.log(self.levels))
         return slopes
 
-    @property
-    def end_slopes(self) -> tuple[float, float]:
-        """Exponents k of the power laws below the lowest level and above the highest."""
-        x, y = np.log(self.levels), np.log(self.rates)
-        ends = ((x[:FITTED] - x[0], y[:FITTED] - y[0]), (x[-FITTED:] - x[-1], y[-FITTED:] - y[-1]))
-        low, high = (-float(dy @ dx) / float(dx @ dx) for dx, dy in ends)
-        return max(low, 0.0), max(high, 0.0)
-
     @checked
     def rate(self, level: ArrayLike) -> Floats:
         """Return the annual rate of exceedance of levels [1/year], of their shape.
@@ -180,32 +155,20 @@ class HazardCurve(Result):
         Raises
         ------
         InputError
-            If a level is not positive, or outside a curve that has no tails.
+            If a level is outside the curve.
         """
         wanted = real_array("level", level)
-        bad = ~(np.isfinite(wanted) & (wanted > 0.0))
         low, high = self.levels[0], self.levels[-1]
-        if self.tail == "none":
-            bad |= (wanted < low) | (wanted > high)
+        bad = ~((wanted >= low) & (wanted <= high))
         if bad.any():
             raise InputError(
                 "level",
                 wanted[bad].flat[0].item(),
                 f"the curve reaches from {low:g} to {high:g} {self.unit}",
-                "stay inside, or give the curve power-law tails: curve.extended()",
+                "stay inside",
             )
-        x, y = np.log(self.levels), np.log(self.rates)
-        at = np.log(wanted)
-        below, above = self.end_slopes
-        exponent = np.interp(at, x, y)
-        exponent = exponent + below * np.maximum(x[0] - at, 0.0)
-        exponent = exponent - above * np.maximum(at - x[-1], 0.0)
-        rates: Floats = np.exp(np.clip(exponent, -LARGEST_EXPONENT, LARGEST_EXPONENT))
+        rates: Floats = np.exp(np.interp(np.log(wanted), np.log(self.levels), np.log(self.rates)))
         return rates
-
-    def extended(self) -> "HazardCurve":
-        """Return the curve with power-law tails beyond both of its ends."""
-        return replace(self, tail="power-law")
 
     def describe(self) -> Description:
         """Return the points of the curve."""
@@ -220,14 +183,7 @@ class HazardCurve(Result):
             headline=f"Hazard of {self.label}{name} from {number(low['level'])} to "
             f"{quantity(high['level'], self.unit)}: {number(low['annual_rate'])} to "
             f"{number(high['annual_rate'])} a year",
-            facts=facts_of(self, measure_fact(self.intensity), "name", tail=self._beyond),
+            facts=facts_of(self, measure_fact(self.intensity), "name"),
             tables=[Table("points", rows, columns, title=plural(len(rows), "level"))],
             notes=list(self.remarks),
         )
-
-    @property
-    def _beyond(self) -> str:
-        """What is beyond the ends, in words."""
-        if self.tail == "none":
-            return "unknown"
-        return "power laws of exponents {:.3g} and {:.3g}".format(*self.end_slopes)

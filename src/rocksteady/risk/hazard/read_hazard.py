@@ -1,12 +1,15 @@
 """Hazard curves from files: OpenQuake's, and two columns."""
 
+import re
 from os import PathLike
 from pathlib import Path
+from typing import Annotated
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range
-from rocksteady.risk.hazard._hazard_text import read_lines
+from rocksteady.model.checks.bounds import Bounds
+from rocksteady.records.core.text import as_text, file_bytes
+from rocksteady.risk.hazard._hazard_text import HINT, HazardText
 from rocksteady.risk.hazard._openquake_csv import find_names, read_sites
 from rocksteady.risk.hazard._two_columns import read_columns
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
@@ -20,7 +23,7 @@ def read_hazard_curves(
     *,
     measure: Measure | str | None = None,
     level_unit: str | None = None,
-    poe_years: float | None = None,
+    poe_years: Annotated[float | None, Bounds(0.0, 1e6, "(]", "give a time in years")] = None,
 ) -> list[HazardCurve]:
     r"""Read the hazard curves of a file, one for each site.
 
@@ -30,6 +33,7 @@ def read_hazard_curves(
     rate (or return period, or probability), under their names: ``Sa(1.0) [g]``, ``PGA [m/s^2]``,
     ``PGV [cm/s]``.  A probability of exceedance P in T years is an annual rate -ln(1 - P)/T.
     Levels of probability 1, whose rate is infinite, and of rate 0 are left out with a remark.
+    Levels rise throughout, or fall throughout; others are refused, as by `HazardCurve`.
 
     Parameters
     ----------
@@ -64,16 +68,23 @@ def read_hazard_curves(
     >>> curve
     <HazardCurve: Hazard of PGV from 0.1 to 0.5 m/s: 0.02 to 0.0004 a year>
     """
-    over = None if measure is None else ground_measure("measure", measure)
-    if poe_years is not None:
-        hint = "give the time of the probabilities in years"
-        poe_years = in_range("poe_years", poe_years, 0.0, 1e6, hint=hint)
-    text = read_lines(Path(path))
+    try:
+        lines = as_text(Path(path), file_bytes(Path(path))).lines
+    except RecordFileError as error:
+        raise InputError("hazard", str(path), error.valid, HINT) from None
+    # Excel's first line "sep=;" names the separator alone.
+    empty = re.compile(r"[\s,;\"']*(?:sep=.*)?")
+    text = HazardText(
+        path=Path(path),
+        lines={at: line for at, line in enumerate(lines, 1) if not empty.fullmatch(line)},
+        measure=None if measure is None else ground_measure("measure", measure),
+        level_unit=level_unit,
+        poe_years=poe_years,
+    )
     names = find_names(text)
     if names is None:
-        return [read_columns(text, over, level_unit, poe_years)]
+        return [read_columns(text)]
     if level_unit is not None:
-        raise InputError(
-            "level_unit", level_unit, "OpenQuake's levels are in g or, of PGV, cm/s", "leave it out"
-        )
-    return read_sites(text, names, over, poe_years)
+        valid = "OpenQuake's levels are in g or, of PGV, cm/s"
+        raise InputError("level_unit", level_unit, valid, "leave it out")
+    return read_sites(text, *names)

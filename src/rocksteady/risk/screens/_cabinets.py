@@ -7,7 +7,7 @@ from typing import Final
 
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Side
-from rocksteady.risk.screens.thresholds import velocity_number
+from rocksteady.risk.screens.thresholds import normal_share, velocity_number
 
 INCH_M: Final = 0.0254
 BETA: Final = 0.5
@@ -62,7 +62,7 @@ class Cabinet:
 
     def probability(self, pfv_m_s: float) -> float:
         """Return the probability of overturning at a peak floor velocity [m/s]."""
-        return 0.5 * math.erfc(-math.log(pfv_m_s / self.median_m_s) / (BETA * math.sqrt(2.0)))
+        return normal_share(math.log(pfv_m_s / self.median_m_s) / BETA)
 
     def values(self) -> dict[str, str | float]:
         """Return the cabinet as a row of a table."""

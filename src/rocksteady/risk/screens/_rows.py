@@ -15,6 +15,7 @@ from rocksteady.results.numbers import chance, number, quantity
 from rocksteady.risk.screens._cabinets import nearest_cabinet
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import (
+    SLIDES,
     Mode,
     exceeds,
     first_motion,
@@ -29,12 +30,12 @@ from rocksteady.risk.screens.thresholds import (
     impulse_velocity_m_s,
     ishiyama_bounds,
     kaneko_hayashi,
+    sampled,
     shares_at,
     velocity_number,
 )
 from rocksteady.seismic.measures.free_sides import first_side, free_sides
 
-SLIDES = ("slides", "slides and rocks")
 REFUSED = "no answer: friction governs"
 NEAR = 0.25
 """Distance of a cabinet, in ln of its depth and height, up to which it has a verdict."""
@@ -43,8 +44,6 @@ LEAST_NUMBER = 0.2
 RECTANGLE_SHARE = 0.75
 """M R^2/I_0 of a homogeneous rectangle."""
 ALIKE = 1e-6
-RUNS = ((0.1, 0.3), (1.0, 3.0))
-"""Ranges of alpha [rad] and p [rad/s] of the runs of this package behind the shares."""
 LIKE_EARTH = 0.01
 """Relative difference of a gravity from 9.80665 m/s^2 that formulas with fixed units bear."""
 BOTH_WAYS = "Made for blocks that rock to both sides: the wall is left out."
@@ -419,8 +418,7 @@ def velocity_row(case: Case) -> Screen:
     gravity, pgv, pga = case.block.gravity, case.demand.pgv_m_s, case.demand.pga_g
     value, needs, passes = None, "pgv_m_s", None
     verdict = "needs a PGV"
-    sizes = zip((case.side.alpha, case.side.p), RUNS, strict=True)
-    outside = not all(low <= each <= high for each, (low, high) in sizes)
+    outside = not sampled(case.side)
     middle = MEDIAN * gravity * tan(case.side.alpha) / case.side.p
     details = [(f"PGV at {MEDIAN:g}", middle, "m/s")]
     lifted = pga is None or lifts(case.block, pga, case.demand.vertical_at_peak_g)

@@ -19,6 +19,8 @@ Mode = Literal["rest", "rocks", "slides", "slides and rocks"]
 """How a block at rest answers a peak acceleration."""
 MODES: tuple[Mode, ...] = ("rest", "rocks", "slides and rocks", "slides")
 """All of them, the worst last: sliding alone has no answer by rocking."""
+SLIDES: tuple[Mode, ...] = ("slides", "slides and rocks")
+"""Modes for which formulas of rocking have no answer."""
 
 
 class FrictionNeed(NamedTuple):

@@ -15,8 +15,8 @@ from rocksteady.results.result import Result
 from rocksteady.risk.screens import _rows
 from rocksteady.risk.screens._asce_row import asce_row
 from rocksteady.risk.screens._cabinets import CABINETS
-from rocksteady.risk.screens._rows import SLIDES
 from rocksteady.risk.screens.demand import Demand
+from rocksteady.risk.screens.friction import SLIDES
 from rocksteady.risk.screens.screen import ANY_BLOCK, KINDS, Kind, Screen
 
 DISCLAIMER = (

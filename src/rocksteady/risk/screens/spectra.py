@@ -6,7 +6,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -69,13 +69,6 @@ class Chain:
     def _power(self, i: int) -> float:
         value = math.log(self.values_m_s2[i] / self.values_m_s2[i - 1])
         return value / math.log(self.periods_s[i] / self.periods_s[i - 1])
-
-
-class Spectrum(Protocol):
-    """A spectrum that can be had at any damping."""
-
-    def at_damping(self, damping: float, longest_s: float) -> tuple[Chain, str]:
-        """Return the spectrum at a damping, and how it was made."""
 
 
 @dataclass(frozen=True)
@@ -218,15 +211,11 @@ def tabulated(table: object, damping: Any, *, shown: object = None) -> Tabulated
     )
 
 
-def spectrum_of(spectrum: object, damping: object) -> Spectrum | None:
+def spectrum_of(spectrum: object, damping: object) -> RecordSpectrum | TabulatedSpectrum | None:
     """Return a demand's spectrum for any damping; None without one or without its damping."""
-    if spectrum is None:
-        return None
-    if isinstance(spectrum, ResponseSpectrum):
-        return RecordSpectrum(spectrum.record)
-    if isinstance(spectrum, Record):
-        return RecordSpectrum(spectrum)
-    return tabulated(spectrum, damping)
+    if isinstance(spectrum, ResponseSpectrum | Record):
+        return RecordSpectrum(spectrum if isinstance(spectrum, Record) else spectrum.record)
+    return None if spectrum is None else tabulated(spectrum, damping)
 
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)"

@@ -175,6 +175,8 @@ MEDIAN, BETA = 0.757, 0.592
 """Median and beta of p PGV/(g tan alpha), from 28,399 classified runs (Chu et al. 2025)."""
 OTHER_MEDIAN, OTHER_BETA = 0.672, 0.462
 """The same of nonlinear runs of this package on 56 records."""
+SAMPLED_ALPHA, SAMPLED_P = (0.1, 0.3), (1.0, 3.0)
+"""Ranges of alpha [rad] and p [rad/s] of these runs."""
 
 
 def velocity_number(side: Side, gravity: float, pgv_m_s: float) -> float:
@@ -206,6 +208,12 @@ def shares_at(number: float) -> tuple[float, float]:
     pairs = ((MEDIAN, BETA), (OTHER_MEDIAN, OTHER_BETA))
     published, ours = (normal_share(math.log(number / median) / beta) for median, beta in pairs)
     return published, ours
+
+
+def sampled(side: Side) -> bool:
+    """Return whether runs of this package have the alpha and p of a block's side."""
+    sizes = ((side.alpha, SAMPLED_ALPHA), (side.p, SAMPLED_P))
+    return all(low <= size <= high for size, (low, high) in sizes)
 
 
 def normal_share(deviations: float) -> float:

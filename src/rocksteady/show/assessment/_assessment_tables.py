@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, Final
 
-from rocksteady.results.numbers import angle, chance, length, number, quantity
+from rocksteady.results.numbers import angle, chance, length, number, quantity, share_of
 from rocksteady.results.stated import band_words
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.assess.described.objects import key_words
@@ -231,6 +231,26 @@ def screen_rows(assessment: Assessment) -> list[Row]:
         }
         for row in assessment.screens.rows
     ]
+
+
+def remedy_rows(assessment: Assessment) -> list[Row]:
+    """Return a row for each kind of change that is a remedy."""
+    return [
+        {
+            "changed": Cell(remedy.change, "name"),
+            "to": figure(_length(remedy.value)),
+            "falls": figure(prose(share_of(remedy.share))),
+            f"at {MARGIN:g} x": figure(prose(share_of(remedy.share_1_1))),
+            "sure from": figure(_length(remedy.shown_at)),
+            "friction needed": figure(number(remedy.friction_needed or math.nan)),
+        }
+        for remedy in assessment.remedies
+    ]
+
+
+def _length(metres: float | None) -> str:
+    """Return a length, or a dash where there is none."""
+    return NOTHING if metres is None else length(metres)
 
 
 def case_rows(assessment: Assessment) -> list[Row]:

@@ -70,7 +70,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         "provenance": provenance(manifest),
         "records": f"{table.records:,}" + " built-in" * table.suite.built_in,
         "share": OF_ROCKING,
-        "target": f"{number(100.0 * table.target_probability)} %",
+        "target": table.target.words,
     }
     return render(__package__, "objects.html.j2", **cleaned(values), plan=_plan(table))
 
@@ -91,8 +91,16 @@ def _shown(row: Mapping[str, Any], count: int) -> dict[str, Any]:
         else f"{1000.0 * row['clearance_m']:.0f}",
         "force": NOTHING if force[1] is None else " / ".join(map(number, force)),
         "friction": number(row["friction_needed"]),
-        "sentence": greek(row["sentence"]),
+        "sentence": greek(row["sentence"] + _beside(row)),
     }
+
+
+def _beside(row: Mapping[str, Any]) -> str:
+    """Return the rate and the least change after a sentence; empty without."""
+    words = ""
+    if row["probability_50_years"] is not None and "years" not in row["sentence"]:
+        words = f" In 50 years: {chance(row['probability_50_years'])}."
+    return words + (f" Least change: {row['least_change']}." if row["least_change"] else "")
 
 
 def _share(row: Mapping[str, Any]) -> str:

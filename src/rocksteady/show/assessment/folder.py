@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.risk.counted.count import without_mirrors
+from rocksteady.show.assessment._loss_files import write_loss_files
 from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.export.ensemble_rows import write_runs_csv
 from rocksteady.show.export.files import save_csv, save_text
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     import xarray
 
     from rocksteady.risk.assess.assessment import Assessment
+    from rocksteady.risk.fragility.fragility import Fragility
 
 
 @checked
@@ -27,6 +29,7 @@ def write_assessment(
     command: str = "",
     files: Sequence[Path] = (),
     force: bool = False,
+    lognormal: bool = False,
 ) -> list[Path]:
     """Write an assessment into a folder: page, runs, counted shares, and its inputs.
 
@@ -44,16 +47,22 @@ def write_assessment(
         The files that were read, whose hashes are kept; none by default.
     force
         Replace files of an earlier assessment; default False.
+    lognormal
+        Write lognormals into the files for loss models, where they are within 10 points of the
+        counted shares; default False: the shares.
 
     Returns
     -------
     list of Path
         The report, a table with a row for each run, one with the counted share of each damage state
-        at each level, and the manifest; of an object without a share report and manifest alone; of
-        a table of objects report, rows and manifest.
+        at each level, the shares as pelicun and OpenQuake read them, and the manifest; of an object
+        without a share report and manifest alone; of a table of objects report, rows, manifest and
+        the shares of each kind, where those were counted.
 
     Raises
     ------
+    InputError
+        If a lognormal is further from the counted shares.
     OutputError
         If the folder holds anything else, one of the files that were read would be replaced, or it
         cannot be written.
@@ -78,41 +87,70 @@ def write_assessment(
     """
     return ASSESSMENT.fill(
         folder,
-        lambda stage: _fill(assessment, stage, command, files),
+        lambda stage: _fill(assessment, stage, command, files, lognormal=lognormal),
         force=force,
         read=files,
         hashes=[] if isinstance(assessment, ObjectsTable) else [assessment.described.sha256],
     )
 
 
-def _fill_with_table(table: ObjectsTable, stage: Path, command: str, files: Sequence[Path]) -> None:
-    """Write the page, the rows and the manifest of a table of objects into a folder."""
+def _fill_with_table(
+    table: ObjectsTable, stage: Path, command: str, files: Sequence[Path], *, lognormal: bool
+) -> None:
+    """Write the files of a table of objects into a folder."""
     answer = table.to_dict()
     for name in ("seconds", "objects"):  # the same inputs give the same bytes; the rows have a file
         answer.pop(name)
-    manifest = make_manifest(files=files, command=command, settings={"answer": answer})
+    left_out = write_loss_files(table, stage, lognormal=lognormal)
+    settings = {"answer": answer, "no_loss_component": left_out}
     rows = table.describe().tables[0]
     save_csv("out", stage / "answers.csv", rows.header, rows.records())
+    if shares := _share_rows(_named(table)):
+        save_csv("out", stage / "shares.csv", *shares)
+    manifest = make_manifest(files=files, command=command, settings=settings)
     write_manifest(stage / "run.json", manifest)
     save_text("out", stage / "report.html", report_html(table, manifest))
 
 
+def _named(table: ObjectsTable) -> "list[tuple[str, Fragility]]":
+    """Return name and shares of the kinds of objects that have them, the worst first."""
+    curves = table.curves
+    return [(row["name"], curves[row["like"]]) for row, _ in table.kinds if row["like"] in curves]
+
+
+def _share_rows(
+    curves: "Sequence[tuple[str, Fragility]]",
+) -> tuple[list[str], list[list[object]]] | None:
+    """Return header and rows of counted shares, with the name where there are several."""
+    rows = [
+        {"object": name, **row} if len(curves) > 1 else row
+        for name, fragility in curves
+        for each in fragility.states
+        for row in each.rows
+    ]
+    return (list(rows[0]), [list(row.values()) for row in rows]) if rows else None
+
+
 def _fill(
-    assessment: "Assessment | ObjectsTable", stage: Path, command: str, files: Sequence[Path]
+    assessment: "Assessment | ObjectsTable",
+    stage: Path,
+    command: str,
+    files: Sequence[Path],
+    *,
+    lognormal: bool,
 ) -> None:
     """Write all files into a folder."""
     if isinstance(assessment, ObjectsTable):
-        _fill_with_table(assessment, stage, command, files)
+        _fill_with_table(assessment, stage, command, files, lognormal=lognormal)
         return
     described, fragility = assessment.described, assessment.fragility
     if fragility is not None:
         write_runs_csv(
             stage / "results.csv", _of_records(without_mirrors(fragility.ensemble), assessment)
         )
-        rows = [row for each in fragility.states for row in each.rows]
-        save_csv(
-            "out", stage / "fragility.csv", list(rows[0]), [list(row.values()) for row in rows]
-        )
+        if shares := _share_rows([(described.name, fragility)]):
+            save_csv("out", stage / "shares.csv", *shares)
+    left_out = write_loss_files(assessment, stage, lognormal=lognormal)
     answer = assessment.to_dict()
     answer.pop("seconds")  # the same inputs give the same bytes
     given = {"source": described.source, "sha256": described.sha256, "values": described.values}
@@ -121,7 +159,7 @@ def _fill(
         files=files,
         ensemble=None if fragility is None else fragility.ensemble,
         command=command,
-        settings={"object": given, "answer": answer},
+        settings={"object": given, "answer": answer, "no_loss_component": left_out},
         warnings=() if fragility is None else fragility.warnings,
     )
     write_manifest(stage / "run.json", manifest)

@@ -1,21 +1,32 @@
-"""Components of loss models: what is written for pelicun and OpenQuake, in SI units and g."""
+"""Components of loss models: what is written for pelicun and OpenQuake, in SI units and g.
 
-import itertools
+Counted shares are written as points.  Their levels are those of the counts, and the level at which
+each run lifts, with another just above it.  Straight lines between them give the counted share at
+each level, rise in a step where a run lifts, and lie nowhere above the share that lifts.
+"""
+
 import math
 import re
-from collections.abc import Callable
+from bisect import bisect
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from functools import partial
+from itertools import pairwise
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
+from rocksteady.dynamics.arrays import checked_array
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import positive
+from rocksteady.results.numbers import number, plural, quantity
+from rocksteady.risk.fragility.damage_states import UPLIFT
 from rocksteady.risk.fragility.fragility import Fragility
-from rocksteady.risk.fragility.state_fragility import StateFragility
+from rocksteady.risk.fragility.state_fragility import GOOD, StateFragility
 from rocksteady.risk.hazard.hazard_measures import intensity_named
 
 LossMeasure = Literal["pga_g", "pgv_m_s", "sa_g"]
@@ -31,77 +42,121 @@ WORDS_FOR_NOTHING = frozenset(
 """Identifiers that a reader of tables takes for a missing or another value, in small letters."""
 MOST_STATES = 9
 """Of a component: pelicun takes limit states in the order of the alphabet, LS10 before LS2."""
-POINTS = 151
-"""Probabilities at whose intensities a curve is written."""
-LEAST = 1e-6
-"""Least probability that a file of points holds above 0."""
-STEP = 1e-4
-"""Of ln(intensity): half of the width that a step has in a file of points."""
-SEARCHED = (1e-4, 1e4)
-"""Intensities between which a curve goes from 0 to 1."""
-CROSSING = 0.001
-"""Probability by which a state may exceed a lighter one without a note."""
+INTENSITY = Bounds(0.0, math.inf, "[]", "give an intensity in the component's unit")
+GAP = 2e-5
+"""Least ratio of two levels, less 1: pelicun keeps six digits."""
+WIDTH = 1e-4
+"""Ratio of the levels before and after a step, less 1."""
+
+
+def text_value(name: str, value: object) -> str:
+    """Return a value that is a text.
+
+    Raises
+    ------
+    InputError
+        If the value is no text.
+    """
+    if isinstance(value, str):
+        return value
+    raise InputError(name, value, "it must be a text", "give a str")
+
+
+def _name(name: str, value: object) -> str:
+    """Return the name of a state."""
+    if not text_value(name, value).strip():
+        raise InputError(name, value, "a state has a name", "name it as 'overturned'")
+    return str(value)
+
+
+def _identifier(name: str, value: object) -> str:
+    """Return an identifier that both tools take."""
+    text = text_value(name, value)
+    if IDENTIFIER.fullmatch(text) and text.lower() not in WORDS_FOR_NOTHING:
+        return text
+    valid = (
+        f"it must be a letter, then letters, digits, '_' and '.', {LONGEST} at most, and no word"
+    )
+    raise InputError(name, value, f"{valid} for a missing value", "name it as RS.cabinet")
+
+
+def _levels(name: str, value: Sequence[float]) -> tuple[float, ...]:
+    """Return the levels of points: two or more that rise."""
+    levels = tuple(float(each) for each in value)
+    rising = all(after > before * (1.0 + GAP) for before, after in pairwise(levels))
+    if len(levels) < 2 or not rising or levels[0] <= 0.0 or math.isinf(levels[-1]):
+        valid = "there must be two or more above 0, each above the one before it in six digits"
+        raise InputError(name, value, valid, "sort them, and give each once")
+    return levels
+
+
+def _shares(name: str, value: Sequence[float]) -> tuple[float, ...]:
+    """Return the shares of points: from 0 to at most 1, none falling."""
+    shares = tuple(float(each) for each in value)
+    if not shares or shares[0] != 0.0 or shares[-1] > 1.0 or list(shares) != sorted(shares):
+        valid = "they must go from 0 to at most 1, none below the one before it"
+        raise InputError(name, value, valid, "begin at the highest level that none exceeds")
+    return shares
 
 
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LossState:
-    """Damage state of a component, with its fragility: a lognormal, or any other curve.
+    """Damage state of a component, with its fragility: a lognormal, or points.
 
     Parameters
     ----------
     name
         In words, as "theta/alpha > 0.5".
     median
-        Intensity at which half exceed the state, in the component's unit; None with a curve.
+        Intensity at which half exceed the state, in the component's unit; None with points.
     beta
-        Standard deviation of the logarithm; None with a curve.
-    curve
-        Probability at an array of intensities, of the same shape, in place of a lognormal; default
-        None. Files hold it as points.
+        Standard deviation of the logarithm; None with points.
+    levels
+        Intensities of the points, two or more, rising, in the component's unit; None with a
+        lognormal.
+    shares
+        Probability at each level: the first 0, none below the one before it; None with a
+        lognormal.
     note
-        What the curve stands for, and how far it is from the runs.
+        What the curve stands for, and how far it is from the runs; default none.
 
     Raises
     ------
     InputError
-        If the name is empty, the median or beta is not above 0, or it is not the one or the other.
+        If the name is empty, the median or beta is not above 0, the levels or shares do not rise,
+        or neither pair is given, or both.
 
     Examples
     --------
     >>> state = LossState(name="overturned", median=0.724, beta=0.5)
     >>> state.probability([0.724]).round(3)
     array([0.5])
+    >>> state = LossState(name="overturned", levels=[0.25, 0.5, 0.75], shares=[0.0, 0.5, 0.75])
+    >>> state.probability([0.1, 0.375, 0.5, 2.0]).tolist()
+    [0.0, 0.25, 0.5, 0.75]
     """
 
-    name: str
-    median: float | None = None
-    beta: float | None = None
-    curve: Callable[..., Any] | None = None
-    note: str = ""
+    name: Annotated[str, _name]
+    median: Annotated[float | None, partial(positive, hint="give an intensity")] = None
+    beta: Annotated[float | None, partial(positive, hint="give that of ln x")] = None
+    levels: Annotated[Sequence[float] | None, _levels] = None
+    shares: Annotated[Sequence[float] | None, _shares] = None
+    note: Annotated[str, text_value] = ""
 
     def __post_init__(self) -> None:
-        """Validate all."""
-        if not text_value("name", self.name).strip():
-            raise InputError("name", self.name, "a state has a name", "name it as 'overturned'")
-        text_value("note", self.note)
-        if (self.median is None) != (self.beta is None) or (
-            (self.median is None) == (self.curve is None)
-        ):
-            raise InputError(
-                "median",
-                self.median,
-                "a state has a median and a beta, or a curve",
-                "give both, or the probability as a function of the intensity alone",
-            )
-        if self.median is not None:
-            hint = "give an intensity in the component's unit"
-            object.__setattr__(self, "median", positive("median", self.median, hint=hint))
-            hint = "give the standard deviation of the logarithm"
-            object.__setattr__(self, "beta", positive("beta", self.beta, hint=hint))
+        """Validate the pairs."""
+        keys = ("median", "beta", "levels", "shares")
+        pair = [key for key in keys if getattr(self, key) is not None]
+        several = len(self.levels or ()), len(self.shares or ())
+        if pair not in (["median", "beta"], ["levels", "shares"]) or several[0] != several[1]:
+            valid = "a state has a median and a beta, or levels and as many shares"
+            raise InputError("median", self.median, valid, "give one of the two pairs")
 
     def probability(self, intensity: ArrayLike) -> Floats:
         """Return the probability of the state or a worse one.
+
+        Between points it is on straight lines, before the first 0, and after the last the last.
 
         Parameters
         ----------
@@ -113,19 +168,15 @@ class LossState:
         InputError
             If an intensity is negative or NaN.
         """
-        values = np.asarray(intensity, dtype=np.float64)
-        if not (values >= 0.0).all():
-            worst = float(values[~(values >= 0.0)].flat[0])
-            raise InputError("intensity", worst, "it must be 0 or above", "give an intensity")
-        if self.curve is not None:
-            return np.asarray(self.curve(values), dtype=np.float64)
+        at = checked_array("intensity", intensity, INTENSITY)
+        if self.levels is not None and self.shares is not None:
+            return np.asarray(np.interp(at, self.levels, self.shares))
         from scipy.special import ndtr
 
         assert self.median is not None
         assert self.beta is not None
         with np.errstate(divide="ignore"):  # ln 0 is -inf, whose probability is 0
-            ratio = np.log(values) - math.log(self.median)
-        return np.asarray(ndtr(ratio / self.beta), dtype=np.float64)
+            return np.asarray(ndtr(np.log(at / self.median) / self.beta))
 
 
 @checked
@@ -146,11 +197,10 @@ class LossComponent:
         Period of "sa_g" [s], 5 % damped.
     floor
         Whether the demand is that of a floor and not of the ground; off by default.
-    no_damage
-        Intensity up to which there is no damage at all, in the unit of the measure, as the uplift
-        limit g tan(alpha) of a peak acceleration; None by default.
     description
-        Description of the object, in a sentence.
+        Description of the object, in a sentence; default none.
+    note
+        What a user must know of the component; default none.
 
     Raises
     ------
@@ -166,72 +216,118 @@ class LossComponent:
     'RS.cabinet'
     """
 
-    identifier: str
+    identifier: Annotated[str, _identifier]
     measure: LossMeasure | str
     states: tuple[LossState, ...]
-    period_s: float | None = None
+    period_s: Annotated[float | None, partial(positive, hint="give seconds")] = None
     floor: bool = False
-    no_damage: float | None = None
-    description: str = ""
+    description: Annotated[str, text_value] = ""
+    note: Annotated[str, text_value] = ""
 
     def __post_init__(self) -> None:
-        """Validate all."""
-        text_value("identifier", self.identifier)
-        text_value("description", self.description)
-        if (
-            not IDENTIFIER.fullmatch(self.identifier)
-            or self.identifier.lower() in WORDS_FOR_NOTHING
-        ):
-            raise InputError(
-                "identifier",
-                self.identifier,
-                f"it must be a letter, then letters, digits, '_' and '.', {LONGEST} at most, and "
-                "no word for a missing value",
-                "name it as RS.cabinet",
-            )
+        """Validate the measure and the names of states."""
         if ":" in str(self.measure) and self.period_s is None:
             intensity = intensity_named("measure", self.measure)
             object.__setattr__(self, "measure", intensity.name)
             object.__setattr__(self, "period_s", intensity.period_s)
         if self.measure not in MEASURES:
-            raise InputError(
-                "measure",
-                self.measure,
-                "loss tools accept " + ", ".join(MEASURES),
-                "use one of them",
-            )
+            valid = "loss tools accept " + ", ".join(MEASURES)
+            raise InputError("measure", self.measure, valid, "use one of them")
         if (self.period_s is not None) != (self.measure == "sa_g"):
             raise InputError(
                 "period_s", self.period_s, "sa_g has a period, and no other measure", "give seconds"
             )
-        for name in ("period_s", "no_damage"):
-            value = getattr(self, name)
-            if value is not None:
-                hint = "give seconds" if name == "period_s" else "leave it out for none"
-                object.__setattr__(self, name, positive(name, value, hint=hint))
         names = [state_name(state.name) for state in self.states]
         if not 1 <= len(names) <= MOST_STATES or len(set(names)) < len(names):
             valid = f"there must be 1 to {MOST_STATES}, of names that differ in letters and digits"
             raise InputError("states", names, valid, "choose fewer, or rename each")
 
+    @classmethod
+    def from_fragility(
+        cls,
+        identifier: str,
+        fragility: Fragility,
+        *,
+        floor: bool = False,
+        lognormal: bool = False,
+        description: str = "",
+    ) -> "LossComponent":
+        """Make a component of the counted shares of a fragility.
+
+        The curve of each state is points, which give the counted share at each level.  A state
+        that no run reaches is left out, and the note names it.
+
+        Parameters
+        ----------
+        identifier, floor, description
+            As of the class.
+        fragility
+            Shares of one block over PGA, PGV or spectral acceleration.
+        lognormal
+            Whether each state is its lognormal in place of points, which must be within 10 points
+            of the counted shares; default False.
+
+        Returns
+        -------
+        LossComponent
+            With the states of the fragility.
+
+        Raises
+        ------
+        InputError
+            If the fragility is of several blocks or over another measure, no run reaches a state,
+            or a lognormal is further from the counted shares.
+
+        Examples
+        --------
+        >>> from rocksteady import Block, compute_fragility
+        >>> from rocksteady.export import LossComponent
+        >>> from rocksteady.motions import make_synthetic_suite
+        >>> from rocksteady.risk import Levels, RestitutionBand
+        >>> fragility = compute_fragility(
+        ...     Block.rectangle(width=0.3, height=1.5),
+        ...     make_synthetic_suite(4),
+        ...     levels=Levels("pga_g", [0.25, 0.5, 1.0]),
+        ...     restitution=RestitutionBand(draws=1),
+        ... )
+        >>> component = LossComponent.from_fragility("RS.cabinet", fragility)
+        >>> component.states[0].probability([0.19, 0.21]).tolist()
+        [0.0, 1.0]
+        """
+        measure, blocks = fragility.measure, fragility.ensemble.sizes["block"]
+        if measure is None or measure.name not in MEASURES or blocks > 1:
+            raise InputError(
+                "fragility",
+                Words(f"is of {plural(blocks, 'block')} over {fragility.key}"),
+                f"a component is of one block over {', '.join(MEASURES)}",
+                "count the runs of one block over pga_g",
+            )
+        made = {each.state.name: _state_of(each, lognormal) for each in fragility.states}
+        missed = ", ".join(name for name, state in made.items() if state is None)
+        states = tuple(state for state in made.values() if state is not None)
+        if not states:
+            valid = "some run must reach a state of a component"
+            words = Words(f"has no run that reaches {missed}")
+            raise InputError("fragility", words, valid, "count at higher levels")
+        screen = fragility.describe()
+        assert screen.answer is not None
+        facts = "; ".join(f"{label} {words}" for label, words in screen.answer.stated)
+        left_out = [f"Left out: {missed}, which no run reaches."] if missed else []
+        return cls(
+            identifier=identifier,
+            measure=measure.name,
+            states=states,
+            period_s=_period(fragility) if measure.name == "sa_g" else None,
+            floor=floor,
+            description=description,
+            note=" ".join([screen.answer.sentence, f"{facts}.", *screen.notes, *left_out]),
+        )
+
     @property
     def notes(self) -> list[str]:
-        """Sentences on what the curves stand for, and on curves that cross."""
+        """Sentences on the component, and on what the curve of each state stands for."""
         each = [f"{state.name}: {state.note}" for state in self.states if state.note]
-        return [*each, *_crossings(self)]
-
-
-def text_value(name: str, value: object) -> str:
-    """Return a value that is a text.
-
-    Raises
-    ------
-    InputError
-        If the value is no text.
-    """
-    if isinstance(value, str):
-        return value
-    raise InputError(name, value, "it must be a text", "give a str")
+        return [*filter(None, [self.note]), *each]
 
 
 def state_name(name: str) -> str:
@@ -247,115 +343,81 @@ def state_name(name: str) -> str:
     return plain if plain[:1].isalpha() else f"state_{plain}"[:LONGEST]
 
 
-def checked_components(components: object) -> list[LossComponent]:
-    """Return components: one or more, each with its own identifier.
-
-    A writer's own annotation is quoted, so that counted shares are refused here and by their name.
+def check_identifiers(components: Sequence[LossComponent]) -> None:
+    """Check that there are components, each with its own identifier.
 
     Raises
     ------
     InputError
-        If there are none, one is something else, or two have the same identifier.
+        If there are none, or two have the same identifier.
     """
-    given = list(components) if isinstance(components, list | tuple) else [components]
-    if any(isinstance(each, Fragility | StateFragility) for each in given):
-        raise InputError(
-            "components",
-            Words("are counted shares"),
-            "files for loss tools are made of a median and a beta that you give",
-            "give a LossComponent, whose states have both",
-        )
-    made = [each for each in given if isinstance(each, LossComponent)]
-    if len(made) < len(given):
-        raise InputError(
-            "components",
-            components,
-            "it must be a list of components",
-            "give a list of LossComponents",
-        )
-    names = [component.identifier for component in made]
+    names = [component.identifier for component in components]
     if not names or len(set(names)) < len(names):
         twice = sorted({name for name in names if names.count(name) > 1})
-        raise InputError(
-            "components",
-            Words(f"have {', '.join(twice)} twice" if twice else "are none"),
-            "there must be one or more, each with its own identifier",
-            "give each its own",
-        )
-    return made
+        words = Words(f"have {', '.join(twice)} twice" if twice else "are none")
+        valid = "there must be one or more, each with its own identifier"
+        raise InputError("components", words, valid, "give each its own")
 
 
-def _crossings(component: LossComponent) -> list[str]:
-    """Return a sentence for each state that is likelier than a lighter one at some intensity."""
-    if len(component.states) == 1:
-        return []
-    crossings = []
-    levels = np.geomspace(*SEARCHED, 8001)
-    rows = [probability_of(component, state, levels) for state in component.states]
-    pairs = itertools.pairwise(zip(component.states, rows, strict=True))
-    for (lighter, low), (worse, high) in pairs:
-        over = np.nan_to_num(high - low)
-        if over.max() > CROSSING:
-            crossings.append(
-                f"The curve of '{worse.name}' is up to {over.max():.2g} above that of "
-                f"'{lighter.name}', at {levels[over.argmax()]:.3g}: curves are not forced apart."
-            )
-    return crossings
-
-
-def probability_of(component: LossComponent, state: LossState, intensity: ArrayLike) -> Floats:
-    """Return the probability of a state in a component: 0 up to its limit without damage."""
-    at = np.asarray(intensity, dtype=np.float64)
-    shares = state.probability(at)
-    return shares if component.no_damage is None else np.where(at > component.no_damage, shares, 0)
-
-
-def _unfit(curve: Floats) -> str:
-    """Return why points cannot hold a curve; empty where they can."""
-    if not np.isfinite(curve).all():
-        return "no probability at some intensities"
-    if (np.diff(curve) < -LEAST).any():
-        return "a probability that falls with the intensity"
-    if curve[0] > LEAST or curve[-1] < 1.0 - 10.0 * LEAST:
-        return "a probability that does not go from 0 to 1"
-    return ""
-
-
-def points_of(component: LossComponent, state: LossState) -> Floats:
-    """Return intensities between which straight lines hold a curve, from its probability 0 to 1.
-
-    They are those of probabilities from 1e-6 to 1 - 1e-5, in equal steps of the logarithm of the
-    odds, and the two sides of each step.
+def _state_of(state: StateFragility, lognormal: bool) -> LossState | None:
+    """Return a damage state as points or as its lognormal; None where no run reaches it.
 
     Raises
     ------
     InputError
-        If the curve has no probability at some intensities, falls, or does not go from 0 to 1.
+        If a lognormal is wanted and does not summarise the counted shares.
     """
-    odds = np.linspace(math.log(LEAST), -math.log(10.0 * LEAST), POINTS)
-    asked = 1.0 / (1.0 + np.exp(-odds))
+    levels, best, name = _points_of(state), state.lognormal, state.state.name
+    # Between equal shares, interpolation may be off by a rounding.
+    shares = np.minimum.accumulate(state.share(levels)[::-1])[::-1]
+    if not shares.any():
+        return None
+    curve, unit = state.curve, "" if state.measure is None else state.measure.unit
+    misfit = f"the best lognormal is {number(100.0 * best.misfit, 2)} points away"
+    if math.isnan(best.beta):
+        misfit = "no lognormal is near"
+    runs = plural(curve.counts[0].ways * len(curve.counts[0].fell), "run")
+    last = f"{plural(len(curve.levels), 'level')} up to {quantity(curve.levels[-1], unit)}"
+    note = f"{runs} at each of {last}, made monotone; {misfit}"
+    if name == UPLIFT:
+        note = f"the share that lifts, known without a run; {misfit}"
+    if not lognormal:
+        return LossState(name=name, levels=levels.tolist(), shares=shares.tolist(), note=note)
+    if not state.is_lognormal:
+        words = Words(f"does not hold '{name}', {misfit}")
+        valid = f"it must be within {100.0 * GOOD:g} points of the counted shares"
+        raise InputError("lognormal", words, valid, "leave it out: points hold them")
+    return LossState(name=name, median=best.median, beta=best.beta, note=f"lognormal of {note}")
 
-    def shares(logs: Floats) -> Floats:
-        return probability_of(component, state, np.exp(logs))
 
-    trial = np.log(np.geomspace(*SEARCHED, 8001))
-    curve = shares(trial)
-    reason = _unfit(curve)
-    if reason:
-        raise InputError(
-            component.identifier,
-            Words(f"has {reason} in {state.name!r}"),
-            "a file of points holds curves that rise from 0 to 1",
-            "leave the state out",
-        )
-    place = np.searchsorted(np.maximum.accumulate(curve), asked).clip(1)
-    low, high = trial[place - 1], trial[place]
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        above = shares(middle) >= asked
-        low, high = np.where(above, low, middle), np.where(above, middle, high)
-    first = np.diff(high, prepend=-np.inf) > 2.0 * STEP
-    last = np.diff(high, append=np.inf) > 2.0 * STEP
-    sides = [high[first & ~last] - STEP, high[last & ~first] + STEP]
-    levels: Floats = np.exp(np.sort(np.concatenate([high[first & last], *sides])))
-    return levels
+def _points_of(state: StateFragility) -> Floats:
+    """Return levels between which straight lines hold the shares of a state.
+
+    Of two levels that six digits cannot separate one is left out: that of the counts stays.
+    Uplift is known beyond the last level of the counts, other states are not.
+    """
+    curve = state.curve
+    lifts = curve.lifts_at[np.isfinite(curve.lifts_at)]
+    counted = curve.levels[curve.levels > curve.lifts_at[0]]
+    before = counted * (1.0 - WIDTH)
+    before = before[curve.lifting(before) < curve.lifting(counted)]  # a step lies between
+    beside = np.sort(np.concatenate([lifts, lifts * (1.0 + WIDTH), before]))
+    if state.state.name != UPLIFT:
+        beside = beside[beside < curve.levels[-1]]
+    points: list[float] = []
+    for level in np.concatenate([counted, beside]).tolist():
+        place = bisect(points, level)
+        near = points[max(place - 1, 0) : place + 1]
+        if all(abs(math.log(level / each)) > 1.01 * GAP for each in near):
+            points.insert(place, level)
+    return np.array(points)
+
+
+def _period(fragility: Fragility) -> float:
+    """Return the period of a measure [s], by default 2 pi/p of the side that lifts first."""
+    if fragility.measure is not None and fragility.measure.period_s is not None:
+        return fragility.measure.period_s
+    runs = fragility.ensemble
+    signs = [sign for sign in ("", "negative_") if f"{sign}alpha" in runs.coords]
+    sides = [(float(runs[f"{sign}alpha"][0]), float(runs[f"{sign}p"][0])) for sign in signs]
+    return 2.0 * math.pi / min(sides)[1]

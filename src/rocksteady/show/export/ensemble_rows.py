@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,23 +16,14 @@ if TYPE_CHECKING:
     import xarray
 
 DIMENSIONS = ("block", "record", "direction", "vertical", "draw", "level")
-HEAD = (
-    "block",
-    "record",
-    "direction",
-    "vertical",
-    "level",
-    "scale",
-    "stretch",
-    "restitution",
-    "status",
-    "peak_angle",
-    "impacts",
-    "top_displacement_m",
-    "clearance_m",
-    "edge_speed_m_s",
+OUTCOMES = (
+    "status", "peak_angle", "impacts", "top_displacement_m", "clearance_m", "edge_speed_m_s",
     "uplift_time_s",
-)
+)  # fmt: skip
+HEAD = (
+    "block", "record", "direction", "vertical", "level", "scale", "stretch", "restitution",
+    *OUTCOMES,
+)  # fmt: skip
 
 
 @checked
@@ -87,33 +79,21 @@ def _rows(ensemble: "xarray.Dataset") -> Iterator[tuple[object, ...]]:
     flags = ensemble["status"].attrs
     values, meanings = flags["flag_values"], str(flags["flag_meanings"]).split()
     words = dict(zip(map(int, values), meanings, strict=True))
-    names = {
-        key: [str(name) for name in ensemble[key].values.tolist()]
-        for key in ("record", "direction", "vertical")
-    }
-    levels = ensemble["level"].values.tolist()
-    stretches = [1.0] * len(names["record"])
-    if "stretch" in ensemble:
-        stretches = ensemble["stretch"].values.tolist()
-    for block, number in enumerate(ensemble["block"].values.tolist()):
-        ratios = ensemble["restitution"].values[block].tolist()
-        for record, name in enumerate(names["record"]):
-            part = ensemble.isel(block=block, record=record).transpose(*DIMENSIONS[2:])
-            status, *results = (part[key].values.tolist() for key in HEAD[HEAD.index("status") :])
-            scale = part["scale"].values.tolist()
-            for d, v, r, k in np.ndindex(part["status"].shape):
-                yield (
-                    number,
-                    name,
-                    names["direction"][d],
-                    names["vertical"][v],
-                    levels[k],
-                    scale[k],
-                    stretches[record],
-                    ratios[r],
-                    words.get(status[d][v][r][k], status[d][v][r][k]),
-                    *("" if math.isnan(each[d][v][r][k]) else each[d][v][r][k] for each in results),
-                )
+    for block, record in np.ndindex(ensemble.sizes["block"], ensemble.sizes["record"]):
+        part = ensemble.isel(block=block, record=record).transpose(*DIMENSIONS[2:])
+        stretch = float(part["stretch"]) if "stretch" in part else 1.0
+        run = int(part["block"]), str(part["record"].values)
+        names = (part[key].values.tolist() for key in ("direction", "vertical"))
+        ratios = part["restitution"].values.tolist()
+        scales = zip(part["level"].values.tolist(), part["scale"].values.tolist(), strict=True)
+        cells = product(*names, ratios, scales)
+        outcomes = zip(*(part[key].values.ravel().tolist() for key in OUTCOMES), strict=True)
+        for (direction, vertical, ratio, scaled), (status, *values) in zip(
+            cells, outcomes, strict=True
+        ):
+            numbers = ("" if math.isnan(value) else value for value in values)
+            inputs = (*run, str(direction), str(vertical), *scaled, stretch, ratio)
+            yield (*inputs, words.get(status, status), *numbers)
 
 
 def check_ensemble(ensemble: "xarray.Dataset") -> None:

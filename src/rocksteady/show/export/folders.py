@@ -180,7 +180,10 @@ class OwnFolder(NamedTuple):
         return written
 
 
-ASSESSMENT = OwnFolder(r"report\.html|(answers|results|fragility)\.csv|run\.json", "an assessment")
+ASSESSMENT = OwnFolder(
+    r"report\.html|(answers|results|shares|fragility)\.csv|(run|fragility)\.json|fragility\.xml",
+    "an assessment",
+)
 CALIBRATION = OwnFolder(
     r"report\.html|fit\.json|(posterior|predictions|parameters)\.csv", "a calibration"
 )

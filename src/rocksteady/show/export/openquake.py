@@ -13,11 +13,9 @@ from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.export.components import (
-    STEP,
     LossComponent,
-    checked_components,
-    points_of,
-    probability_of,
+    LossState,
+    check_identifiers,
     state_name,
     text_value,
 )
@@ -28,6 +26,8 @@ NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
 MODEL = re.compile(r"[A-Za-z0-9_-]{1,75}")
 REACH = 4.75
 """Standard deviations from the median to the limit without damage: a probability of 1e-6."""
+QUANTILES = 191
+"""Levels of a lognormal that stands beside points."""
 CM = 100.0
 """OpenQuake's velocities are in cm/s."""
 NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -37,15 +37,17 @@ NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 @checked
 def write_openquake(
     path: Path | str,
-    components: "Sequence[LossComponent]",
+    components: Sequence[LossComponent],
     *,
     model_id: str = "rocksteady",
     loss_category: LossCategory = "contents",
 ) -> Path:
     r"""Write components as a fragility model of OpenQuake, NRML 0.5.
 
-    A component whose states are all lognormal is a continuous function, any other a discrete one,
-    whose points hold any curve and steps.
+    A component whose states are all lognormal is a continuous function. Any other is a discrete
+    one, with the levels of all its states; the first is the limit without damage, and above the
+    last the probabilities stay.
+
     A lognormal has the arithmetic mean :math:`m = \hat x \exp(\beta^2/2)` and standard deviation
     :math:`m \sqrt{\exp(\beta^2) - 1}`, and not the median :math:`\hat x` and :math:`\beta`. PGV
     is in cm/s, PGA and spectral acceleration are in g.
@@ -69,8 +71,7 @@ def write_openquake(
     Raises
     ------
     InputError
-        If the states differ between components, a curve does not rise from 0 to 1, or counted
-        shares are given in place of components.
+        If the states differ between components, or anything but components is given.
     OutputError
         If the file cannot be written.
 
@@ -85,14 +86,14 @@ def write_openquake(
     >>> from tempfile import TemporaryDirectory
     >>> from rocksteady.export import LossComponent, LossState
     >>> falls = LossState(name="overturned", median=0.3, beta=0.5)
-    >>> vase = LossComponent(identifier="RS.vase", measure="pga_g", states=(falls,), no_damage=0.1)
+    >>> vase = LossComponent(identifier="RS.vase", measure="pga_g", states=(falls,))
     >>> with TemporaryDirectory() as folder:
     ...     file = write_openquake(f"{folder}/fragility.xml", [vase])
     ...     print(file.read_text(encoding="utf-8").splitlines()[-4].strip())
     <params ls="overturned" mean="0.33994453592004786" stddev="0.18117015996326435" />
     """
     file = Path(path)
-    components = checked_components(components)
+    check_identifiers(components)
     if not MODEL.fullmatch(text_value("model_id", model_id)):
         valid = "it must be 1 to 75 letters, digits, '_' and '-'"
         raise InputError("model_id", model_id, valid, "name it as museum_2026")
@@ -161,15 +162,13 @@ def _add_lognormals(function: ET.Element, component: LossComponent) -> None:
     betas = [(state.median or 0.0, state.beta or 0.0) for state in component.states]
     low = min(median * math.exp(-REACH * beta) for median, beta in betas)
     high = max(median * math.exp(REACH * beta) for median, beta in betas)
-    gate = low if component.no_damage is None else component.no_damage
     # Below minIML the probability is that at minIML, and 0 up to noDamageLimit.
-    low = min(low, 0.5 * gate)
     _child(
         function,
         "imls",
         imt=_measure(component),
-        noDamageLimit=repr(unit * gate),
-        minIML=repr(unit * low),
+        noDamageLimit=repr(unit * low),
+        minIML=repr(0.5 * unit * low),
         maxIML=repr(unit * high),
     )
     for state, (median, beta) in zip(component.states, betas, strict=True):
@@ -179,20 +178,22 @@ def _add_lognormals(function: ET.Element, component: LossComponent) -> None:
 
 
 def _add_points(function: ET.Element, component: LossComponent) -> None:
-    """Add the curve of each state at points, linear between them."""
-    levels = np.unique(np.concatenate([points_of(component, each) for each in component.states]))
-    gate, unit = component.no_damage, _unit(component)
-    levels = levels if gate is None else levels[levels > gate]
-    # Below the first level the curve goes to 0 at this limit, which must lie below it.
-    limit = gate if gate is not None else (1.0 - STEP) * float(levels[0])
-    imls = _child(
-        function, "imls", imt=_measure(component), noDamageLimit=repr(float(unit * limit))
-    )
-    imls.text = _numbers(unit * levels)
+    """Add the curve of each state at the levels of all, linear between them."""
+    levels = np.unique(np.concatenate([_levels_of(each) for each in component.states]))
+    unit = _unit(component)
+    limit = repr(float(unit * levels[0]))
+    imls = _child(function, "imls", imt=_measure(component), noDamageLimit=limit)
+    imls.text = _numbers(unit * levels[1:])
     for state in component.states:
-        shares = probability_of(component, state, levels)
         poes = _child(function, "poes", ls=state_name(state.name))
-        poes.text = _numbers(np.clip(shares, 0.0, 1.0))
+        poes.text = _numbers(state.probability(levels[1:]))
+
+
+def _levels_of(state: LossState) -> Floats:
+    """Return the levels of points, or those between which straight lines hold a lognormal."""
+    if state.median is None or state.beta is None:
+        return np.array(state.levels)
+    return np.asarray(state.median * np.exp(state.beta * np.linspace(-REACH, REACH, QUANTILES)))
 
 
 def _numbers(values: Floats) -> str:

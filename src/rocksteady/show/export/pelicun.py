@@ -4,16 +4,16 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from rocksteady import durable
 from rocksteady.errors import InputError, OutputError
 from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.counted.reach import RATIO
 from rocksteady.show.export.components import (
-    LEAST,
     LossComponent,
     LossState,
-    checked_components,
-    points_of,
-    probability_of,
+    check_identifiers,
     state_name,
 )
 from rocksteady.show.export.files import save_csv, save_text
@@ -21,21 +21,26 @@ from rocksteady.show.export.files import save_csv, save_text
 HEAD = ("ID", "Incomplete", "Demand-Type", "Demand-Unit", "Demand-Offset", "Demand-Directional")
 OF_EACH = ("Family", "Theta_0", "Theta_1", "DamageStateWeights")
 """Columns of each limit state."""
-UNITS = {"pga_g": "g", "pgv_m_s": "mps", "sa_g": "g"}
-DIRECTIONAL = (
+REMARKS = (
     "Demand-Directional is 1, with the demand of the direction in which the object rocks: pelicun "
-    "multiplies the demands of components with 0 by 1.2."
+    "multiplies the demands of components with 0 by 1.2. A multilinear_CDF ends at 1: where "
+    "counted shares end below it, the last point is added, and beyond the one before it nothing is "
+    "counted."
 )
+PARTS = 1_000_000
+"""Of the probability 1: six digits hold one of them."""
 
 
 @checked
-def write_pelicun(path: Path | str, components: "Sequence[LossComponent]") -> tuple[Path, Path]:
+def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tuple[Path, Path]:
     """Write components as a fragility table of pelicun, with its companion JSON.
 
     Columns and values are as `simcenter-dlml` 3.2 reads them: a lognormal has its median as
-    ``Theta_0`` and its beta as ``Theta_1``, PGA is in g and PGV in m/s ("mps"). Any other curve,
-    and one with a limit below which there is no damage, is a ``multilinear_CDF``: ``Theta_0`` has
-    intensities, "|", and the probability at each.
+    ``Theta_0`` and its beta as ``Theta_1``, PGA is in g and PGV in m/s ("mps"). Points are a
+    ``multilinear_CDF``: ``Theta_0`` has intensities, "|", and the probability at each.
+
+    Such a curve rises from 0 to 1 everywhere. Level parts rise by a millionth, and one whose last
+    share is below 1 has another point with 1, a step of levels beyond; the companion says so.
 
     Parameters
     ----------
@@ -52,8 +57,7 @@ def write_pelicun(path: Path | str, components: "Sequence[LossComponent]") -> tu
     Raises
     ------
     InputError
-        If an identifier occurs twice, a curve does not rise from 0 to 1, or counted shares are
-        given in place of components.
+        If an identifier occurs twice, or anything but components is given.
     OutputError
         If a file cannot be written.
 
@@ -73,7 +77,7 @@ def write_pelicun(path: Path | str, components: "Sequence[LossComponent]") -> tu
     table = Path(path)
     if table.suffix.lower() != ".csv":
         raise InputError("path", path, "the table ends in .csv", "name it as fragility.csv")
-    components = checked_components(components)
+    check_identifiers(components)
     companion = table.with_suffix(".json")
     for file in (table, companion):
         problem = durable.obstacle(file)
@@ -88,49 +92,38 @@ def write_pelicun(path: Path | str, components: "Sequence[LossComponent]") -> tu
     return table, companion
 
 
-def demand_of(component: LossComponent) -> str:
-    """Return the type of demand in pelicun's words."""
-    where = "Floor" if component.floor else "Ground"
-    match component.measure:
-        case "pga_g":
-            return f"Peak {where} Acceleration"
-        case "pgv_m_s":
-            return f"Peak {where} Velocity"
-    return f"Spectral Acceleration|{component.period_s!r}"
-
-
 def _row(component: LossComponent, most: int) -> list[object]:
     """Return the row of a component; an absent limit state is empty."""
-    row: list[object] = [
-        component.identifier,
-        0,
-        demand_of(component),
-        UNITS[component.measure],
-        0,
-        1,
-    ]
+    quantity, unit = (
+        ("Velocity", "mps") if component.measure == "pgv_m_s" else ("Acceleration", "g")
+    )
+    demand = f"Peak {'Floor' if component.floor else 'Ground'} {quantity}"
+    if component.period_s is not None:
+        demand = f"Spectral Acceleration|{component.period_s!r}"
+    row: list[object] = [component.identifier, 0, demand, unit, 0, 1]
     for state in component.states:
-        if state.median is None or component.no_damage is not None:
-            row += ["multilinear_CDF", _points_text(component, state), "", ""]
+        if state.median is None:
+            row += ["multilinear_CDF", _points_text(state), "", ""]
         else:
             row += ["lognormal", state.median, state.beta, ""]
     return row + [""] * (len(OF_EACH) * (most - len(component.states)))
 
 
-def _points_text(component: LossComponent, state: LossState) -> str:
-    """Return intensities and probabilities as pelicun reads them: rising from 0 to 1.
-
-    It converts units with six digits, and refuses two probabilities within 1e-8 of each other.
-    """
-    levels = points_of(component, state)
-    shares = probability_of(component, state, levels)
-    shares[0], shares[-1] = 0.0, 1.0
-    kept = [0]
-    for place in range(1, len(levels)):
-        if shares[place] - shares[kept[-1]] > 0.1 * LEAST:
-            kept.append(place)
-    columns = (levels[kept], shares[kept])
-    return "|".join(",".join(f"{value:.9g}" for value in column) for column in columns)
+def _points_text(state: LossState) -> str:
+    """Return intensities and probabilities as pelicun reads them: rising from 0 to 1."""
+    levels = np.array(state.levels)
+    levels = np.append(levels, RATIO * levels[-1])
+    parts = np.rint(PARTS * np.array([*(state.shares or ()), 1.0])).astype(np.int64)
+    last = int(np.argmax(parts == PARTS)) + 1
+    levels, parts = levels[:last], parts[:last]
+    # Both ends of a level part stay.
+    ends = (np.diff(parts, prepend=-1) > 0) | (np.diff(parts, append=PARTS + 1) > 0)
+    levels, parts = levels[ends], parts[ends]
+    steps = np.arange(len(parts))  # two points differ by one at least
+    parts = np.minimum.accumulate((parts - steps)[::-1])[::-1] + steps
+    parts = np.maximum(parts, steps)
+    texts = [f"{level:.12g}" for level in levels], [f"{part / PARTS:.6g}" for part in parts]
+    return "|".join(",".join(column) for column in texts)
 
 
 def json_text_of(components: Sequence[LossComponent]) -> str:
@@ -152,7 +145,7 @@ def json_text_of(components: Sequence[LossComponent]) -> str:
             "Description": _clean(
                 component.description or f"Free-standing object {component.identifier}"
             ),
-            "Comments": _clean("\n".join([DIRECTIONAL, *component.notes])),
+            "Comments": _clean("\n".join([REMARKS, *component.notes])),
             "SuggestedComponentBlockSize": "1 EA",
             "RoundUpToIntegerQuantity": "True",
             "LimitStates": {

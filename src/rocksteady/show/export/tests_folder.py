@@ -107,20 +107,11 @@ def _row(test: ShakingTest, files: Mapping[int, str]) -> list[object]:
     outcomes = {True: "fell", False: "stood", None: ""}
     numbers = [test.gain, test.sigma_ln, test.peak_rad, test.sigma_rad]
     gain, sigma_ln, peak, sigma = ["" if each is None else repr(each) for each in numbers]
+    vertical = "" if test.vertical is None else files[id(test.vertical)]
     return [
-        test.name,
-        files[id(test.record)],
-        test.object,
-        outcomes[test.fell],
-        gain,
-        sigma_ln,
-        test.group,
-        test.session or "",
-        peak,
-        sigma,
-        "yes" if test.reversed else "",
-        "" if test.vertical is None else files[id(test.vertical)],
-    ]
+        test.name, files[id(test.record)], test.object, outcomes[test.fell], gain, sigma_ln,
+        test.group, test.session or "", peak, sigma, "yes" if test.reversed else "", vertical,
+    ]  # fmt: skip
 
 
 def _objects(objects: Mapping[str, ObjectPrior]) -> str:

@@ -14,7 +14,6 @@ from rocksteady.installation.check import Installation
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.numbers import chance, number
-from rocksteady.risk.assess.two_numbers import FormulaAssessment
 from rocksteady.risk.hazard.balanced_rocks import HazardBranchCheck
 from rocksteady.risk.screens.screen import Screen
 from rocksteady.show.plots.portraits.entropies import FRACTAL, NATS
@@ -30,7 +29,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 OfBasins = BasinEntropy | BasinShare | BoundaryCheck | FateShare | IntegrityDrop
-Listed = OfBasins | FormulaAssessment | HazardBranchCheck | Installation | Screen
+Listed = OfBasins | HazardBranchCheck | Installation | Screen
 """Results that are rows."""
 LONGEST = 32
 """Letters of the name of a row."""
@@ -75,8 +74,7 @@ def plot_rows(result: Listed, ax: "Axes | None" = None, *, most: int = 20) -> "A
     ----------
     result
         Basin entropy, share of a basin or of a fate, check of a boundary, drop of integrity,
-        published formula, assessment by formula, test of hazard branches, or check of an
-        installation.
+        published formula, test of hazard branches, or check of an installation.
     ax
         Axes to draw on; default: axes of a new figure.
     most
@@ -176,14 +174,6 @@ def _drop(drop: IntegrityDrop) -> Rows:
     return Rows(bars, palette.LABELS["integrity"], (drop.level, f"level {number(drop.level)}"))
 
 
-def _formula(assessment: FormulaAssessment) -> Rows:
-    """Return the probability of falling by the formula and by runs of this package."""
-    formula, counted = assessment.probability, assessment.other_probability
-    pairs = (("formula", formula), ("runs of this package", counted))
-    bars = [Row(name, value, chance(value)) for name, value in pairs if value is not None]
-    return _falling(bars)
-
-
 def _branches(check: HazardBranchCheck) -> Rows:
     """Return the probability that the object would have fallen, on each branch."""
     verdicts = ("not rejected", "rejected")
@@ -192,14 +182,10 @@ def _branches(check: HazardBranchCheck) -> Rows:
         for row in check.rows()
         for at in (row["confidence"],)
     ]
-    limit = (check.level, f"rejected from {number(100.0 * check.level)} %")
-    return _falling(bars, f" within {number(check.age_years)} years", limit)
-
-
-def _falling(bars: list[Row], when: str = "", limit: tuple[float, str] | None = None) -> Rows:
-    """Return probabilities of falling, the largest first."""
     bars.sort(key=lambda row: -row.value)
-    return Rows(bars, palette.LABELS["falling"] + when, limit, share=True, risk=True)
+    label = f"{palette.LABELS['falling']} within {number(check.age_years)} years"
+    limit = (check.level, f"rejected from {number(100.0 * check.level)} %")
+    return Rows(bars, label, limit, share=True, risk=True)
 
 
 def _kernels(installation: Installation) -> Rows:
@@ -223,7 +209,6 @@ def _screen(screen: Screen) -> Rows:
 
 _READERS: dict[type, Callable[[Any], Rows]] = {
     BasinEntropy: _entropy, BasinShare: _share, BoundaryCheck: _boundary, FateShare: _share,
-    FormulaAssessment: _formula, HazardBranchCheck: _branches, Installation: _kernels,
-    IntegrityDrop: _drop, Screen: _screen,
+    HazardBranchCheck: _branches, Installation: _kernels, IntegrityDrop: _drop, Screen: _screen,
 }  # fmt: skip
 """By class of a result: what its rows are."""

@@ -1,6 +1,5 @@
 """`rocksteady assess` of the block of its flags: its contract, its exit codes, its refusals."""
 
-import csv
 from pathlib import Path
 
 import pytest
@@ -12,17 +11,11 @@ from rocksteady.model.blocks.examples import SOURCES
 from rocksteady.risk import DescribedObject
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import ran_once, refused, rocksteady
-from tests.descriptions import fits
 from tests.every import every
 
 VASE = "assess --width-m 0.15 --height-m 0.45 --pga-g 0.4 --pgv-m-s 0.45"
 STRONG = "assess --width-m 0.15 --height-m 0.45 --pga-g 0.8 --pgv-m-s 0.6"
 CHEST = "assess --width-m 0.5 --height-m 0.9 --pga-g 0.3 --pgv-m-s 0.4"
-GONE = (
-    "basis by_curve by_both_peaks median method measure colour pgv_percentile probability_band "
-    "probability risks remedies synthetic"
-)
-"""Keys that the JSON has no more."""
 
 
 @pytest.fixture(scope="module", name="folder")
@@ -55,17 +48,6 @@ def test_the_answer_is_that_of_an_object_file_to_the_bit() -> None:
         "left_out": [],
     }
     assert (values["by"], values["runs"]) == ("built-in motions", 280)
-    assert not set(GONE.split()) & set(values)
-
-
-def test_the_screen_has_the_numbers_of_the_json_and_fits() -> None:
-    ran, values = ran_once(VASE), ran_once(f"{VASE} --json").json
-    percent = f"{100.0 * values['share']:.1f} %"
-    assert ran.out.splitlines()[0].startswith(f"Falls in {values['fall']} of 280 runs at 0.4 g")
-    assert f": {percent} (90 %:" in values["sentence"]
-    assert fits(ran.out)
-    assert len(ran.out.splitlines()) <= 9
-    assert " ".join(ran.out.split()).startswith(values["sentence"])
 
 
 @every(
@@ -82,13 +64,6 @@ def test_exit_codes(flags: str, codes: tuple[int, int]) -> None:
     assert (ran_once(flags).code, rocksteady(f"{flags} --check").code) == codes
 
 
-def test_what_slides_or_stands_is_no_count() -> None:
-    slides = ran_once(f"{VASE} --friction 0.1 --json").json
-    assert (slides["verdict"], slides["by"], slides["share"]) == ("slides", "statics", None)
-    stands = ran_once(f"{CHEST} --json").json
-    assert (stands["verdict"], stands["by"], stands["share"]) == ("stands", "statics", 0.0)
-
-
 def test_records_stand_beside_the_flags_of_a_block(folder: Path) -> None:
     values = rocksteady(f"{STRONG} --json --records", folder).json
     assert (values["by"], values["records"], values["runs"]) == ("runs", 12, 60)
@@ -101,36 +76,15 @@ def test_records_stand_beside_the_flags_of_a_block(folder: Path) -> None:
     assert values["share"] != one["share"]
 
 
-def test_the_same_records_in_another_order_give_the_same_answer(folder: Path) -> None:
-    files = sorted(folder.iterdir())
-    answers = []
-    for order in (files, files[::-1]):
-        given = [part for file in order for part in ("--records", file)]
-        answers.append(rocksteady(f"{STRONG} --json", *given).json)
-    for key in ("share", "low", "high", "share_1_1", "verdict", "share_near", "median_stretch"):
-        assert answers[0][key] == answers[1][key], key
-
-
-def test_the_answer_is_a_row_of_a_table(tmp_path: Path) -> None:
-    file = tmp_path / "answer.csv"
-    assert rocksteady(f"{VASE} --csv", file).code == 0
-    with file.open(encoding="utf-8", newline="") as stream:
-        (row,) = csv.DictReader(stream)
-    assert float(row["share"]) == ran_once(f"{VASE} --json").json["share"]
-
-
 @every(
     ("flags", "words"),
     [
         (VASE.replace("--pgv-m-s 0.45", ""), "--pgv-m-s is not given: built-in motions are made"),
         (VASE.replace("--pga-g 0.4", ""), "--pga-g is not given: built-in motions are made"),
-        (VASE.replace("0.45", "0.45 --width-m 1", 1), "more than once"),
         (VASE.replace("--pga-g 0.4", "--pga-g 0"), "--pga-g = 0.0 is not valid"),
         (VASE.replace("--pgv-m-s 0.45", "--pgv-m-s 0"), "--pgv-m-s = 0.0 is not valid"),
         (f"{VASE} --target 0", "--target = 0.0 is not valid"),
-        (f"{VASE} --target 1", "--target = 1.0 is not valid"),
         (f"{VASE} --friction 0", "--friction = 0.0 is not valid"),
-        (f"{VASE} --friction nan", "--friction = nan"),
         (f"{VASE} --vertical-g 1.2", "--vertical-g = 1.2"),
         (f"{VASE} -r 0.8,0.9", "an object has one restitution"),
         (f"{VASE} --hazard site.csv", "--hazard = 'site.csv' is not valid: rates of counted runs"),
@@ -149,38 +103,12 @@ def test_what_makes_no_sense_is_refused(flags: str, words: str) -> None:
     assert words in refused(flags)
 
 
-def test_few_records_are_no_answer(folder: Path, tmp_path: Path) -> None:
-    """One record, the channels of one station, 11 of which 10 have an answer: exit code 3."""
-    (file, *_) = sorted(folder.iterdir())
-    one = rocksteady(f"{VASE} --json --records", file)
-    assert (one.code, one.json["verdict"], one.json["reason"]) == (3, "no-answer", "few-records")
-    station = tmp_path / "station"
-    station.mkdir()
-    for name, seed, component in (("H1-N", 1, "000"), ("H1-E", 2, "090")):
-        at2(station / f"{name}.AT2", samples(seed), component=component)
-    assert rocksteady(f"{VASE} --records", station).code == 3
-    eleven = tmp_path / "eleven"
-    eleven.mkdir()
-    for seed in range(1, 12):
-        for name, start, component in (("N", seed, "000"), ("V", seed + 20, "UP")):
-            lift = 4.0 if seed == 3 else 0.05  # times the block's weight: it leaves the base
-            shaken = (lift if name == "V" else 1.0) * samples(start)
-            kept = at2(eleven / f"S{seed:02}-{name}.AT2", shaken, component=component)
-            kept.write_text(kept.read_text().replace("Hut", f"Hut {seed}"))
-    ran = rocksteady(f"{VASE.replace('0.4 ', '0.6 ')} --json --pair --records", eleven)
-    assert (ran.code, ran.json["records"], ran.json["verdict"]) == (3, 10, "no-answer")
-
-
-def test_records_that_are_changed_beyond_what_they_are_give_no_answer(folder: Path) -> None:
+def test_few_and_far_records_are_no_answer(folder: Path) -> None:
+    file = min(folder.iterdir())
     far = VASE.replace("--pga-g 0.4 --pgv-m-s 0.45", "--pga-g 9 --pgv-m-s 0.1")
-    ran = rocksteady(f"{far} --json --records", folder)
-    assert (ran.code, ran.json["reason"]) == (3, "too-far")
-    assert ran.json["median_stretch"] > 30.0
-
-
-def test_motions_that_never_move_are_refused(tmp_path: Path) -> None:
-    at2(tmp_path / "dead.AT2", 0.0 * samples())
-    assert "none of its files has a horizontal record" in refused(f"{VASE} --records", tmp_path)
+    for flags, records, reason in ((VASE, file, "few-records"), (far, folder, "too-far")):
+        ran = rocksteady(f"{flags} --json --records", records)
+        assert (ran.code, ran.json["verdict"], ran.json["reason"]) == (3, "no-answer", reason)
 
 
 BLOCKS = [

@@ -73,14 +73,6 @@ def test_the_demand_stands_with_its_share_its_interval_and_1_1_times_it(found: A
     assert drawn.get_xlabel() == "PGA [g], with PGV/PGA kept at 2 m/s per g"
 
 
-def test_the_target_is_a_dashed_line_with_its_name(found: Assessment) -> None:
-    drawn = found.plot(axes())
-    (level,) = [line for line in drawn.lines if line.get_transform() == drawn.get_yaxis_transform()]
-    assert np.asarray(level.get_ydata()).tolist() == [found.target] * 2
-    assert level.is_dashed()
-    assert "target 10 %" in [text.get_text() for text in drawn.texts]
-
-
 def test_one_peak_has_its_own_axis() -> None:
     found = assess_object(described(0.4, 1.8, demand={"pgv_m_s": 0.5}), SUITE)
     drawn = found.plot(axes())

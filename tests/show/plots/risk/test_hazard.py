@@ -1,6 +1,5 @@
 """Pictures of risk: what is drawn is what was computed, on light and on dark paper."""
 
-import matplotlib.style
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
@@ -63,16 +62,3 @@ def test_the_middle_of_the_risk_is_darker() -> None:
     first, _, last = risk().contributing
     assert middle[:, 0].min() == pytest.approx(first, rel=0.02)
     assert middle[:, 0].max() == pytest.approx(last, rel=0.02)
-
-
-def test_on_dark_paper_the_lines_are_light() -> None:
-    with matplotlib.style.context("dark_background"):
-        axes = plots.risk(risk(), Figure().add_subplot())
-    assert axes.lines[0].get_color() != drawn()[0].lines[0].get_color()
-
-
-def test_the_density_integrates_to_the_rate() -> None:
-    found = risk()
-    u = np.linspace(np.log(0.02), np.log(2.0), 20_001)
-    area = np.trapezoid(found.density(np.clip(np.exp(u), 0.02, 2.0)), u)
-    assert area == pytest.approx(found.contributions[1:-1].sum(), rel=1e-6)

@@ -71,18 +71,11 @@ def test_objects_are_in_proportion(table: ObjectsTable) -> None:
     assert math.isclose(max(box.get_height() for box in boxes), 0.5)
 
 
-def test_names_are_turned_where_they_do_not_fit(table: ObjectsTable) -> None:
-    axes, _ = drawn(table)
-    assert {text.get_rotation() for text in axes.texts} == {0.0}
-    axes, _ = drawn(replace(table, rows=table.rows * 4))
-    assert {text.get_rotation() for text in axes.texts} == {45.0}
-
-
-def test_names_are_left_out_where_they_would_cover_each_other(table: ObjectsTable) -> None:
-    many = replace(table, rows=table.rows * 6)
-    axes, boxes = drawn(many)
-    assert len(boxes) == 36
-    assert not axes.texts
+def test_names_are_turned_and_then_left_out_where_they_do_not_fit(table: ObjectsTable) -> None:
+    for times, turned in ((1, {0.0}), (4, {45.0}), (6, set())):
+        axes, boxes = drawn(replace(table, rows=table.rows * times))
+        assert {text.get_rotation() for text in axes.texts} == turned
+        assert len(boxes) == 6 * times
 
 
 def test_a_plan_needs_a_floor(table: ObjectsTable) -> None:

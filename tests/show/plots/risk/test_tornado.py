@@ -1,5 +1,7 @@
 """Pictures of what matters: bars end where the numbers are, the longest on top."""
 
+from typing import Any
+
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.container import BarContainer
@@ -10,6 +12,7 @@ from rocksteady import plots
 from rocksteady.errors import InputError
 from rocksteady.show.style.legends import figure_of
 from rocksteady.show.style.page import Page
+from tests.every import every
 
 ROWS = [
     ("vertical motion", 0.395, 0.41),
@@ -50,35 +53,33 @@ def test_two_ends_on_one_side_stand_beside_each_other_with_their_numbers() -> No
     assert [text.get_text() for text in drawn.texts] == ["as described, 40 %", "44 %", "42 %"]
 
 
-@pytest.mark.parametrize("width", [84.0, None])
-def test_numbers_stand_inside_the_axes(width: float | None) -> None:
+@every("width", [84.0, None])
+@every(
+    ("rows", "base", "keys", "words"),
+    [
+        (ROWS, 0.4, {}, {f"{share} %" for share in (28, 31, 40, 41, 42, 44, 46, 47, 55)}),
+        (
+            [("hazard 0.5 to 2", 0.000631, 0.00252), ("width 0.28 to 0.36", 0.00168, 0.000972)],
+            0.00126,
+            {"label": "falls a year"},
+            {"0.000631", "0.00252", "0.00168", "0.000972"},
+        ),
+    ],
+)
+def test_numbers_stand_inside_the_axes(
+    width: float | None, rows: Any, base: float, keys: dict[str, Any], words: set[str]
+) -> None:
     with Page(width_mm=width).figure(6.6, 3.6, "") as figure:
-        drawn = plots.tornado(ROWS, 0.4, figure.add_subplot())
+        drawn = plots.tornado(rows, base, figure.add_subplot(), **keys)
     figure.draw_without_rendering()
     line, *numbers = drawn.texts
-    assert line.get_text() == "as described, 40 %"
-    shown = sorted(int(text.get_text().removesuffix(" %")) for text in numbers)
-    assert shown == [28, 31, 40, 41, 42, 44, 46, 47, 55]
+    assert line.get_text() == f"as described, {'0.00126' if keys else '40 %'}"
+    assert {text.get_text() for text in numbers} == words
     for text in drawn.texts:
         box = text.get_window_extent()
         assert drawn.bbox.x0 - 1.0 <= box.x0
         assert box.x1 <= drawn.bbox.x1 + 6.0
         assert float(text.get_fontsize()) >= 6.5
-
-
-@pytest.mark.parametrize("width", [84.0, None])
-def test_long_numbers_have_their_room_too(width: float | None) -> None:
-    rows = [("hazard 0.5 to 2", 0.000631, 0.00252), ("width 0.28 to 0.36", 0.00168, 0.000972)]
-    with Page(width_mm=width).figure(6.6, 3.6, "") as figure:
-        drawn = plots.tornado(rows, 0.00126, figure.add_subplot(), label="falls a year")
-    figure.draw_without_rendering()
-    assert {text.get_text() for text in drawn.texts} == {
-        "0.000631", "0.00252", "0.00168", "0.000972", "as described, 0.00126",
-    }  # fmt: skip
-    for text in drawn.texts:
-        box = text.get_window_extent()
-        assert drawn.bbox.x0 <= box.x0
-        assert box.x1 <= drawn.bbox.x1 + 6.0
 
 
 def test_rows_that_are_none_or_not_numbers_are_refused() -> None:

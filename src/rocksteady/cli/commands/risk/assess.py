@@ -9,7 +9,15 @@ import typer
 
 from rocksteady.cli.console.outputs import INCOMPLETE, announce_file, report_command
 from rocksteady.cli.console.progress import sweeping
-from rocksteady.cli.console.refusals import FlagError, missing, refuse, require
+from rocksteady.cli.console.refusals import (
+    FlagError,
+    both,
+    flags_of,
+    missing,
+    needs,
+    refuse,
+    require,
+)
 from rocksteady.cli.console.shell import command_of
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
@@ -33,6 +41,8 @@ if TYPE_CHECKING:
     from rocksteady.risk.assess.described.building import Building
     from rocksteady.risk.assess.described.objects import DescribedObject
     from rocksteady.risk.assess.objects_table import ObjectsTable
+    from rocksteady.risk.counted.verdict import Target
+    from rocksteady.risk.hazard.hazard_curve import HazardCurve
     from rocksteady.sweep.run import Execution
 
 HELP = (
@@ -44,23 +54,25 @@ HELP = (
     "Without FILE the object is the block of the flags. --example needs no file.\n\n"
     "Every record of --records is given both peaks of the demand: its accelerations are "
     "multiplied, its time axis is stretched. Without records 56 built-in motions are run, which "
-    "no earthquake made: no verdict is then green. --out keeps all in a folder.\n\n"
+    "no earthquake made: no verdict is then green. --hazard adds the annual rate; --out keeps all "
+    "in a folder.\n\n"
     "Exit code 3 where there is no answer; with --check 1 where an object is above its target or "
     "slides, and 3 where nothing is shown. A table has the code of its worst row, 1 before 3."
 )
-MAIN = "file records pga_g pgv_m_s width_m height_m friction target out example"
+MAIN = "file records pga_g pgv_m_s width_m height_m friction target hazard out example"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady assess --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4 --friction 0.5\n\n"
-    "rocksteady assess statue.toml --records suite --out answer\n\n"
+    "rocksteady assess statue.toml --records suite --hazard site.csv --out answer\n\n"
     "rocksteady assess objects.csv --pga-g 0.35 --pgv-m-s 0.4 --csv answers.csv"
     "\n\nrocksteady assess --example --out example\n\n"
-    "Your files: statue.toml, an object; objects.csv, a table of objects; suite, a folder of "
-    "records."
+    "Your files: statue.toml, an object; objects.csv, a table of objects; site.csv, a hazard "
+    "curve; suite, a folder of records."
 )
-USUAL_TARGET = 0.1
-MEANT = ("--out", "--runs", "--resume", "--workers")
+TRIED = 75
+"""Changed objects that a remedy takes, about."""
+MEANT = ("--hazard", "--out", "--runs", "--resume", "--workers")
 """Flags that have a meaning beside --example."""
 file_flag = options.Panel("Object files")
 
@@ -78,10 +90,12 @@ class _Asked:
     output: RowFlags
     file: Path | None
     buildings: Path | None
+    hazard: Path | None
     out: Path | None
-    target: float | None
+    target: "Target | None"
     stretch: bool
     example: bool
+    lognormal: bool
 
     def objects(self) -> "list[DescribedObject]":
         """Return the objects: of FILE, of the example, or the block of the flags.
@@ -94,7 +108,8 @@ class _Asked:
         from rocksteady.risk.assess.described.objects import EXAMPLE, read_object
 
         if self.file is None and not self.example:
-            return [described_block(self.block, self.peaks, self.target)]
+            described = described_block(self.block, self.peaks)
+            return [described if self.target is None else described.with_target(self.target)]
         if self.file is not None and self.is_table:
             return self._table_of(self.file)
         described = read_object(self.file or EXAMPLE)
@@ -102,6 +117,7 @@ class _Asked:
 
     def _table_of(self, file: Path) -> "list[DescribedObject]":
         """Return the objects of a table, each with its demand or that of the flags."""
+        from rocksteady.risk.assess.described.schema import USUAL
         from rocksteady.risk.assess.described.tables import read_objects
         from rocksteady.risk.assess.placed_objects import with_demand
 
@@ -113,7 +129,9 @@ class _Asked:
                 valid="objects that state no peak of their own are assessed under one demand",
                 hint="add --pga-g 0.35 and --pgv-m-s 0.4",
             )
-        return [with_demand(each, self.peaks.pga_g, self.peaks.pgv_m_s) for each in objects]
+        asked = [with_demand(each, self.peaks.demand) for each in objects]
+        target = USUAL if self.target is None else self.target
+        return [each.with_target(target) for each in asked]
 
     @property
     def is_table(self) -> bool:
@@ -184,10 +202,12 @@ class _Asked:
         """
         objects = self.objects()
         suite = self.suite(objects)
-        described = [each for each in (self.file, self.buildings) if each is not None]
+        files = (self.file, self.buildings, self.hazard)
+        described = [each for each in files if each is not None]
         self.output.files.check_folder(ASSESSMENT, self.out, [*described, *suite.read])
         whole = self._table if self.is_table else self._object
-        answer = whole(objects, suite, run)
+        with flags_of({"hazard": "--hazard"}, InputError):
+            answer = whole(objects, suite, run)
         if self.out is not None:
             from rocksteady.show.assessment.folder import write_assessment
 
@@ -197,6 +217,7 @@ class _Asked:
                 command=command_of(["rocksteady", *self.context.find_root().obj]),
                 files=[*described, *suite.files],
                 force=self.output.force,
+                lognormal=self.lognormal,
             ):
                 announce_file(written)
         return answer, suite
@@ -218,6 +239,7 @@ class _Asked:
                 buildings=self._known_buildings(),
                 floor=self.reading.floor,
                 stretch=self.stretch,
+                hazard=self._site(),
                 run=replace(run, progress=meter),
             )
             meter.end()
@@ -227,9 +249,13 @@ class _Asked:
         self, objects: "Sequence[DescribedObject]", suite: Suite, run: "Execution"
     ) -> "ObjectsTable":
         """Return the answers of a table of objects."""
-        from rocksteady.risk.assess.objects_table import assess_placed
+        from rocksteady.risk.assess._rates import site_of
+        from rocksteady.risk.assess.objects_table import MOST_HELPED, assess_placed
         from rocksteady.risk.assess.placed_objects import place_objects
+        from rocksteady.risk.counted.reach import MOST
 
+        hazard = self._site()
+        sites = [site_of(each, hazard, stretch=self.stretch) for each in objects]
         placed = place_objects(
             objects,
             suite.motions or None,
@@ -241,16 +267,47 @@ class _Asked:
             (each.block, id(shaking), each.given.assessment.draws): each
             for each, shaking in zip(placed.objects, placed.shakings, strict=True)
         }
-        cells = 2 * sum(_runs(each, len(placed.suite.motions)) for each in kinds.values())
+        runs = sum(_runs(each, len(placed.suite.motions)) for each in kinds.values())
+        curves = hazard is not None or self.out is not None
+        helped = min(MOST_HELPED, len(kinds)) * TRIED // len(kinds)
+        cells = (2 + 2 * helped + (MOST + 1) * curves) * runs
         with sweeping("running objects", cells) as meter:
             table = assess_placed(
                 placed,
-                (self.peaks.pga_g, self.peaks.pgv_m_s),
-                USUAL_TARGET if self.target is None else self.target,
+                self.peaks.demand,
+                sites,
+                curves=curves,
                 run=replace(run, progress=meter),
             )
             meter.end()
         return table
+
+    def _site(self) -> "HazardCurve | None":
+        """Return the hazard curve of --hazard.
+
+        Raises
+        ------
+        InputError
+            If it cannot be read, or the file has several.
+        """
+        if self.hazard is None:
+            return None
+        from rocksteady.risk.hazard.read_hazard import read_hazard_curves
+
+        try:
+            curves = read_hazard_curves(self.hazard)
+        except InputError as error:
+            hint = "write the measure, its unit and the time of probabilities into the file"
+            kept = error.hint if "=" not in error.hint else hint
+            raise InputError("--hazard", error.value, error.valid, kept) from None
+        if len(curves) > 1:
+            raise InputError(
+                "--hazard",
+                self.hazard,
+                f"it holds {len(curves)} curves, and an object stands at one site",
+                "keep the curve of its site",
+            )
+        return curves[0]
 
     def _known_buildings(self) -> "Sequence[Building]":
         """Return the buildings of --buildings."""
@@ -280,12 +337,20 @@ def assess(
         "Motions and demand are then those of the ground.",
     ),
     hazard: Path | None = file_flag(
-        "--hazard FILE", "Refused: the annual rate of counted runs is not computed."
+        "--hazard FILE",
+        "Read the hazard curve of the site, as OpenQuake writes it or in two columns, and sum the "
+        "annual rate of falling.",
     ),
     out: Path | None = file_flag(
         "--out DIR",
-        "Write the report, the runs, and the inputs with their hashes into a new folder; for a "
-        "table its report and rows. --force replaces those of an earlier assessment.",
+        "Write the report, the runs, the counted shares (also for pelicun and OpenQuake), and the "
+        "inputs with their hashes into a new folder; for a table its report, rows and the shares "
+        "of each kind. --force replaces those of an earlier assessment.",
+    ),
+    lognormal: bool = file_flag(
+        "--lognormal",
+        "Write lognormals for pelicun and OpenQuake, where they are within 10 points of counts.",
+        default=False,
     ),
     example: bool = file_flag(
         "--example",
@@ -306,15 +371,20 @@ def assess(
     ),
     target: float | None = demand_flag(
         "--target P",
-        f"Set the share of the runs that may fall; default {USUAL_TARGET}, or that of FILE.",
+        "Set the share of the runs that may fall at the demand; default 0.1, or that of FILE.",
+    ),
+    target_50_years: float | None = demand_flag(
+        "--target-50-years P",
+        "Set the probability of a fall in 50 years that is accepted, in place of --target; with "
+        "--hazard.",
     ),
 ) -> None:
     """Run `rocksteady assess`; `HELP` is what its users read."""
-    kept.sweep.check(output.files, [] if file is None else [file], out=out)
-    if hazard is not None:
-        valid = "rates of counted runs are not computed"
-        raise InputError("--hazard", str(hazard), valid, "leave it out")
+    kept.sweep.check(output.files, [each for each in (file, hazard) if each is not None], out=out)
     _refuse_idle(block, peaks, recorded, reading, kept, file, buildings, out, example=example)
+    needs("--lognormal", lognormal or None, "--out", "answer", beside=out)
+    goal = _target(target, target_50_years)
+    needs("--target-50-years", target_50_years, "--hazard", "site.csv", beside=hazard)
     if file is None and not example:
         require(
             "assess",
@@ -332,10 +402,12 @@ def assess(
         output=output,
         file=file,
         buildings=buildings,
+        hazard=hazard,
         out=out,
-        target=None if target is None else share("--target", target),
+        target=goal,
         stretch=not no_stretch,
         example=example,
+        lognormal=lognormal,
     )
     with kept.sweep.resumable(context.find_root().obj):
         answer, suite = asked.answer(asked.run())
@@ -352,6 +424,23 @@ def assess(
     code = answer.exit_code if check else INCOMPLETE if _lacks_answer(answer) else 0
     if code:
         raise typer.Exit(code)
+
+
+def _target(target: float | None, in_50_years: float | None) -> "Target | None":
+    """Return the target of the flags.
+
+    Raises
+    ------
+    InputError, FlagError
+        If one is no share, or both are given.
+    """
+    from rocksteady.risk.counted.verdict import Target
+
+    if target is not None and in_50_years is not None:
+        raise both("--target", "--target-50-years", valid="a verdict is on one target")
+    if in_50_years is not None:
+        return Target(share("--target-50-years", in_50_years), years=50.0)
+    return None if target is None else Target(share("--target", target))
 
 
 def _lacks_answer(answer: "Assessment | ObjectsTable") -> bool:

@@ -40,6 +40,7 @@ BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
     "damping": (0.0, 1.0, "()", "give it over the critical one: 0.05 for 5 %"),
     "peak": (0.0, 10.0, "[]", "give theta/alpha, as 0.3"),
     "target_probability": (0.0, 1.0, "()", "give a probability, as 0.1"),
+    "target_50_years": (0.0, 1.0, "()", "give a probability, as 0.01"),
 }
 """Lowest and highest number of each key, whether they belong to it, and what to do."""
 
@@ -85,6 +86,14 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
     _check_restitution(given, source)
     for table, key, value in numbers_of(given):
         _check(table, key, value, source, from_zero=key == "restitution" and given.against_wall)
+    options = given.assessment
+    if options.target_probability is not None and options.target_50_years is not None:
+        raise ModelError(
+            named(source, "assessment", "target_50_years"),
+            Words("stands beside target_probability"),
+            "a verdict is on one target, of runs at the demand or in 50 years",
+            "leave one of the two out",
+        )
     _check_spectrum(given, source)
     _check_states(given, source)
     states = [name for name, _ in own_states(given.assessment)]

@@ -17,7 +17,15 @@ from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.risk.assess.described._body import Body, Choose, body_of, nominal
 from rocksteady.risk.assess.described._validation import validated
-from rocksteady.risk.assess.described.schema import Content, Geometry, ObjectInput, Range, Value
+from rocksteady.risk.assess.described.schema import (
+    Content,
+    Geometry,
+    ObjectInput,
+    Range,
+    Value,
+    target_of,
+)
+from rocksteady.risk.counted.verdict import Target
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.screens.demand import Demand
@@ -28,6 +36,8 @@ if TYPE_CHECKING:
 
 GROUND = ("", "0", "ground")
 """Floors that are the ground."""
+BASE = ("width_m", "base_width_m", "left_m", "right_m")
+"""Keys of a base."""
 FILE_HINT = "name a file of one object in TOML, or a table of objects in CSV"
 
 EXAMPLE = Path(__file__).with_name("example.toml")
@@ -231,15 +241,58 @@ did you mean width_m?
                 raise
             return self._made(body, 0.0)
 
-    def with_target(self, probability: float) -> "DescribedObject":
-        """Return the object with another target probability, in (0, 1).
+    @property
+    def target(self) -> Target:
+        """Share that is accepted; default 10 % of the runs at the demand."""
+        return target_of(self.given.assessment)
+
+    def with_target(self, target: Target) -> "DescribedObject":
+        """Return the object with another target, at its demand or in 50 years."""
+        in_years = target.years is not None
+        return self._changed(
+            "assessment",
+            target_probability=None if in_years else target.share,
+            target_50_years=target.share if in_years else None,
+        )
+
+    def wider(self, factor: float) -> "DescribedObject":
+        """Return the object on a base that is wider by a factor.
 
         Raises
         ------
         InputError
-            If it is outside.
+            If it is too stocky then.
         """
-        return self._changed("assessment", target_probability=probability)
+        sizes = self._sizes()
+        changed = {key: _times(sizes[key], factor) for key in BASE if key in sizes}
+        return self._reshaped(sizes | changed)
+
+    def lowered(self, by_m: float) -> "DescribedObject":
+        """Return the object with its own mass centre lower [m].
+
+        Raises
+        ------
+        InputError, ModelError
+            If it is too stocky then, or a frame.
+        """
+        sizes = self._sizes()
+        centre = sizes.get("mass_centre_height_m") or _times(sizes["height_m"], 0.5)
+        part = 1.0 - by_m / nominal("", centre)
+        return self._reshaped(sizes | {"mass_centre_height_m": _times(centre, part)})
+
+    def _sizes(self) -> dict[str, Value]:
+        """Return the geometry in sizes, also of an object that is given by its slenderness."""
+        shape = self.given.geometry
+        if shape.p_rad_s is not None:
+            body = self.body
+            return {"width_m": body.left + body.right, "height_m": body.height}
+        values = {key: getattr(shape, key) for key in shape.__struct_fields__}
+        return {key: value for key, value in values.items() if value is not None}
+
+    def _reshaped(self, sizes: Mapping[str, Value]) -> "DescribedObject":
+        """Return the object with another geometry."""
+        known = {key: _plain(value) for key, value in sizes.items()}
+        return replace(self, values={**self.values, "geometry": known})
 
     def with_peaks(self, *, pga_g: float | None, pgv_m_s: float | None) -> "DescribedObject":
         """Return the object with other horizontal peaks of its demand; None for one not known.
@@ -325,6 +378,13 @@ def _chooser(changed: str, end: float) -> Choose:
         return end if key == changed else nominal(key, value)
 
     return choose
+
+
+def _times(value: Value, factor: float) -> Value:
+    """Return a size, or both ends of its range, times a factor."""
+    if isinstance(value, Range):
+        return Range(low=value.low * factor, high=value.high * factor)
+    return value * factor
 
 
 def bounds_of(value: Value) -> tuple[float, float]:

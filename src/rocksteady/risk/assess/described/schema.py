@@ -5,6 +5,11 @@ from typing import Literal
 
 import msgspec
 
+from rocksteady.risk.counted.verdict import Target
+
+USUAL = Target(0.1)
+"""Target of an object that states none."""
+
 
 class Range(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A value that is known between two bounds."""
@@ -79,7 +84,8 @@ class Options(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     """How the object is assessed."""
 
     damage_states: list[str | OwnState] | None = None
-    target_probability: float = 0.1
+    target_probability: float | None = None
+    target_50_years: float | None = None
     draws: int = 5
     records: str | None = None
 
@@ -118,6 +124,13 @@ TABLES: dict[str, type[msgspec.Struct]] = {
     "assessment": Options,
 }
 """Class of each table of the file by its name; "" is what stands above the first table."""
+
+
+def target_of(options: Options) -> Target:
+    """Return the target that is given; else the usual one."""
+    if options.target_50_years is not None:
+        return Target(options.target_50_years, years=50.0)
+    return USUAL if options.target_probability is None else Target(options.target_probability)
 
 
 def inline_keys(table: str) -> tuple[str, ...]:

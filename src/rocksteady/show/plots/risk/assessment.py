@@ -75,9 +75,11 @@ def plot_assessment(assessment: Assessment, ax: "Axes | None" = None) -> "Axes":
         )
     axes = axes_or_new(ax)
     inks, width = inks_of(axes), line_scale(axes)
-    target = LineEnd(f"target {number(100.0 * assessment.target)} %", assessment.target, inks.limit)
-    draw_states(axes, fragility.states, [target])
-    axes.axhline(assessment.target, color=inks.limit, lw=width, ls=DASHED, zorder=2.4)
+    goal, limits = assessment.target, []
+    if goal.years is None:
+        limits = [LineEnd(f"target {goal.words}", goal.share, inks.limit)]
+        axes.axhline(goal.share, color=inks.limit, lw=width, ls=DASHED, zorder=2.4)
+    draw_states(axes, fragility.states, limits)
     axes.set_xlabel(_level_label(assessment, shaking))
     answers = _answers(assessment, shaking)
     low, high = axes.get_xlim()

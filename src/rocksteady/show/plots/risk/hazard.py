@@ -73,13 +73,14 @@ def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | Non
     beside = axes.twinx()
     (fragility,) = beside.plot(
         at,
-        risk.failure_probability(at),
+        risk.fragile.at(at),
         color=inks.risk,
         lw=2.0,
         label="probability of falling",
     )
-    # The density itself jumps where the hazard bends.
-    bars = risk.density(at).reshape(BARS, POINTS).mean(axis=1)
+    edges = np.clip(np.geomspace(low, high, BARS + 1), low, high)
+    shares = risk.fragile.at(at).reshape(BARS, POINTS).mean(axis=1)
+    bars = -np.diff(hazard.rate(edges)) * shares
     fill = np.repeat(bars * (HIGHEST_FILL / max(float(bars.max()), 1e-300)), POINTS)
     style: dict[str, Any] = {"color": inks.risk, "lw": 0.0, "alpha": DOUBT}
     everywhere = beside.fill_between(

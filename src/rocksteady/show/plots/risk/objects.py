@@ -4,9 +4,11 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.results.numbers import CONFIDENCE, number
+from rocksteady.results.numbers import CONFIDENCE, chance
 from rocksteady.results.stated import share_words
 from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.risk.counted.verdict import Target
+from rocksteady.risk.hazard.failure_risk import in_years
 from rocksteady.show.plots.risk._words import FALLING
 from rocksteady.show.plots.value_rows import MOST, draw_interval
 from rocksteady.show.style import palette
@@ -29,8 +31,9 @@ NARROW = 4.2
 def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 20) -> "Axes":
     """Draw the share of runs in which each kind of object falls, the worst on top.
 
-    A thin line is the 90 % interval, a dashed one the target.  The verdict stands beside each row;
-    an object without a count has no bar.
+    Of a target in 50 years it is the probability of a fall.  A thin line is the 90 % interval, a
+    dashed one the target.  The verdict stands beside each row; an object without a count has no
+    bar.
 
     Parameters
     ----------
@@ -73,28 +76,45 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
     letters = 24 if figure_of(axes).get_figwidth() > NARROW else 16
     names = []
     for place, (row, count) in enumerate(kinds[:most]):
-        share = row["share"]
-        if share is not None and row["by"] != "statics":
+        if (bar := _bar(row, table.target)) is not None:
+            share, band = bar
             colour = inks.risk_step(share)
             axes.barh(place, share, height=0.62, color=colour, ec=inks.edge, lw=0.6)
-            draw_interval(axes, place, share, (row["low"], row["high"]))
+            if band is not None:
+                draw_interval(axes, place, share, band)
         look = LOOKS.get(row["verdict"], "")
         colour = {"red": inks.verdict_red, "green": inks.verdict_green}.get(look, inks.ink)
-        write_beside(axes, _words(row), place, colour, small, of_row=True)
+        write_beside(axes, _words(row, table.target), place, colour, small, of_row=True)
         alike = f"{count:,} × " if count > 1 else ""
         names.append(alike + literal(palette.shortened(row["name"], letters - len(alike))))
     left = len(kinds) - len(names)
-    target = f"target {number(100.0 * table.target_probability)} %"
-    draw_limit(axes, table.target_probability, target + f"; {left:,} more below" * (left > 0))
+    target = f"target {table.target.words}"
+    draw_limit(axes, table.target.share, target + f"; {left:,} more below" * (left > 0))
     name_rows(axes, names)
     percent_ticks(axes, "x")
-    axes.set(xlabel=f"{FALLING} (line: {100.0 * CONFIDENCE:g} %)", xlim=(0.0, 1.03))
+    label = FALLING if table.target.years is None else "probability of a fall in 50 years"
+    axes.set(xlabel=f"{label} (line: {100.0 * CONFIDENCE:g} %)", xlim=(0.0, 1.03))
     return axes
 
 
-def _words(row: dict[str, Any]) -> str:
+def _bar(row: dict[str, Any], target: Target) -> tuple[float, tuple[float, float] | None] | None:
+    """Return what the target is for, and its interval; None without a count."""
+    if target.years is not None:
+        value, ends = row["probability_50_years"], (row["rate_low"], row["rate_high"])
+        if value is None or None in ends:
+            return None if value is None else (value, None)
+        low, high = (in_years(end, target.years) for end in ends)
+        return value, (low, high)
+    if row["share"] is None or row["by"] == "statics":
+        return None
+    return row["share"], (row["low"], row["high"])
+
+
+def _words(row: dict[str, Any], target: Target) -> str:
     """Return share and verdict of a kind of object."""
     verdict = BADGES[row["verdict"]][0]
+    if target.years is not None and row["probability_50_years"] is not None:
+        return f"{chance(row['probability_50_years'])}, {verdict}"
     if row["share"] is None or row["by"] == "statics":
         return verdict
     band = (row["low"], row["high"])

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.numbers import number
 from rocksteady.risk.assess.described.objects import floor_number
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.plots.risk._words import FALLING
@@ -152,7 +151,7 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
             Patch(fc=inks.undecided, hatch="xxxx", ec=inks.edge, label="slides, or no answer")
         )
     if any(row["verdict"] == "red" for row in table.rows):
-        words = f"above the target of {number(100.0 * table.target_probability)} %"
+        words = f"above the target of {table.target.words}"
         handles.append(Patch(fc="none", ec=inks.ink, lw=MARKED, label=words))
     narrow = figure_of(axes).get_figwidth() <= NARROW
     labels = [literal(name).replace(", ", ",\n" if narrow else ", ") for name, _ in floors]

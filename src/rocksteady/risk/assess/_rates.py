@@ -1,0 +1,198 @@
+"""Rates: counted shares of an object over levels, and how often it falls at its site."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.risk.assess._judging import Judged, band_of
+from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
+from rocksteady.risk.assess.described.schema import own_states
+from rocksteady.risk.counted.curve import Curve
+from rocksteady.risk.counted.reach import reaching_levels
+from rocksteady.risk.counted.sliding import friction_at, sliding_level
+from rocksteady.risk.counted.suite import PGA, PGV, Motion, Peaks, Shaking, across, folds
+from rocksteady.risk.counted.verdict import (
+    LEAST,
+    MARGIN,
+    NEAR,
+    Decision,
+    RateEvidence,
+    Reason,
+    decide_rate,
+)
+from rocksteady.risk.ensemble.levels import Levels
+from rocksteady.risk.ensemble.runs import run_ensemble
+from rocksteady.risk.fragility.compute_fragility import count_fragility
+from rocksteady.risk.fragility.damage_states import DEFAULT_STATES, OVERTURNED, DamageState
+from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.risk.fragility.state_fragility import StateFragility
+from rocksteady.risk.hazard._fragile import fragile_of
+from rocksteady.risk.hazard.failure_risk import Risk, in_years, risk_of
+from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.risk.hazard.hazard_measures import written
+from rocksteady.seismic.measures.scalar import compute_measure
+from rocksteady.sweep.run import Execution
+
+YEARS = 50.0
+"""Time of the probability beside a rate."""
+
+
+def curve_of(
+    described: DescribedObject,
+    shaking: Shaking,
+    hazard: HazardCurve | None = None,
+    run: Execution | None = None,
+) -> Fragility:
+    """Return counted shares over levels that hold the demand, up to the end of a hazard curve."""
+    block, band = described.block, band_of(described)
+    motions: list[Motion] = list(shaking.motions)
+    levels = reaching_levels(
+        Levels(shaking.measure),
+        [block],
+        motions,
+        restitution=band,
+        ways=shaking.ways,
+        also=(shaking.level, MARGIN * shaking.level),
+        least=0.0 if hazard is None else float(hazard.levels[-1]),
+    )
+    ensemble = run_ensemble(
+        block, motions, levels=levels, restitution=band, ways=shaking.ways, run=run
+    )
+    return count_fragility(ensemble, states=_states(described))
+
+
+def _states(described: DescribedObject) -> Sequence[DamageState | float | str]:
+    """Return the damage states of the file, overturning among them."""
+    states = [
+        name if peak is None else DamageState(name, peak)
+        for name, peak in own_states(described.given.assessment)
+    ]
+    if not states:
+        return DEFAULT_STATES
+    return [*states, *([] if OVERTURNED in states else [OVERTURNED])]
+
+
+def is_curved(judged: Judged, site: HazardCurve | None, *, curves: bool) -> bool:
+    """Return whether shares are counted over levels: of what is counted, or for a rate."""
+    if judged.decision.verdict in ("slides", "no-answer") or judged.shaking is None:
+        return False
+    return site is not None or (curves and judged.count is not None)
+
+
+def site_of(
+    described: DescribedObject, hazard: HazardCurve | None, *, stretch: bool
+) -> HazardCurve | None:
+    """Return a hazard curve over the measure that an object's motions are scaled by.
+
+    With both peaks given PGV over PGA is kept, so that a curve over PGV is one over PGA.
+
+    Raises
+    ------
+    InputError
+        If the two are of different measures, the demand is that of a floor, or there is none for a
+        target in 50 years.
+    """
+    given = described.given.demand
+    if hazard is None:
+        if described.target.years is not None:
+            raise InputError(
+                "hazard",
+                Words("is missing"),
+                f"{described.name} has a target of {described.target.words}",
+                "give the hazard curve of the site, or a target at the demand",
+            )
+        return None
+    if given.place == "floor":
+        raise InputError(
+            "hazard",
+            Words("is that of the ground"),
+            f"the demand of {described.name} is that of its floor",
+            "give the demand of the ground and the floor, or leave the hazard curve out",
+        )
+    measure = PGV if given.pga_g is None else PGA
+    if hazard.intensity == measure:
+        return hazard
+    if hazard.intensity == PGV and given.pga_g and given.pgv_m_s and stretch:
+        factor = given.pga_g / given.pgv_m_s
+        return replace(hazard, measure=PGA, levels=np.asarray(hazard.levels) * factor)
+    peaks = Peaks(pga_g=given.pga_g, pgv_m_s=given.pgv_m_s)
+    raise InputError(
+        "hazard",
+        Words(f"is over {written(hazard.intensity)}"),
+        f"the demand of {described.name} is {peaks.words}",
+        f"give a hazard curve over {written(measure)}"
+        + ", or both peaks of the demand" * (hazard.intensity in (PGA, PGV) and stretch),
+    )
+
+
+def with_rate(
+    described: DescribedObject,
+    judged: Judged,
+    fragility: Fragility,
+    hazard: HazardCurve,
+    *,
+    built_in: bool,
+) -> Judged:
+    """Return a judged object with its annual rate of falling, which a target in years is for.
+
+    `hazard` is that of `site_of`.  Levels above which it would slide count as without runs.
+    """
+    shaking, state = judged.shaking, fragility.states[-1]
+    assert shaking is not None
+    if fragility.records < LEAST:
+        return without_rate(described, judged)
+    peaks = np.array([compute_measure(across(each), PGA) for each in shaking.motions])
+    block, given = described.block, described.given.friction
+    ones = Levels(shaking.measure).at_scale_one([across(each) for each in shaking.motions], [block])
+    least = None if given is None else bounds_of(given)[0]
+    last = np.inf
+    if least is not None:
+        try:
+            last = sliding_level([block], list(shaking.motions), ones, least)
+        except ModelError:  # it slides before it lifts
+            if described.target.years is None:
+                return judged
+            return replace(judged, decision=Decision(verdict="slides"))
+    risk = _risk(state, hazard, last)
+    reach = risk.contributing[-1]
+    need = friction_at([block], reach / ones[0] * peaks)
+    if described.target.years is None:
+        return replace(judged, risk=risk, friction_of_rate=need)
+    near = None
+    kept = folds(shaking.stretches) < NEAR
+    if shaking.stretched and not built_in and kept.sum() >= LEAST:
+        counts = [count.among(kept) for count in state.curve.counts]
+        curve = Curve(levels=state.curve.levels, counts=counts, lifts_at=state.curve.lifts_at)
+        rate = _risk(replace(state, curve=curve), hazard, last).annual_rate
+        near = in_years(rate, described.target.years)
+    verdict, reason = decide_rate(
+        RateEvidence(
+            target=described.target.share,
+            band=risk.probability_band,
+            near=near,
+            is_known=risk.is_known,
+            friction_known=least is not None and need.largest <= least,
+            built_in=built_in,
+        )
+    )
+    decision = judged.decision
+    if decision.verdict not in ("slides", "no-answer"):
+        decision = replace(decision, verdict=verdict, reason=reason)
+    return replace(judged, risk=risk, friction_of_rate=need, decision=decision)
+
+
+def without_rate(described: DescribedObject, judged: Judged) -> Judged:
+    """Return a judged object that has no rate: no answer to a target in years."""
+    decision = judged.decision
+    if described.target.years is None or decision.verdict in ("slides", "no-answer"):
+        return judged
+    reason: Reason = "few-records" if judged.shaking is not None else "few-vertical"
+    return replace(judged, decision=Decision(verdict="no-answer", reason=reason))
+
+
+def _risk(state: StateFragility, hazard: HazardCurve, last: float) -> Risk:
+    """Return the rate of a damage state of which nothing is counted above a level."""
+    fragile = fragile_of(state, hazard, None, None)
+    return risk_of(replace(fragile, last=min(fragile.last, last)), hazard, YEARS)
