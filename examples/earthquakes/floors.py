@@ -21,7 +21,8 @@ objects = [
     for geometry in [{"width_m": width, "height_m": height}]
     for floor in (0, 2, 3)
 ]
-table = rs.assess_objects(objects, suite, buildings=[museum], pga_g=0.2, pgv_m_s=0.2)
+peaks = rs.risk.Peaks(pga_g=0.2, pgv_m_s=0.2)
+table = rs.assess_objects(objects, suite, buildings=[museum], demand=peaks)
 roof = [museum.floor(3).motion(ground) for ground in suite]
 _, (left, right) = plt.subplots(1, 2, layout="constrained", figsize=(9.0, 4.0))
 rs.plots.plan(table, left)

@@ -17,7 +17,8 @@ objects = [
     for name, (b, h) in sizes.items()
 ]
 demand = rs.Demand(pga_g=0.35, pgv_m_s=0.4)
-table = rs.assess_objects(objects, rs.motions.make_synthetic_suite(28), pga_g=0.35, pgv_m_s=0.4)
+peaks = rs.risk.Peaks(pga_g=0.35, pgv_m_s=0.4)
+table = rs.assess_objects(objects, rs.motions.make_synthetic_suite(28), demand=peaks)
 levels = np.geomspace(0.05, 2.0, 12)
 hazard = rs.risk.HazardCurve(measure="pgv_m_s", levels=levels, rates=4e-4 * levels**-2)
 fig, axes = plt.subplots(3, 1, figsize=(7.4, 8.6), layout="constrained")

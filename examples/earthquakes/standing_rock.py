@@ -12,11 +12,13 @@ import numpy as np
 import rocksteady as rs
 
 levels = np.array([0.05, 0.1, 0.2, 0.4, 0.8, 1.6])
-rates = np.array([4.5e-2, 1.4e-2, 3.8e-3, 8.1e-4, 1.2e-4, 1.2e-5])
+rates = np.array([0.02, 0.0082, 0.0026, 0.0006, 0.000085, 0.0000085])
 branches = [
-    rs.risk.HazardCurve(measure="pgv_m_s", levels=levels, rates=factor * rates, name=name)
+    rs.risk.HazardCurve(measure="pga_g", levels=levels, rates=factor * rates, name=name)
     for name, factor in (("low", 0.1), ("middle", 0.3), ("high", 1.0), ("highest", 3.0))
 ]
-median, beta = 0.8, 0.4
-tested = rs.risk.check_hazard_branches((median, beta), branches, 10_000.0)
+rock = rs.Block.rectangle(width=0.4, height=1.2)
+suite = rs.motions.make_synthetic_suite(28)
+shares = rs.compute_fragility(rock, suite, levels=rs.risk.Levels("pga_g"))
+tested = rs.risk.check_hazard_branches(shares, branches, 10_000.0)
 ax = rs.plots.rows(tested)

@@ -2,21 +2,18 @@
 How often does a cabinet fall?
 ==============================
 
-The hazard of a site, the probability that the cabinet falls, and the part of the annual rate that
-each level of shaking adds (filled): moderate shaking, which is frequent, counts more than the
-strongest. The hazard is made up. See :doc:`/guides/hazard`.
+The hazard of a site, the counted share of runs in which the cabinet falls, and the part of the
+annual rate that each level of shaking adds (filled): moderate shaking, which is frequent, counts
+more than the strongest. The hazard is made up. See :doc:`/guides/hazard`.
 """
-
-import numpy as np
 
 import rocksteady as rs
 
-levels = np.array([0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6])
-rates = np.array([0.16, 0.045, 0.014, 0.0038, 0.00081, 0.00012, 0.000012])
-hazard = rs.risk.HazardCurve(measure="pgv_m_s", levels=levels, rates=rates, name="made up")
-cabinet = rs.Block.rectangle(width=0.32, height=1.8)
-median, beta = 0.757, 0.592
-risk = rs.compute_risk(
-    (median, beta), hazard, measure="p_pgv_per_uplift", block=cabinet, beta_u=0.3
-)
+levels = [0.05, 0.1, 0.2, 0.4, 0.8, 1.6]
+rates = [0.02, 0.0082, 0.0026, 0.0006, 0.000085, 0.0000085]
+hazard = rs.risk.HazardCurve(measure="pga_g", levels=levels, rates=rates, name="made up")
+cabinet = rs.Block.rectangle(width=0.45, height=2.0)
+suite = rs.motions.make_synthetic_suite(28)
+shares = rs.compute_fragility(cabinet, suite, levels=rs.risk.Levels("pga_g"))
+risk = rs.compute_risk(shares, hazard)
 ax = rs.plots.risk(risk)

@@ -468,7 +468,7 @@ def calls() -> dict[str, Call]:
                 ("regions", ("describe",)),
                 ("boundaries", ("describe",)),
                 ("curve", ("describe",)),
-                ("hazard", ("describe", "extended")),
+                ("hazard", ("describe",)),
                 ("risk", ("describe", "rows")),
                 ("branch test", ("describe", "rows")),
                 *(

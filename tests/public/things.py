@@ -38,7 +38,8 @@ def on_floors(described: rs.risk.DescribedObject, motions: list[rs.Record]) -> d
     text = '[[buildings]]\nname = "house"\nstoreys = 2\nperiod_s = 0.3\n'
     Path("buildings.toml").write_text(text, encoding="utf-8")
     upstairs = rs.risk.DescribedObject(values={**described.values, "floor": 2})
-    table = rs.assess_objects([upstairs], motions, buildings=[house], pga_g=0.3)
+    peaks = rs.risk.Peaks(pga_g=0.3)
+    table = rs.assess_objects([upstairs], motions, buildings=[house], demand=peaks)
     return {"house": house, "on floors": table}
 
 
@@ -140,6 +141,8 @@ def things() -> dict[str, Any]:
         "fragility": fragility,
         "state_fragility": fragility.states[0],
         "demand": demand,
+        "peaks": rs.risk.Peaks(pga_g=0.3, pgv_m_s=0.3),
+        "target": rs.risk.Target(0.01, years=50.0),
         "screens": screens,
         "screen": screens.rows[0],
         "quick": rs.risk.assess_by_formula(block, 0.5, 0.6),
@@ -170,7 +173,9 @@ def things() -> dict[str, Any]:
         "facts": rs.risk.compute_object_facts(described),
         "assessment": assessed,
         "assessed runs": rs.assess_object(described.with_peaks(pga_g=0.5, pgv_m_s=0.3), eleven),
-        "objects": rs.assess_objects([described], eleven, pga_g=0.3, pgv_m_s=0.3),
+        "objects": rs.assess_objects(
+            [described], eleven, demand=rs.risk.Peaks(pga_g=0.3, pgv_m_s=0.3)
+        ),
         **on_floors(described, eleven),
         "output": rs.sweeps.Output(name="value"),
         "map": maps,

@@ -5,6 +5,7 @@ import dataclasses
 import pickle
 import warnings
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -58,10 +59,12 @@ def state(value: Any) -> Any:
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         names = [field.name for field in dataclasses.fields(value) if field.init]
         return type(value).__name__, [(name, state(getattr(value, name))) for name in names]
+    if isinstance(value, partial):
+        value = [value.func, value.args, value.keywords]
+    elif isinstance(value, dict):
+        value = [*value.items()]
     if isinstance(value, list | tuple):
         return [state(each) for each in value]
-    if isinstance(value, dict):
-        return [(key, state(each)) for key, each in value.items()]
     if isinstance(value, float):
         return value.hex()
     return repr(value) if hasattr(value, "to_dict") else value

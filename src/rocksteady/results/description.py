@@ -127,8 +127,9 @@ class Table:
 
     def records(self) -> Iterator[list[Any]]:
         """Yield the values of each row in the order of `header`."""
+        header = self.header
         for row in self.rows:
-            yield [row.get(key) for key in self.header]
+            yield [row.get(key) for key in header]
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from rocksteady.risk.assess._judging import Judged, band_of, judge_objects, onse
 from rocksteady.risk.assess.placed_objects import place_objects
 from rocksteady.risk.counted.reach import lifting_levels
 from rocksteady.risk.counted.suite import Motion, Peaks, Suite
-from rocksteady.risk.counted.verdict import Decision
+from rocksteady.risk.counted.verdict import Decision, Target
 from rocksteady.risk.ensemble.levels import Levels
 from tests.dynamics.full_integrator import follow
 from tests.risk.counted.recorded import (
@@ -49,6 +49,8 @@ class Known:
     high: tuple[float, float] | None = None
     beyond: tuple[float, float] | None = None
     lifts_at: tuple[float, float] | None = None
+    rate: tuple[float, float] | None = None
+    width_needed: tuple[float, float] | None = None
     centre: float | None = None
     target: float = 0.1
     records: int = 56
@@ -70,7 +72,7 @@ KNOWN = {
     "vase, stronger": Known(
         width=0.15, height=0.45, demand={"pga_g": 0.4, "pgv_m_s": 0.45}, verdict="not-shown",
         reason="band", share=(0.111, 0.02), low=(0.053, 0.015), high=(0.198, 0.02),
-        beyond=(0.36, 0.03),
+        beyond=(0.36, 0.03), width_needed=(0.165, 0.002),
     ),
     "vase, short pulses": Known(
         width=0.15, height=0.45, demand={"pga_g": 0.8, "pgv_m_s": 0.35}, verdict="red",
@@ -79,16 +81,16 @@ KNOWN = {
     "rack on a floor": Known(
         width=0.6, height=2.0, centre=0.95, demand={"pga_g": 0.3}, target=0.01, floor=True,
         verdict="red", share=(0.418, 0.02), low=(0.32, 0.02), high=(0.52, 0.02),
-        lifts_at=(0.1421, 0.0003),
+        lifts_at=(0.1421, 0.0003), rate=(1.04e-3, 0.05e-3),
     ),
     "low rack on a floor": Known(
         width=0.6, height=1.2, demand={"pga_g": 0.3}, target=0.01, floor=True,
         verdict="not-shown", reason="band", share=(0.0, 0.004), high=(0.052, 0.002),
-        lifts_at=(0.2250, 0.0004),
+        lifts_at=(0.2250, 0.0004), rate=(3.3e-4, 0.25e-4),
     ),
     "cabinet": Known(
         width=0.45, height=2.0, demand={"pga_g": 0.4}, target=0.05, verdict="red",
-        share=(0.646, 0.02),
+        share=(0.646, 0.02), width_needed=(0.699, 0.012),
     ),
     "bookcase, 28 records": Known(
         width=0.3, height=1.9, demand={"pga_g": 0.25, "pgv_m_s": 0.4}, records=28, verdict="red",
@@ -454,7 +456,7 @@ def test_never_green_without_records_of_earthquakes_enough_of_them_or_friction()
         found = judged(one, motions).decision
         assert (found.verdict, found.reason) == (verdict, reason)
     wide = described(0.2, 0.45, pga_g=0.46, pgv_m_s=0.3, target=0.2)
-    for one, reason in ((wide, "built-in"), (known.with_target(0.5), "built-in")):
+    for one, reason in ((wide, "built-in"), (known.with_target(Target(0.5)), "built-in")):
         found = judged(one, None).decision
         assert (found.verdict, found.reason) == ("not-shown", reason)
 

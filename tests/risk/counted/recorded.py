@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rocksteady import BaseMotion, Record, read_record
 from rocksteady.motions import Floor
-from rocksteady.risk import DescribedObject
+from rocksteady.risk import DescribedObject, HazardCurve
 from rocksteady.risk.assess._judging import Judged, judge_objects
 from rocksteady.risk.assess.placed_objects import place_objects
 from rocksteady.risk.counted.count import Count
@@ -22,6 +22,13 @@ HIGH = 3.0
 """Friction with which nothing slides."""
 RACKS = {"frequencies_hz": 1.25, "damping": 0.05, "shapes": 0.6667}
 """A floor of a building of .8 s."""
+SITE = HazardCurve(
+    measure="pga_g",
+    levels=np.array([0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.8, 1.2, 2.0]),
+    rates=np.array([0.12, 0.085, 0.052, 0.0205, 0.0082, 2.6e-3, 1.15e-3, 3.3e-4, 8.5e-5, 2.2e-5,
+                    3.1e-6]),
+)  # fmt: skip
+"""Hazard of a site [1/year]."""
 
 
 @functools.cache
@@ -56,7 +63,7 @@ def described(
     *,
     pga_g: float | None = None,
     pgv_m_s: float | None = None,
-    target: float = 0.1,
+    target: float | None = 0.1,
     friction: float | None = HIGH,
     geometry: dict[str, Any] | None = None,
     **keys: Any,
@@ -69,7 +76,10 @@ def described(
         "geometry": {"width_m": width, "height_m": height, **(geometry or {})},
         **keys,
         "demand": {**demand, **keys.get("demand", {})},
-        "assessment": {"target_probability": target, **keys.get("assessment", {})},
+        "assessment": {
+            **({} if target is None else {"target_probability": target}),
+            **keys.get("assessment", {}),
+        },
     }
     if friction is not None:
         values["friction"] = friction

@@ -1,11 +1,13 @@
 """Verdicts: each reason, and over all evidence that there can be what green and red take."""
 
 import itertools
+import math
 from dataclasses import replace
 from typing import Any, get_args
 
 import pytest
 
+from rocksteady.errors import InputError
 from rocksteady.risk.counted.count import Count
 from rocksteady.risk.counted.verdict import (
     CODES,
@@ -15,9 +17,12 @@ from rocksteady.risk.counted.verdict import (
     VERDICTS,
     Decision,
     Evidence,
+    RateEvidence,
     Reason,
+    Target,
     Verdict,
     decide,
+    decide_rate,
 )
 from tests.every import every
 from tests.risk.counted.recorded import count_of, spread_out
@@ -86,7 +91,8 @@ def test_evidence_has_its_verdict_and_its_reason(
 
 def test_every_verdict_and_every_reason_is_reached() -> None:
     assert {verdict for _, verdict, _ in CASES} == set(get_args(Verdict)) == set(VERDICTS)
-    assert {reason for _, _, reason in CASES} == set(get_args(Reason))
+    rates = {decide_rate(each)[1] for each in rate_evidence()}
+    assert {reason for _, _, reason in CASES} | rates == set(get_args(Reason))
     assert len(VERDICTS) == len(CODES) == 6
 
 
@@ -179,9 +185,40 @@ def test_over_all_evidence_green_and_red_are_what_their_definitions_say(target: 
     assert "red" in seen
 
 
-def test_codes_ask_for_something_unless_nothing_is_to_be_done() -> None:
-    assert {verdict for verdict in VERDICTS if CODES[verdict] == 0} == {"green", "stands"}
-    assert {verdict for verdict in VERDICTS if CODES[verdict] == 1} == {"red", "slides"}
-    assert {verdict for verdict in VERDICTS if CODES[verdict] == 3} == {"not-shown", "no-answer"}
-    codes = [CODES[verdict] for verdict in VERDICTS]  # the worst first, 1 before 3 before 0
-    assert codes == [1, 1, 3, 3, 0, 0]
+def rate_evidence(target: float = 0.02) -> list[RateEvidence]:
+    """Return all evidence on a probability in some years that ends beside a target make."""
+    ends = [0.5 * target, target, 2.0 * target]
+    bands = [None, *itertools.combinations_with_replacement(ends, 2)]
+    doubts = itertools.product([True, False], repeat=3)
+    return [
+        RateEvidence(
+            target=target, band=band, near=near, is_known=known, friction_known=friction,
+            built_in=built_in,
+        )
+        for band, near, (known, friction, built_in) in itertools.product(
+            bands, [None, *ends], [*doubts]
+        )
+    ]  # fmt: skip
+
+
+def test_over_all_rates_green_and_red_are_what_their_definitions_say() -> None:
+    for each in rate_evidence():
+        verdict, reason = decide_rate(each)
+        low, high = each.band or (0.0, 1.0)  # of too few records nothing is shown
+        near = [] if each.near is None else [each.near]
+        safe = [high < each.target, *(value <= each.target for value in near)]
+        sure = each.friction_known and not each.built_in
+        green = all(safe) and each.is_known and sure
+        red = min([low, *near]) > each.target and each.is_known
+        assert verdict == ("green" if green else "red" if red else "not-shown")
+        assert (reason == "") == (green or red)
+        assert (reason == "rate-unknown") == (not each.is_known)
+        assert (reason == "rate-records") == (each.is_known and each.band is None)
+
+
+def test_a_target_is_a_share_and_may_have_a_time() -> None:
+    assert (Target(0.1).words, Target(0.01, years=50).words) == ("10 %", "1 % in 50 years")
+    assert Target(0.1) != Target(0.1, years=50.0) == Target(0.1, years=50)
+    for share, years in ((0.0, None), (1.0, None), (math.nan, 50.0), (0.1, 0.0), (0.1, -50.0)):
+        with pytest.raises(InputError, match=r"target = |years = "):
+            Target(share, years)

@@ -27,7 +27,6 @@ from rocksteady.model.equations import Linear
 from rocksteady.results.gridded import described
 from rocksteady.risk import Levels, RestitutionBand, Ways, count_fragility
 from rocksteady.risk.ensemble.qualification import FORCES, SHARE
-from rocksteady.sweeps import evaluate
 from tests.every import every
 from tests.seismic.grounds import ground, lifting
 
@@ -54,14 +53,24 @@ NAMES = (
 )
 
 
+TWO = RestitutionBand(draws=2)
+
+
+def ran(blocks: Any = BLOCKS, motions: Any = MOTIONS, **how: Any) -> xarray.Dataset:
+    """Return the runs of two restitutions at three levels, unless others are given."""
+    levels = Levels("pga_per_uplift", LEVELS)
+    return run_ensemble(blocks, motions, **{"levels": levels, "restitution": TWO, **how})
+
+
 @functools.cache
 def ensemble() -> xarray.Dataset:
-    return run_ensemble(
-        BLOCKS,
-        MOTIONS,
-        levels=Levels("pga_per_uplift", LEVELS),
-        restitution=RestitutionBand(draws=2),
-    )
+    return ran()
+
+
+def assert_same(one: xarray.Dataset, other: xarray.Dataset) -> None:
+    """Check that two ensembles have the same bits."""
+    for name in NAMES:
+        np.testing.assert_array_equal(one[name], other[name])
 
 
 def test_each_cell_is_a_time_history() -> None:
@@ -87,7 +96,7 @@ def test_each_cell_is_a_time_history() -> None:
                 shaken = base.scaled(factor)
                 if not lift:
                     shaken = BaseMotion(shaken.horizontal)
-                ratios = RestitutionBand(draws=2).ratios(block)[draw]
+                ratios = TWO.ratios(block)[draw]
                 run = simulate(
                     block.with_restitution((float(ratios[0]), float(ratios[1]))),
                     shaken.reversed() if direction else shaken,
@@ -121,12 +130,9 @@ def test_each_cell_is_a_time_history() -> None:
 def test_forces_of_a_mass_are_those_of_each_time_history() -> None:
     """Nan of a fall and without uplift; twice the mass has twice the force."""
     blocks, motions, masses = BLOCKS[:2], MOTIONS[:2], [120.0, 300.0]
-    settings: dict[str, Any] = {
-        "levels": Levels("pga_per_uplift", [0.9, 1.05, 1.3], beside=()),
-        "restitution": RestitutionBand(draws=2),
-    }
-    found = run_ensemble(blocks, motions, mass_kg=masses, **settings)
-    assert not set(FORCES) & set(run_ensemble(blocks, motions, **settings).data_vars)
+    levels = Levels("pga_per_uplift", [0.9, 1.05, 1.3], beside=())
+    found = ran(blocks, motions, levels=levels, mass_kg=masses)
+    assert not set(FORCES) & set(ensemble().data_vars)
     assert found["base_force_down_kn"].attrs["units"] == "kN"
     finite = 0
     for i, j, lift, draw, k in product(range(2), range(2), range(2), range(2), range(3)):
@@ -135,7 +141,7 @@ def test_forces_of_a_mass_are_those_of_each_time_history() -> None:
         base = BaseMotion(motion) if isinstance(motion, Record) else motion
         if not lift:
             base = BaseMotion(base.horizontal)
-        ratios = settings["restitution"].ratios(blocks[i])[draw].tolist()
+        ratios = TWO.ratios(blocks[i])[draw].tolist()
         run = simulate(blocks[i].with_restitution(tuple(ratios)), base.scaled(float(cell["scale"])))
         forces = run.base_force_kn(masses[i])
         if forces is None or run.status is Status.OVERTURNED:
@@ -149,7 +155,7 @@ def test_forces_of_a_mass_are_those_of_each_time_history() -> None:
     (row,) = description.tables[0].rows
     known = found["base_force_down_kn"].isel(level=1).values
     assert row["base_force_down_kn"] == np.quantile(known[np.isfinite(known)], SHARE)
-    heavier = run_ensemble(blocks[0], motions, mass_kg=240.0, **settings)
+    heavier = ran(blocks[0], motions, levels=levels, mass_kg=240.0)
     one = found["base_force_across_kn"].isel(block=[0])
     np.testing.assert_allclose(heavier["base_force_across_kn"], 2.0 * one, rtol=1e-12)
 
@@ -164,9 +170,8 @@ def test_a_mass_that_is_none_or_of_another_number_of_blocks_is_refused(mass: Any
 def test_each_cell_of_a_block_against_a_wall_is_a_time_history(model: Linear | None) -> None:
     block = OFF_CENTRE.against_wall()
     motions = MOTIONS if model is None else SUITE
-    for band in (RestitutionBand(draws=2), RestitutionBand(low=0.0, high="housner", draws=3)):
-        levels = Levels("pga_per_uplift", LEVELS, beside=())
-        found = run_ensemble(block, motions, levels=levels, restitution=band, model=model)
+    for band in (TWO, RestitutionBand(low=0.0, high="housner", draws=3)):
+        found = ran(block, motions, restitution=band, model=model)
         ways = (4 if model is None else 3) * 2
         assert found.attrs["runs"] == ways * band.draws * len(LEVELS)  # no mirror images
         for (j, motion), k, direction, draw in product(
@@ -192,49 +197,19 @@ def test_each_cell_of_a_block_against_a_wall_is_a_time_history(model: Linear | N
         assert found.restitution.values[0].tolist() == band.ratios(block)[:, 0].tolist()
 
 
-def test_scatter_at_a_wall_is_that_of_the_wall_alone_and_has_the_bits_of_every_executor() -> None:
-    wall = SYMMETRIC.against_wall(0.5)
-    levels = Levels("pga_per_uplift", LEVELS, beside=())
-    plain, still = (
-        run_ensemble(
-            wall,
-            SUITE,
-            levels=levels,
-            restitution=RestitutionBand(low=0.5, high=0.5, draws=4, scatter=scatter),
-            run=run,
-        )
-        for scatter, run in ((0.1, Execution(executor="serial")), (0.0, None))
-    )
-    threads = run_ensemble(
-        wall,
-        SUITE,
-        levels=levels,
-        restitution=RestitutionBand(low=0.5, high=0.5, draws=4, scatter=0.1),
-        run=Execution(executor="threads", workers=3),
-    )
-    for name in NAMES:
-        np.testing.assert_array_equal(plain[name], threads[name])
-    # Uplift knows no restitution, and so it is that of the runs without scatter.
-    np.testing.assert_array_equal(plain.uplift_time_s, still.uplift_time_s)
-    spread = plain.peak_angle.std("draw")
-    assert (spread > 0.0).any()
-    assert not still.peak_angle.std("draw").values.any()
+def test_a_free_block_has_no_restitution_of_0() -> None:
     with pytest.raises(InputError, match=r"low .*\(0, 1\]"):
         run_ensemble(SYMMETRIC, SUITE, levels=ONE, restitution=RestitutionBand(low=0.0, draws=1))
 
 
 def test_a_mirror_image_has_the_bits_of_its_run() -> None:
-    levels = Levels("pga_per_uplift", LEVELS, beside=())
-    band = RestitutionBand(draws=2)
-    both = run_ensemble(SYMMETRIC, MOTIONS, levels=levels, restitution=band)
-    one = run_ensemble(SYMMETRIC, MOTIONS, levels=levels, restitution=band, ways=Ways(reverse=True))
+    both = ran(SYMMETRIC)
+    one = ran(SYMMETRIC, ways=Ways(reverse=True))
     assert both.attrs["runs"] == one.attrs["runs"] == 4 * 3 * 2
-    for name in NAMES:
-        np.testing.assert_array_equal(both[name].sel(direction=["reversed"]), one[name])
+    assert_same(both.sel(direction=["reversed"]), one)
     # Beside an unequal block the mirror image is copied too.
     beside = ensemble()
-    for name in NAMES:
-        np.testing.assert_array_equal(beside[name].isel(block=[0]), both[name])
+    assert_same(beside.isel(block=[0]), both)
     assert not np.array_equal(
         beside.peak_angle.isel(block=1, direction=0), beside.peak_angle.isel(block=1, direction=1)
     )
@@ -255,39 +230,6 @@ def test_plain_factors_are_the_runs_of_simulate_many() -> None:
         np.testing.assert_array_equal(found[name].isel(vertical=0, draw=0), other[name])
 
 
-@every(
-    "run",
-    [
-        Execution(executor="serial"),
-        *(Execution(executor="threads", workers=count) for count in (1, 2, 3)),
-    ],
-)
-def test_every_executor_gives_the_same_bits(run: Execution) -> None:
-    found = run_ensemble(
-        BLOCKS,
-        MOTIONS,
-        levels=Levels("pga_per_uplift", LEVELS),
-        restitution=RestitutionBand(draws=2),
-        run=run,
-    )
-    for name in NAMES:
-        np.testing.assert_array_equal(found[name], ensemble()[name])
-
-
-def test_small_batches_give_the_same_bits(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(
-        "rocksteady.risk.ensemble.runs.evaluate", functools.partial(evaluate, batch=7)
-    )
-    found = run_ensemble(
-        BLOCKS,
-        MOTIONS,
-        levels=Levels("pga_per_uplift", LEVELS, beside=()),
-        restitution=RestitutionBand(draws=2),
-    )
-    for name in NAMES:
-        np.testing.assert_array_equal(found[name], ensemble()[name])
-
-
 def test_an_interrupted_ensemble_goes_on_from_its_store(tmp_path: Path) -> None:
     place = tmp_path / "runs.zarr"
     kept: list[int] = []
@@ -297,22 +239,12 @@ def test_an_interrupted_ensemble_goes_on_from_its_store(tmp_path: Path) -> None:
         if sum(kept) > 30:
             raise KeyboardInterrupt
 
-    def go(run: Execution) -> xarray.Dataset:
-        return run_ensemble(
-            BLOCKS,
-            MOTIONS,
-            levels=Levels("pga_per_uplift", LEVELS),
-            restitution=RestitutionBand(draws=2),
-            run=run,
-        )
-
     with pytest.raises(KeyboardInterrupt):
-        go(Execution(executor="serial", store=Store(place, chunk=16), progress=stop))
+        ran(run=Execution(executor="serial", store=Store(place, chunk=16), progress=stop))
     kept.clear()
-    found = go(Execution(store=Store(place, resume=True, chunk=16), progress=kept.append))
+    again = Execution(store=Store(place, resume=True, chunk=16), progress=kept.append)
+    assert_same(ran(run=again), ensemble())
     assert kept[0] >= 16  # what was there already
-    for name in NAMES:
-        np.testing.assert_array_equal(found[name], ensemble()[name])
 
 
 def test_measures_stand_beside_the_runs_as_they_are_measured() -> None:

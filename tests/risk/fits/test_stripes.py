@@ -34,10 +34,10 @@ def test_scattered_trials_are_joined_ten_at_least_to_ten_stripes_at_most(
 
 
 def test_a_joined_stripe_is_at_the_mean_logarithm_with_the_mean_probability() -> None:
-    """By hand: 2, 1 and 1 trials at 1, 4 and 16 have a mean of ln of 1.5 ln 2."""
-    made = totals_of([1.0, 4.0, 16.0], [0, 1, 1], [2, 1, 1])
+    """By hand: 2, 1 and 1 trials at 2, 8 and 32 have a mean of ln of 2.5 ln 2."""
+    made = totals_of([2.0, 8.0, 32.0], [0, 1, 1], [2, 1, 1])
     ((at, trials, failures, curve),), misfit = compare_stripes(made, np.array([0.1, 0.5, 0.9]))
-    assert at == pytest.approx(2.0**1.5)
+    assert at == pytest.approx(2.0**2.5)
     assert (trials, failures) == (4, 2)
     assert curve == pytest.approx(0.4)
     assert misfit == pytest.approx(0.1)

@@ -28,7 +28,6 @@ from rocksteady.risk import (
     Fragility,
     Levels,
     RestitutionBand,
-    Ways,
     count_fragility,
     fit_curve,
 )
@@ -154,32 +153,6 @@ def test_the_order_of_records_blocks_and_levels_is_of_no_account() -> None:
                 each.band for each in two.curve.counts
             ]
             np.testing.assert_allclose(one.curve.lifts_at, two.curve.lifts_at, rtol=1e-12)
-
-
-def test_mirror_images_do_not_change_a_share() -> None:
-    both, one = (
-        compute_fragility(BLOCK, SUITE, levels=PGA, restitution=TWO, ways=Ways(reverse=reverse))
-        for reverse in ("both", False)
-    )
-    assert both.runs == one.runs == len(SUITE) * 2 * len(LEVELS)
-    np.testing.assert_array_equal(shares_of(both), shares_of(one))
-    for first, second in zip(both.states, one.states, strict=True):
-        assert [each.band for each in first.curve.counts] == [
-            each.band for each in second.curve.counts
-        ]
-
-
-def test_levels_by_themselves_reach_from_no_uplift_to_falls() -> None:
-    found = compute_fragility(BLOCK, SUITE, levels=Levels("pga_g"), restitution=ONE)
-    shares = found.state("overturned").curve.shares
-    assert found.state("uplift").curve.shares[0] == shares[0] == 0.0
-    assert shares[-1] >= 0.95
-    assert found.seconds > 0.0
-    assert found.scale_factor_max == pytest.approx(
-        float(found.ensemble["level"][-1]) / min(
-            each.peak_acceleration_m_s2 / G for each in SUITE
-        )
-    )  # fmt: skip
 
 
 def test_the_lognormal_has_the_largest_likelihood_of_the_single_runs() -> None:

@@ -14,8 +14,8 @@ from rocksteady.risk.screens.spectra import Chain
 G = 9.80665
 
 
-def body(slope: float = 0.25, height: float = 1.0, vertical: float = 0.0) -> RockingBody:
-    return RockingBody(math.atan(slope), height, 4.0 / 3.0 * (1.0 + slope**2), G, vertical)
+def body(slope: float = 0.25, height: float = 1.0) -> RockingBody:
+    return RockingBody(math.atan(slope), height, 4.0 / 3.0 * (1.0 + slope**2), G)
 
 
 def test_the_worked_value() -> None:
@@ -33,14 +33,6 @@ def test_a_block_gives_the_same_body_with_housners_restitution() -> None:
     assert found.height_m == pytest.approx(1.0)
     assert found.restitution == pytest.approx(block.restitution, rel=1e-13)
     assert found.frequency_hz(0.1) == pytest.approx(body().frequency_hz(0.1), rel=1e-13)
-
-
-def test_vertical_motion_lowers_the_capacity() -> None:
-    factor = math.sqrt(1.0 + (0.25 * 2.0 / 3.0) ** 2)
-    lowered = body(vertical=2.0 / 3.0)
-    assert lowered.vertical_factor == pytest.approx(factor)
-    assert body().capacity_m_s2(0.1) / lowered.capacity_m_s2(0.1) == pytest.approx(factor)
-    assert lowered.frequency_hz(0.1) == body().frequency_hz(0.1)
 
 
 @given(st.floats(0.05, 0.9), st.floats(0.01, 0.999))
@@ -134,13 +126,6 @@ def test_roots_that_are_known_are_found_again() -> None:
         assert min(abs(root - t) for root in found.roots_rad) < 1e-9
     assert found.examined_rad == case.alpha
     assert found.above_at_end
-
-
-def test_a_demand_above_or_below_all_capacity_has_no_root() -> None:
-    strong = find_rotations(body(), Chain((0.1, 9.0), (9.0 * G, 9.0 * G)))
-    assert (strong.roots_rad, strong.above_at_end) == ((), True)
-    weak = find_rotations(body(), Chain((0.1, 9.0), (0.01, 0.01)))
-    assert (weak.roots_rad, weak.above_at_end) == ((), False)
 
 
 def test_a_short_spectrum_is_examined_to_its_end() -> None:

@@ -13,7 +13,6 @@ from rocksteady.risk.screens.friction import (
     needed_friction,
     uplift_acceleration_g,
 )
-from rocksteady.seismic.measures.free_sides import first_side
 
 G = 9.80665
 
@@ -112,12 +111,6 @@ def test_vertical_motion_has_no_sign_and_lifts_sooner() -> None:
     ):
         with pytest.raises(InputError, match=r"vertical_g = 0\.2 .* below 0\.165"):
             call()
-
-
-def test_the_side_of_the_smaller_angle_lifts_first() -> None:
-    block = Block.asymmetric(left=0.3, right=0.1, height=1.0)
-    assert first_side(block) == block.negative
-    assert uplift_acceleration_g(block) == pytest.approx(0.2)
 
 
 def test_motions_change_where_shentons_borders_are() -> None:

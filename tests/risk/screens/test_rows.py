@@ -134,6 +134,7 @@ def test_a_cabinet_has_a_verdict_up_to_a_quarter_away(
     found = row(CABINET, block, pgv_m_s=9.0)
     assert f"at a distance of {number(distance)} in" in found.remark
     assert (found.value is not None) is near
+    assert (found.status, found.needs) == ("computed" if near else "refused", "")
     assert found.passes is (False if near else None)
     assert ("no cabinet is near" in found.verdict) is not near
     assert ("probability" in [name for name, _, _ in found.details]) is near

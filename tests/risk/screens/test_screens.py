@@ -76,42 +76,37 @@ def test_of_unlike_sides_the_wall_leaves_the_free_one() -> None:
     assert free.row("uplift").details
 
 
-def test_the_asce_row_solves_its_equation() -> None:
-    row = full().row("ASCE 43-05 rocking")
-    a, h = 0.32 / 1.8, 0.9
-    t, g = row.value, 9.80665
-    assert t is not None
-    rise = math.cos(t) + a * math.sin(t) - 1.0
-    inertia = 4.0 / 3.0 * (1.0 + a * a)
-    hertz = math.sqrt(2.0 * g * rise / (inertia * h * t * t)) / (2.0 * math.pi)
-    gamma = -2.0 * math.log(1.0 - 2.0 * a * a / inertia)
-    beta = gamma / math.hypot(2.0 * math.pi, gamma)
-    eta = math.sqrt(10.0 / (5.0 + 100.0 * beta))
-    demand = eta * 0.16 * (1.0 / hertz / 2.0) ** (math.log(0.04 / 0.16) / math.log(2.0))
-    assert 1.0 / hertz > 2.0
-    assert 2.0 * rise / t == pytest.approx(demand, rel=1e-9)
-    roots = [value for name, value, _ in row.details if name == "root"]
-    assert roots == sorted(roots)
-    assert roots[-1] == t
+FALLING = [[0.1, 0.4], [0.4, 0.4], [0.8, 0.01], [1.0, 0.005]]
+"""A spectrum that ends at 1 s; the period at alpha is 2.22 s."""
 
 
 @every(
-    ("level", "verdict", "passes"),
+    ("table", "verdict", "passes", "roots"),
     [
-        (0.001, "does not overturn: no root", True),
-        (1.0, "rocks up to", True),
-        (9.0, "overturns", False),
+        ([[period, 0.001 * value] for period, value in SPECTRUM], "does not overturn: no", True, 0),
+        (SPECTRUM, "rocks up to", True, 2),
+        ([[period, 9.0 * value] for period, value in SPECTRUM], "overturns", False, 0),
+        # Its last root is passed: what follows of a falling spectrum can be left out.
+        (FALLING, "rocks up to", True, 1),
+        ([*FALLING[:3], [4.0, 4.0]], "may overturn beyond", False, 2),
+        # It ends above the capacity, or has met it nowhere.
+        ([*FALLING[:3], [1.0, 0.4]], "needs a spectrum up to 2.22 s", None, 2),
+        ([[period, 0.01] for period, _ in FALLING], "needs a spectrum up to 2.22 s", None, 0),
     ],
 )
-def test_no_root_means_overturning_only_where_the_demand_is_above(
-    level: float, verdict: str, passes: bool
+def test_the_asce_row_passes_where_the_demand_ends_below_the_capacity(
+    table: list[list[float]], verdict: str, passes: bool | None, roots: int
 ) -> None:
-    table = [[period, level * value] for period, value in SPECTRUM]
-    found = screen_block(BLOCK, Demand(spectrum=table, spectrum_damping=0.05), object_kind="cask")
-    row = found.row("ASCE 43-05 rocking")
+    demand = Demand(spectrum=table, spectrum_damping=0.05)
+    row = screen_block(BLOCK, demand, object_kind="cask").row(ASCE)
     assert row.verdict.startswith(verdict)
     assert row.passes is passes
-    assert row.status == "computed"
+    assert row.status == ("needs input" if passes is None else "computed")
+    assert row.needs == ("spectrum" if passes is None else "")
+    found = [value for name, value, _ in row.details if name == "root"]
+    assert len(found) == roots
+    assert row.value == (found[-1] if found else None)
+    assert ("It ends at 1 s: up to" in row.remark) is (table[-1][0] == 1.0)
 
 
 def test_rows_without_their_input_say_what_they_need() -> None:
@@ -198,38 +193,6 @@ def test_rows_for_rectangles_say_so_of_other_blocks() -> None:
         assert one.verdict == other.verdict
 
 
-def test_a_spectrum_that_ends_below_the_capacity_answers_up_to_there() -> None:
-    """Its last root is passed: what follows of a falling spectrum can be left out."""
-    table = [[0.1, 0.4], [0.4, 0.4], [0.8, 0.01], [1.0, 0.005]]
-    row = screen_block(
-        BLOCK, Demand(spectrum=table, spectrum_damping=0.05), object_kind="cask"
-    ).row(ASCE)
-    assert row.verdict.startswith("rocks up to ")
-    assert (row.passes, row.needs, row.status) == (True, "", "computed")
-    assert "It ends at 1 s: up to" in row.remark
-    # It is asked to go on where it ends above the capacity, or has met it nowhere.
-    for values in ([0.4, 0.4, 0.01, 0.4], [0.01, 0.01, 0.01, 0.005]):
-        other = [[period, value] for (period, _), value in zip(table, values, strict=True)]
-        row = screen_block(
-            BLOCK, Demand(spectrum=other, spectrum_damping=0.05), object_kind="cask"
-        ).row(ASCE)
-        assert row.verdict.startswith("needs a spectrum up to 2.22 s"), values
-        assert (row.passes, row.status) == (None, "needs input")
-
-
-def test_beyond_its_last_root_a_demand_above_the_capacity_may_overturn() -> None:
-    table = [[0.1, 0.4], [0.4, 0.4], [0.8, 0.01], [4.0, 4.0]]
-    row = screen_block(
-        BLOCK, Demand(spectrum=table, spectrum_damping=0.05), object_kind="cask"
-    ).row(ASCE)
-    assert row.verdict.startswith("may overturn beyond ")
-    assert (row.passes, row.needs, row.status) == (False, "", "computed")
-    assert "It ends at" not in row.remark
-    roots = [value for name, value, _ in row.details if name == "root"]
-    assert len(roots) == 2
-    assert row.value == roots[-1]
-
-
 def test_the_ratio_of_a_row_is_the_demand_over_its_threshold() -> None:
     found = full()
     for row in found.rows:
@@ -303,35 +266,20 @@ def test_the_page_has_the_worked_values_of_its_block() -> None:
     assert f": {shares} |" in lines["p PGV/(g tan alpha)"]
 
 
-def test_what_screens_say_at_once() -> None:
-    block = Block.rectangle(width=0.32, height=1.8)
-    table = [[0.0, 0.3], [0.5, 0.8], [9.0, 0.1]]
-    for demand, friction, words in (
+@every(
+    ("demand", "friction", "words"),
+    [
         (Demand(), None, "none of the other published screens has a verdict."),
-        (Demand(pga_g=0.05, pgv_m_s=0.02), None, "other published screens at 0.05 g and 0.02 m/s."),
         (Demand(pga_g=0.35), 0.05, "It slides at 0.35 g: no screen of rocking is an answer."),
-        (
-            Demand(pgv_m_s=9.0),
-            None,
-            "It fails the one other published screen that has a verdict at 9 m/s.",
-        ),
-        (
-            Demand(spectrum=table[1:]),
-            None,
-            "ASCE 43-05 rocking: needs its damping. No answer yet: none of",
-        ),
-    ):
-        result = screen_block(block, demand, friction=friction, object_kind="cask")
-        text = " ".join(result.summary().split())
-        assert words in text, text
-        following = "its damping, as 0.05; for the rest a PGA (or its row at period 0) and a PGV, o"
-        assert (following in text) == (demand.spectrum is not None)
-        assert result.negative == (
-            friction == 0.05 or any(row.passes is False for row in result.rows)
-        )
-    damped = screen_block(
-        block, Demand(spectrum=table[1:], spectrum_damping=0.05), object_kind="cask"
-    )
-    text = " ".join(damped.summary().split())
-    assert "for the rest a PGA (or its row at period 0) and a PGV, or a record" in text
-    assert "its damping, as 0.05;" not in text
+        (Demand(pgv_m_s=9.0), None, "It fails the one other published screen that has a verdict"),
+        (Demand(spectrum=SPECTRUM[1:]), None, "its damping, as 0.05; for the rest a PGA (or its"),
+        (Demand(spectrum=SPECTRUM[1:], spectrum_damping=0.05), None, "give next for the rest a"),
+    ],
+)
+def test_what_screens_say_at_once(demand: Demand, friction: float | None, words: str) -> None:
+    result = screen_block(BLOCK, demand, friction=friction, object_kind="cask")
+    text = " ".join(result.summary().split())
+    assert words in text, text
+    assert ("give next" in text) == (demand.spectrum is not None)
+    failed = any(row.passes is False for row in result.rows)
+    assert result.negative == (failed or friction is not None)

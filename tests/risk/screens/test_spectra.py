@@ -15,7 +15,6 @@ from rocksteady.risk.screens import spectra
 from rocksteady.risk.screens.spectra import (
     Chain,
     RecordSpectrum,
-    damping_factor,
     read_table,
     spectrum_of,
     tabulated,
@@ -34,15 +33,6 @@ def test_a_chain_is_a_straight_line_on_logarithmic_paper() -> None:
     assert list(chain.pieces()) == [(0.1, 0.0), (0.5, 0.0), (2.0, pytest.approx(-1))]
 
 
-def test_a_given_damping_is_taken_as_it_is() -> None:
-    table = tabulated(TABLE, 0.05)
-    assert table is not None
-    chain, how = table.at_damping(0.05, 4.0)
-    assert chain.periods_s == (0.01, 0.1, 0.5, 2.0)
-    assert chain.values_m_s2 == pytest.approx([0.3 * G, 0.75 * G, 0.75 * G, 0.1875 * G])
-    assert how == "spectrum as given at 5 % damping"
-
-
 def test_between_two_dampings_both_logarithms_are_interpolated() -> None:
     rows = [[0.1, 1.2, 0.6], [1.0, 0.9, 0.3]]
     table = tabulated(rows, (0.02, 0.08))
@@ -53,21 +43,6 @@ def test_between_two_dampings_both_logarithms_are_interpolated() -> None:
     turned = tabulated([[t, b, a] for t, a, b in rows], (0.08, 0.02))
     assert turned is not None
     assert turned.at_damping(0.04, 4.0)[0] == chain
-
-
-@every(("damping", "factor"), [(0.02, 1.19523), (0.1, 0.81650), (0.5, 0.55)])
-def test_outside_the_rule_of_eurocode_8_scales_all_but_the_peak_acceleration(
-    damping: float, factor: float
-) -> None:
-    assert damping_factor(damping) == pytest.approx(factor, abs=5e-6)
-    table = tabulated(TABLE, 0.05)
-    assert table is not None
-    chain, how = table.at_damping(damping, 4.0)
-    assert chain.values_m_s2[0] == pytest.approx(0.3 * G)
-    assert chain.values_m_s2[1:] == pytest.approx(
-        factor * G * np.array([0.75, 0.75, 0.1875]), rel=1e-5
-    )
-    assert "EN 1998-1" in how
 
 
 def test_a_record_has_its_spectrum_at_the_damping_itself() -> None:
@@ -124,18 +99,30 @@ def test_a_table_may_reach_its_bounds_and_not_beyond() -> None:
         tabulated([[0.1, 0.3, 0.2], [0.2, 0.3, 0.2]], 0.05)
 
 
-def test_at_the_dampings_of_a_table_and_beyond_the_nearest_column_counts() -> None:
-    table = tabulated([[0.0, 0.4, 0.4], [0.5, 1.2, 0.6]], (0.02, 0.08))
+@every(
+    ("given", "damping", "values", "how"),
+    [
+        ((0.02, 0.08), 0.02, (0.4, 1.2), "as given at 2 % damping"),
+        ((0.02, 0.08), 0.08, (0.4, 0.6), "as given at 8 % damping"),
+        # By hand: sqrt(10/(5 + xi)) of 1, 2, 8 and 20 %, at least 0.55.
+        ((0.02, 0.08), 0.01, (0.4, 1.2 * 1.290994 / 1.195229), "scaled from 2 % to 1 %"),
+        ((0.02, 0.08), 0.2, (0.4, 0.6 * 0.632456 / 0.877058), "scaled from 8 % to 20 %"),
+        ((0.3, 0.9), 0.2, (0.4, 1.2 * 0.632456 / 0.55), "damping by 1.15, eta of EN 1998-1 eq. 3"),
+        # A factor of 1 is not shown.
+        ((0.0189, 0.08), 0.018897, (0.4, 1.200026), "as given at 1.89 % damping"),
+        ((0.02, 0.3), 0.4, (0.4, 0.6), "as given at 30 %, for 40 % damping"),
+    ],
+)
+def test_at_the_dampings_of_a_table_and_beyond_the_nearest_column_counts(
+    given: tuple[float, float], damping: float, values: tuple[float, float], how: str
+) -> None:
+    """Outside its dampings Eurocode 8 scales all but the peak acceleration, at period 0."""
+    table = tabulated([[0.0, 0.4, 0.4], [0.5, 1.2, 0.6]], given)
     assert table is not None
-    for damping, column in ((0.02, 1.2), (0.08, 0.6)):
-        values, how = table.scaled(damping)
-        assert values.tolist() == [0.4, column]
-        assert f"as given at {100.0 * damping:g} %" in how
-    for damping, nearest, column in ((0.01, 0.02, 1.2), (0.2, 0.08, 0.6)):
-        values, how = table.scaled(damping)
-        factor = damping_factor(damping) / damping_factor(nearest)
-        assert values.tolist() == pytest.approx([0.4, factor * column])
-        assert f"scaled from {100.0 * nearest:g} % to {100.0 * damping:g} %" in how
+    chain, words = table.at_damping(damping, 4.0)
+    assert chain.periods_s == (0.01, 0.5)
+    assert np.array(chain.values_m_s2) / G == pytest.approx(values, rel=1e-5)
+    assert how in words
 
 
 def test_without_a_damping_a_table_is_checked_and_not_used() -> None:
@@ -170,32 +157,24 @@ def test_what_is_no_spectrum_is_refused(table: object, damping: object, words: s
 
 
 @every(
-    ("text", "dampings"),
+    ("text", "values", "dampings"),
     [
-        ("0.1 0.3\n0.2, 0.4\n", None),
-        ("# site A\n# damping 0.05\n0.1;0.3\n\n0.2;0.4\n", (0.05,)),
-        ("# Damping = 5 %\nperiod_s,sa_g\n0.1,0.3\n0.2,0.4\n", (0.05,)),
-        ("T (s), Sa (g), damping: 2%\n0.1\t0.3\n0.2\t0.4\n", (0.02,)),
+        ("0.1 0.3\n0.2, 0.4\n", [0.3], None),
+        ("# site A\n# damping 0.05\n0.1;0.3\n\n0.2;0.4\n", [0.3], (0.05,)),
+        ("# Damping = 5 %\nperiod_s,sa_g\n0.1,0.3\n0.2,0.4\n", [0.3], (0.05,)),
+        ("T (s), Sa (g), damping: 2%\n0.1\t0.3\n0.2\t0.4\n", [0.3], (0.02,)),
+        ("# damping 2 %, 5 %, 10 %\n0.1 3 2 1\n0.2 3 2 1\n", [3.0, 2.0, 1.0], (0.02, 0.05, 0.1)),
+        ("# damping 2, 5 and 10 % of critical\n0.1 3 2 1\n", [3.0, 2.0, 1.0], (0.02, 0.05, 0.1)),
     ],
 )
-def test_a_file_is_read_with_the_damping_it_states(
-    tmp_path: Path, text: str, dampings: tuple[float, ...] | None
+def test_a_file_is_read_with_the_dampings_it_states_in_the_order_of_the_columns(
+    tmp_path: Path, text: str, values: list[float], dampings: tuple[float, ...] | None
 ) -> None:
     file = tmp_path / "spectrum.txt"
     file.write_text(text, encoding="utf-8")
     rows, found = read_table(file)
-    assert rows.tolist() == [[0.1, 0.3], [0.2, 0.4]]
+    assert rows[0].tolist() == [0.1, *values]
     assert found == dampings
-
-
-def test_several_dampings_are_stated_in_the_order_of_the_columns(tmp_path: Path) -> None:
-    file = tmp_path / "spectrum.txt"
-    file.write_text("# damping 2 %, 5 %, 10 %\n0.1 3 2 1\n0.2 3 2 1\n", encoding="utf-8")
-    rows, found = read_table(file)
-    assert rows.shape == (2, 4)
-    assert found == (0.02, 0.05, 0.1)
-    file.write_text("# damping 2, 5 and 10 % of critical\n0.1 3 2 1\n", encoding="utf-8")
-    assert read_table(file)[1] == found
 
 
 @every(
@@ -268,20 +247,6 @@ def test_a_long_comment_is_read_at_once(tmp_path: Path, filling: str) -> None:
     with suppress(InputError):
         read_table(file)
     assert time.process_time() - began < 1.0
-
-
-@every(
-    ("given", "damping", "words"),
-    [
-        (0.0189, 0.018903, "spectrum as given at 1.89 % damping"),
-        (0.3, 0.4, "spectrum as given at 30 %, for 40 % damping"),
-        (0.05, 0.1, "spectrum scaled from 5 % to 10 % damping by 0.816, eta of EN 1998-1 eq. 3.6"),
-    ],
-)
-def test_a_factor_of_1_is_not_shown(given: float, damping: float, words: str) -> None:
-    table = tabulated(TABLE, given)
-    assert table is not None
-    assert table.at_damping(damping, 4.0)[1] == words
 
 
 @every(

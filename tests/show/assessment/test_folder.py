@@ -4,6 +4,7 @@ import csv
 import hashlib
 import json
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -11,19 +12,28 @@ import numpy as np
 import pytest
 
 from rocksteady import durable
-from rocksteady.errors import OutputError
+from rocksteady.errors import InputError, OutputError
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.risk.assess.objects_table import assess_placed
+from rocksteady.risk.assess.placed_objects import place_objects
 from rocksteady.seismic.measures.scalar import Measure, compute_measure
 from rocksteady.show.assessment import folder as module
 from rocksteady.show.assessment.folder import write_assessment
 from tests.every import every
 from tests.outputs import unrendered
+from tests.risk.counted.recorded import described as shaken
+from tests.show.assessment.loss_files import read_loss_files
 from tests.show.assessment.pages import drawn_once
+from tests.show.export.test_components import QUIET
 
 SUITE = make_synthetic_suite(11)
-FILES = ["fragility.csv", "report.html", "results.csv", "run.json"]
+pytestmark = QUIET
+FILES = [
+    *("fragility.csv", "fragility.json", "fragility.xml", "report.html", "results.csv"),
+    *("run.json", "shares.csv"),
+]
 ALONE = ["report.html", "run.json"]
 """Files of an object that slides."""
 
@@ -107,6 +117,41 @@ def test_each_run_has_the_factors_that_give_its_record_the_peaks_of_its_level(
         assert pgv == pytest.approx(level * 0.3 / 0.4, rel=1e-6)
 
 
+def test_each_kind_of_a_table_has_a_component_unless_none_falls(tmp_path: Path) -> None:
+    """Two kinds of one name have two; of the third all falls are taken out."""
+    peaks: dict[str, Any] = {"pga_g": 0.5, "pgv_m_s": 0.45, "assessment": {"draws": 1}}
+    objects = [
+        shaken(width, 1.6, name=name, **peaks)
+        for name, width in (("rack 6/7", 0.3), ("rack 6/7", 0.25), ("stele", 0.35))
+    ]
+    table = assess_placed(place_objects(objects, SUITE), None, [None] * 3, curves=True)
+    state = table.curves[2].states[-1]
+    stood = [replace(count, fell=0 * count.fell) for count in state.curve.counts]
+    stands = replace(state, curve=replace(state.curve, counts=stood))
+    table = replace(table, curves={**table.curves, 2: replace(table.curves[2], states=(stands,))})
+    out = tmp_path / "answer"
+    with unrendered():
+        write_assessment(table, out)
+    assert names(out) == sorted({*FILES, "answers.csv"} - {"results.csv"})
+    values = json.loads((out / "run.json").read_text(encoding="utf-8"))
+    assert values["settings"]["no_loss_component"] == ["stele"]
+    components = read_loss_files(out)
+    assert {*components} == {"RS.rack_6_7", "RS.rack_6_7.2"}
+    kinds = [row for row, _ in table.kinds if row["name"] != "stele"]
+    for row, curves in zip(kinds, components.values(), strict=True):
+        for curve, level in product(curves, (0.5, 0.55)):
+            share = table.curves[row["like"]].states[-1].share(level)
+            assert curve(level) == pytest.approx(float(share), abs=1e-5)
+
+
+def test_lognormals_far_from_the_counts_are_refused(rocking: Assessment, tmp_path: Path) -> None:
+    assert rocking.fragility is not None
+    assert rocking.fragility.states[-1].lognormal.misfit > 0.1
+    with pytest.raises(InputError, match="points"):
+        write_assessment(rocking, tmp_path / "answer", lognormal=True)
+    assert [*tmp_path.iterdir()] == []
+
+
 @pytest.mark.slow
 def test_the_same_answer_gives_the_same_bytes(
     rocking: Assessment, out: Path, tmp_path: Path
@@ -123,7 +168,7 @@ def test_an_object_that_slides_leaves_its_inputs_alone(
     out = tmp_path / "answer"
     with unrendered(), drawn_once():
         write_assessment(rocking, out)
-    with pytest.raises(OutputError, match=r"it holds fragility\.csv and 3 more; add --force"):
+    with pytest.raises(OutputError, match=r"it holds fragility\.csv and 6 more; add --force"):
         write_assessment(sliding, out)
     assert names(out) == FILES
     write_assessment(sliding, out, force=True)

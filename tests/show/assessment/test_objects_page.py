@@ -11,6 +11,7 @@ from rocksteady.results.numbers import chance, number
 from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
+from rocksteady.risk.counted.suite import Peaks
 from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.export.manifest import make_manifest
 from tests.outputs import unrendered
@@ -36,7 +37,7 @@ def _table() -> ObjectsTable:
     objects += [
         replace(objects[0], values={**objects[0].values, "name": f"twin {k}"}) for k in "ab"
     ]
-    return assess_objects(objects, SUITE, pga_g=0.4, pgv_m_s=0.5)
+    return assess_objects(objects, SUITE, demand=Peaks(pga_g=0.4, pgv_m_s=0.5))
 
 
 @pytest.fixture(scope="module", name="html")
@@ -115,7 +116,7 @@ def test_a_page_of_floors_has_their_plan_and_names_them() -> None:
         DescribedObject(values={"name": f"vase {k}", "floor": floor, "building": "house"} | vase)
         for k, floor in enumerate((2, 2, 0))
     ]
-    table = assess_objects(objects, SUITE, buildings=[house], pga_g=0.3, pgv_m_s=0.4)
+    table = assess_objects(objects, SUITE, buildings=[house], demand=Peaks(pga_g=0.3, pgv_m_s=0.4))
     with unrendered():
         page = Page(report_html(table, make_manifest()))
     assert len(page.of("img")) == 1

@@ -544,6 +544,7 @@ _MADE_BY: Final = {
     "Orbit": "give one that find_orbits(...) returns, or find_attractor(...).orbit",
     "Harmonic": "make a Harmonic(amplitude=..., frequency_ratio=...)",
     "Axes": "give the axes of matplotlib, or leave it out for new ones",
+    "LossComponent": "make one with LossComponent.from_fragility(identifier, fragility)",
     "Dataset": "give the dataset that the function named in the documentation returns",
 }
 

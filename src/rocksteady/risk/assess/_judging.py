@@ -63,6 +63,8 @@ class Judged:
         The runs at the demand; None without.
     risk
         Annual rate of falling; None without a hazard curve or runs.
+    no_rate
+        Why the rate is not known, where there is a hazard curve.
     friction_of_rate
         Friction that it needs up to the level below which 95 % of the rate lie.
     remedies
@@ -82,6 +84,7 @@ class Judged:
     plain: Count | None = None
     runs: "xarray.Dataset | None" = None
     risk: Risk | None = None
+    no_rate: str = ""
     friction_of_rate: FrictionNeed | None = None
     remedies: tuple[Remedy, ...] = ()
 

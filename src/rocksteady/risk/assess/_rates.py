@@ -1,11 +1,13 @@
 """Rates: counted shares of an object over levels, and how often it falls at its site."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.results.numbers import number
 from rocksteady.risk.assess._judging import Judged, band_of
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import own_states
@@ -29,7 +31,7 @@ from rocksteady.risk.fragility.damage_states import DEFAULT_STATES, OVERTURNED, 
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
 from rocksteady.risk.hazard._fragile import fragile_of
-from rocksteady.risk.hazard.failure_risk import Risk, in_years, risk_of
+from rocksteady.risk.hazard.failure_risk import Risk, in_years, risk_of, why_unknown
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.hazard.hazard_measures import written
 from rocksteady.seismic.measures.scalar import compute_measure
@@ -44,8 +46,15 @@ def curve_of(
     shaking: Shaking,
     hazard: HazardCurve | None = None,
     run: Execution | None = None,
-) -> Fragility:
-    """Return counted shares over levels that hold the demand, up to the end of a hazard curve."""
+) -> Fragility | None:
+    """Return counted shares over levels that hold the demand, up to the end of a hazard curve.
+
+    None of what slides before it lifts.
+    """
+    try:
+        slides_above = _sliding(described, shaking)
+    except ModelError:
+        return None
     block, band = described.block, band_of(described)
     motions: list[Motion] = list(shaking.motions)
     levels = reaching_levels(
@@ -60,7 +69,27 @@ def curve_of(
     ensemble = run_ensemble(
         block, motions, levels=levels, restitution=band, ways=shaking.ways, run=run
     )
-    return count_fragility(ensemble, states=_states(described))
+    fragility = count_fragility(ensemble, states=_states(described))
+    if slides_above >= levels.values[-1]:
+        return fragility
+    words = f"Above {number(slides_above)} it slides under the strongest record: shares there are "
+    warnings = (*fragility.warnings, f"{words}of rocking alone.")
+    return replace(fragility, slides_above=slides_above, warnings=warnings)
+
+
+def _sliding(described: DescribedObject, shaking: Shaking) -> float:
+    """Return the level above which an object slides under some motion; inf where none does.
+
+    Raises
+    ------
+    ModelError
+        If it slides before it lifts.
+    """
+    if described.given.friction is None:
+        return math.inf
+    motions, block = list(shaking.motions), described.block
+    ones = Levels(shaking.measure).at_scale_one([across(each) for each in motions], [block])
+    return sliding_level([block], motions, ones, bounds_of(described.given.friction)[0])
 
 
 def _states(described: DescribedObject) -> Sequence[DamageState | float | str]:
@@ -130,7 +159,7 @@ def site_of(
 def with_rate(
     described: DescribedObject,
     judged: Judged,
-    fragility: Fragility,
+    fragility: Fragility | None,
     hazard: HazardCurve,
     *,
     built_in: bool,
@@ -139,27 +168,28 @@ def with_rate(
 
     `hazard` is that of `site_of`.  Levels above which it would slide count as without runs.
     """
+    if fragility is None:
+        judged = replace(judged, no_rate="it slides before it lifts")
+        if described.target.years is None:
+            return judged
+        return replace(judged, decision=Decision(verdict="slides"))
     shaking, state = judged.shaking, fragility.states[-1]
     assert shaking is not None
     if fragility.records < LEAST:
         return without_rate(described, judged)
-    peaks = np.array([compute_measure(across(each), PGA) for each in shaking.motions])
-    block, given = described.block, described.given.friction
-    ones = Levels(shaking.measure).at_scale_one([across(each) for each in shaking.motions], [block])
-    least = None if given is None else bounds_of(given)[0]
-    last = np.inf
-    if least is not None:
-        try:
-            last = sliding_level([block], list(shaking.motions), ones, least)
-        except ModelError:  # it slides before it lifts
-            if described.target.years is None:
-                return judged
-            return replace(judged, decision=Decision(verdict="slides"))
+    last = math.inf if fragility.slides_above is None else fragility.slides_above
     risk = _risk(state, hazard, last)
-    reach = risk.contributing[-1]
-    need = friction_at([block], reach / ones[0] * peaks)
+    block, given = described.block, described.given.friction
+    records = [across(each) for each in shaking.motions]
+    peaks = np.array([compute_measure(each, PGA) for each in records])
+    (ones,) = Levels(shaking.measure).at_scale_one(records, [block])
+    need = friction_at([block], risk.contributing[-1] / ones * peaks)
+    judged = replace(judged, risk=risk, friction_of_rate=need)
+    if not risk.is_known:
+        above = "it slides" if risk.fragile.last == last else "nothing is counted"
+        judged = replace(judged, no_rate=why_unknown(risk, above=above))
     if described.target.years is None:
-        return replace(judged, risk=risk, friction_of_rate=need)
+        return judged
     near = None
     kept = folds(shaking.stretches) < NEAR
     if shaking.stretched and not built_in and kept.sum() >= LEAST:
@@ -173,23 +203,25 @@ def with_rate(
             band=risk.probability_band,
             near=near,
             is_known=risk.is_known,
-            friction_known=least is not None and need.largest <= least,
+            friction_known=given is not None and need.largest <= bounds_of(given)[0],
             built_in=built_in,
         )
     )
     decision = judged.decision
     if decision.verdict not in ("slides", "no-answer"):
         decision = replace(decision, verdict=verdict, reason=reason)
-    return replace(judged, risk=risk, friction_of_rate=need, decision=decision)
+    return replace(judged, decision=decision)
 
 
 def without_rate(described: DescribedObject, judged: Judged) -> Judged:
-    """Return a judged object that has no rate: no answer to a target in years."""
+    """Return a judged object of too few records for a rate."""
     decision = judged.decision
-    if described.target.years is None or decision.verdict in ("slides", "no-answer"):
+    if decision.verdict in ("slides", "no-answer"):
         return judged
     reason: Reason = "few-records" if judged.shaking is not None else "few-vertical"
-    return replace(judged, decision=Decision(verdict="no-answer", reason=reason))
+    if described.target.years is not None:
+        return replace(judged, decision=Decision(verdict="no-answer", reason=reason))
+    return replace(judged, no_rate=f"a rate is of {LEAST} records or more")
 
 
 def _risk(state: StateFragility, hazard: HazardCurve, last: float) -> Risk:

@@ -13,7 +13,7 @@ from rocksteady.risk.counted.built_in import ACCURACY
 from rocksteady.risk.counted.count import Count
 from rocksteady.risk.counted.suite import Shaking, Suite, folds, median_fold
 from rocksteady.risk.counted.verdict import LEAST, MARGIN, NEAR, TOO_FAR, VERDICTS, Target, Verdict
-from rocksteady.risk.hazard.failure_risk import LEAST_FOR_BAND, rate_words, why_unknown
+from rocksteady.risk.hazard.failure_risk import LEAST_FOR_BAND, rate_words
 
 SAME: Final = 1e-6
 """Part of a level by which peaks differ that are the same but for rounding."""
@@ -84,12 +84,8 @@ class Screen:
 
     def _rate(self) -> str:
         """Return how often it falls, or why that is not known."""
-        risk = self.judged.risk
-        if risk is None:
-            return "no rate: nothing is counted"
-        if not risk.is_known:
-            return f"no rate: {why_unknown(risk)}"
-        return f"falls {rate_words(risk)}"
+        risk, why = self.judged.risk, self.judged.no_rate
+        return f"no rate: {why}" if why or risk is None else f"falls {rate_words(risk)}"
 
     def _no_answer(self) -> str:
         """Return why there is no answer."""
@@ -128,11 +124,9 @@ class Screen:
         """Return the rate, or of a target in years what is counted at the demand."""
         judged = self.judged
         if self.target.years is None or self.decision.verdict == "no-answer":
-            if judged.risk is None:
-                return []
-            words = self._rate().removeprefix("falls ").removeprefix("no rate: ")
-            if not judged.risk.is_known:
-                return [Stated(quantity="no rate", text=words)]
+            if judged.no_rate:
+                return [Stated(quantity="no rate", text=judged.no_rate)]
+            words = "" if judged.risk is None else rate_words(judged.risk)
             return [Stated(quantity="rate", text=words)]
         if self.judged.stands or self.judged.count is None:
             return [Stated(quantity="at the demand", text=f"it stands at {self.demand}")]
@@ -191,7 +185,7 @@ class Screen:
             return target
         low, high = risk.probability_band or (0.0, 0.0)
         return {
-            "rate-unknown": f"{target}; give a hazard curve that reaches further",
+            "rate-unknown": target,
             "rate-records": f"{target}; a rate has an interval from {LEAST_FOR_BAND} records on",
             "stretched": f"{target}; records stretched less than {NEAR:g}-fold say otherwise",
             "built-in": "built-in motions are noise with your two peaks",

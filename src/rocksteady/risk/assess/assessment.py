@@ -278,6 +278,9 @@ def answer_facts(judged: Judged, *, built_in: bool) -> list[Fact]:
     conditions = []
     if not judged.friction_known and decision.verdict != "no-answer":
         conditions.append(f"friction at least {number(judged.friction.largest)}")
+        if judged.friction_of_rate is not None:
+            need = number(judged.friction_of_rate.largest)
+            conditions.append(f"friction at least {need} for the rate")
     return [
         Fact("verdict", decision.verdict),
         Fact("reason", decision.reason or None),

@@ -4,7 +4,7 @@ import time
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -32,7 +32,7 @@ from rocksteady.risk.assess.placed_objects import (
     place_objects,
     with_demand,
 )
-from rocksteady.risk.counted.suite import Peaks, Suite
+from rocksteady.risk.counted.suite import Peaks, Shaking, Suite
 from rocksteady.risk.counted.verdict import CODES, LEAST, VERDICTS, Target, Verdict
 from rocksteady.risk.ensemble.qualification import (
     FORCES,
@@ -46,12 +46,15 @@ from rocksteady.risk.screens.friction import uplift_acceleration_g
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.sweep.run import Execution
 
+if TYPE_CHECKING:
+    import xarray
+
 OPEN: Final[tuple[Verdict, ...]] = ("slides", "not-shown", "no-answer")
 """Verdicts that are neither above nor below a target."""
 EACH = "the demand of each object"
 MOST_ROWS = 5
 """Kinds of objects on a screen."""
-MOST_HELPED = 20
+MOST_HELPED = 10
 """Kinds of objects whose least changes are looked for, the worst first."""
 
 
@@ -66,7 +69,7 @@ class ObjectsTable(Result):
         A row for each object, in the order given: its place and demand, ``verdict`` and the fields
         of an assessment's JSON, as ``share``, ``low``, ``high`` and ``share_1_1``; ``like``, a
         number that objects share which are alike in all that the runs depend on; motion of the top,
-        clearance and forces as of an `Assessment`; least changes, of the 20 worst kinds; further
+        clearance and forces as of an `Assessment`; least changes, of the 10 worst kinds; further
         columns of its table after them.
     pga_g, pgv_m_s
         The demand of objects that state none of their own.
@@ -276,7 +279,7 @@ def assess_objects(
     """Assess count objects at their demands, each kind of object run once.
 
     Each gets the counted share and the verdict that `assess_object` gives, and with a hazard curve
-    the rate; the 20 worst kinds get the least changes too.  The sensitivity is left to it.
+    the rate; the 10 worst kinds get the least changes too.  The sensitivity is left to it.
 
     Parameters
     ----------
@@ -339,39 +342,46 @@ def assess_placed(
     """
     began = time.perf_counter()
     objects, built_in = placed.objects, placed.suite.built_in
-    judged = judge_objects(placed, run=run)
-    forces = _forces(placed, judged, run)
-    likes: dict[object, int] = {}
-    firsts: list[int] = []
-    like = []
-    for place, (each, judgement) in enumerate(zip(objects, judged, strict=True)):
-        asked_of, vertical = peaks_of(each), each.demand.vertical_at_peak_g
-        friction = repr(each.given.friction)
-        key = (each.block, id(judgement.shaking), asked_of, vertical, band_of(each), friction)
-        if key not in likes:
-            firsts.append(place)
-        like.append(likes.setdefault(key, len(likes)))
-    kinds = [judged[place] for place in firsts]
+    numbers: dict[object, int] = {}
+    like = [
+        numbers.setdefault(_key(*pair), len(numbers))
+        for pair in zip(objects, placed.shakings, placed.plain, strict=True)
+    ]
+    places = dict(zip(reversed(like), reversed(range(len(like))), strict=True))
+    firsts = [places[kind] for kind in range(len(numbers))]
+    alike = replace(
+        placed,
+        objects=[objects[place] for place in firsts],
+        shakings=[placed.shakings[place] for place in firsts],
+        plain=[placed.plain[place] for place in firsts],
+    )
+    kinds = judge_objects(alike, run=run)
     fragilities: dict[int, Fragility] = {}
-    for kind, place in enumerate(firsts):
-        each, judgement, site = objects[place], judged[place], sites[place]
-        shaking = judgement.shaking
-        if not is_curved(judgement, site, curves=curves) or shaking is None:
-            kinds[kind] = without_rate(each, judgement)
+    for kind, (each, place) in enumerate(zip(alike.objects, firsts, strict=True)):
+        site, shaking = sites[place], kinds[kind].shaking
+        if not is_curved(kinds[kind], site, curves=curves) or shaking is None:
+            if site is not None:
+                kinds[kind] = without_rate(each, kinds[kind])
             continue
-        fragilities[kind] = curve_of(each, shaking, site, run)
+        fragility = curve_of(each, shaking, site, run)
+        if fragility is not None:
+            fragilities[kind] = fragility
         if site is not None:
-            kinds[kind] = with_rate(each, judgement, fragilities[kind], site, built_in=built_in)
-    for kind, remedies in _worst_remedies([objects[place] for place in firsts], kinds, placed, run):
+            kinds[kind] = with_rate(each, kinds[kind], fragility, site, built_in=built_in)
+    for kind, remedies in _worst_remedies(alike, kinds, run):
         kinds[kind] = replace(kinds[kind], remedies=remedies)
+    moved = [
+        {} if each.runs is None or each.stands else most_of_rocking(each.runs) for each in kinds
+    ]
+    heavy = {kind for each, kind in zip(objects, like, strict=True) if each.body.whole_mass_kg}
+    forces = _forces_per_kg(alike, kinds, heavy, run)
     rows = []
-    for each, kind, force in zip(objects, like, forces, strict=True):
-        judgement = kinds[kind]
-        row = _row(each, judgement, placed.suite) | {"like": kind}
-        row |= dict.fromkeys((*OUTPUTS, *FORCES))
-        if judgement.runs is not None and not judgement.stands:
-            row |= most_of_rocking(judgement.runs)
-        row |= dict(zip(FORCES, force or (), strict=False))
+    for each, kind in zip(objects, like, strict=True):
+        row = _row(each, kinds[kind], placed.suite) | {"like": kind}
+        row |= dict.fromkeys((*OUTPUTS, *FORCES)) | moved[kind]
+        force, mass = forces[kind], each.body.whole_mass_kg
+        if force is not None and mass is not None:
+            row |= {key: mass * value for key, value in zip(FORCES, force, strict=True)}
         rows.append(row | _kept(each, row))
     return ObjectsTable(
         rows=tuple(rows),
@@ -384,22 +394,35 @@ def assess_placed(
     )
 
 
+def _key(described: DescribedObject, shaking: Shaking | None, plain: Shaking | None) -> object:
+    """Return what objects share that are alike in all that their answers depend on."""
+    given = described.given
+    return (
+        described.block,
+        tuple(variant.block for variant in described.variants()),
+        id(shaking),
+        id(plain),
+        peaks_of(described),
+        given.demand.place,
+        described.demand.vertical_at_peak_g,
+        band_of(described),
+        repr((given.friction, given.assessment)),
+    )
+
+
 def _worst_remedies(
-    objects: Sequence[DescribedObject],
-    judged: Sequence[Judged],
-    placed: PlacedObjects,
-    run: Execution | None,
+    placed: PlacedObjects, judged: Sequence[Judged], run: Execution | None
 ) -> Iterator[tuple[int, tuple[Remedy, ...]]]:
     """Yield the places of the worst kinds of objects, with their least changes."""
     wanted = [
         (place, shaking)
-        for place, (each, judgement) in enumerate(zip(objects, judged, strict=True))
+        for place, (each, judgement) in enumerate(zip(placed.objects, judged, strict=True))
         if is_helped(judgement, each, built_in=placed.suite.built_in)
         and (shaking := judgement.shaking) is not None
     ]
     wanted.sort(key=lambda pair: -_share(judged[pair[0]]))
     some = wanted[:MOST_HELPED]
-    asked = [(objects[place], shaking) for place, shaking in some]
+    asked = [(placed.objects[place], shaking) for place, shaking in some]
     yield from zip((place for place, _ in some), remedies_of(asked, run=run), strict=True)
 
 
@@ -408,26 +431,22 @@ def _share(judged: Judged) -> float:
     return 0.0 if judged.count is None else judged.count.share
 
 
-def _forces(
-    placed: PlacedObjects, judged: Sequence[Judged], run: Execution | None
+def _forces_per_kg(
+    placed: PlacedObjects, judged: Sequence[Judged], heavy: set[int], run: Execution | None
 ) -> list[tuple[float, float] | None]:
-    """Return the forces on the base of each object with a mass that was counted."""
-    floors: dict[int, list[int]] = {}
-    for place, judgement in enumerate(judged):
-        if judgement.runs is not None and judgement.shaking is not None and not judgement.stands:
-            floors.setdefault(id(judgement.shaking), []).append(place)
+    """Return the forces on the base of 1 kg of each kind with a mass that was counted [kN]."""
     forces: list[tuple[float, float] | None] = [None] * len(judged)
+    floors: dict[int, list[tuple[int, xarray.Dataset, Shaking]]] = {}
+    for place, judgement in enumerate(judged):
+        runs, shaking = judgement.runs, judgement.shaking
+        if place in heavy and runs is not None and shaking is not None and not judgement.stands:
+            floors.setdefault(id(shaking), []).append((place, runs, shaking))
     inner = None if run is None else replace(run, store=None, progress=None)
-    for places in floors.values():
-        shaking = judged[places[0]].shaking
-        assert shaking is not None
-        runs = [each for place in places if (each := judged[place].runs) is not None]
+    for members in floors.values():
+        places, runs_of, shakings = zip(*members, strict=True)
+        blocks = [placed.objects[place].block for place in places]
         values = forces_of_rocking(
-            runs,
-            [placed.objects[place].block for place in places],
-            shaking.motions,
-            [placed.objects[place].body.whole_mass_kg for place in places],
-            run=inner,
+            runs_of, blocks, shakings[0].motions, [1.0] * len(blocks), run=inner
         )
         for place, force in zip(places, values, strict=True):
             forces[place] = force

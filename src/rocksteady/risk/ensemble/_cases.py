@@ -96,7 +96,7 @@ def fates(
     band: RestitutionBand,
     mirrored_from: str | None,
     model: Model,
-    weights_kn: Floats | None = None,
+    weights_kn: Floats | None,
 ) -> dict[str, NDArray[Any]]:
     """Return how the blocks of some cells fare.
 
@@ -116,7 +116,7 @@ def fates(
     model
         The equations of motion.
     weights_kn
-        Weights of the blocks [kN], for the forces on their bases; by default there are none.
+        Weights of the blocks [kN], for the forces on their bases; None without forces.
     """
     ways, way = told_apart(motion)
     bodies, body = told_apart(block)

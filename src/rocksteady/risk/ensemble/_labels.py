@@ -30,7 +30,8 @@ MOST_NAMES = 5
 
 def labelled(
     arrays: Mapping[str, NDArray[Any]],
-    things: tuple[Sequence[Block], Sequence[Record], Sequence[str]],
+    bodies: Sequence[Block],
+    records: Sequence[Record],
     levels: Levels,
     scale: Floats,
     band: RestitutionBand,
@@ -44,72 +45,64 @@ def labelled(
     ----------
     arrays
         The variables, over all dimensions.
-    things
-        Blocks, records, and names of the records.
+    bodies, records
+        The blocks and the records.
     levels, scale, band
         What they were run at; the scale has shape (blocks, records, levels).
-    coordinates, attributes
-        More of both.
+    coordinates
+        Values of record, direction, vertical, uplift_scale and copied.
+    attributes
+        Further attributes.
     """
     import xarray
 
-    bodies, records, names = things
-    words = {output.name: output.attributes for output in OUTPUTS}
-    for variables in (qualification.OUTPUTS, qualification.FORCES):
-        words |= {name: dict(attributes) for name, attributes in variables.items()}
-    words["uplift_time_s"] = {"units": "s", "long_name": "time of the first uplift"}
+    words: dict[str, Mapping[str, Any]] = {
+        **{output.name: output.attributes for output in OUTPUTS},
+        **qualification.OUTPUTS,
+        **qualification.FORCES,
+        "uplift_time_s": {"units": "s", "long_name": "time of the first uplift"},
+    }
     ratios = np.stack([band.ratios(block) for block in bodies])
+    gravity = [block.gravity for block in bodies]
     intensity = levels.intensity
-    level = {"long_name": "factor of all accelerations", "units": "1"}
+    factor = {"units": "1", "long_name": "factor of all accelerations"}
+    level = dict(factor)
     if intensity is not None:
         level = {"long_name": intensity.label, "units": intensity.unit or "1"}
+    lifting = {"units": "1", "long_name": "factor of all accelerations above which it lifts"}
     columns: dict[str, Any] = {
-        "record": ("record", list(names), {"long_name": "ground motion"}),
+        "record": ("record", coordinates["record"], {"long_name": "ground motion"}),
         "direction": ("direction", coordinates["direction"], {"long_name": "sign of the record"}),
         "vertical": ("vertical", coordinates["vertical"], {"long_name": "vertical component"}),
         "draw": ("draw", np.arange(band.draws), {"long_name": "value of the restitution"}),
         "level": ("level", list(levels.values), level),
         "block": ("block", np.arange(1, len(bodies) + 1), {"long_name": "block"}),
         "gravity": (
-            "block",
-            [block.gravity for block in bodies],
-            {"units": "m s-2", "long_name": "acceleration of gravity"},
+            "block", gravity, {"units": "m s-2", "long_name": "acceleration of gravity"}
         ),
-        "scale": (
-            ("block", "record", "level"),
-            scale,
-            {"units": "1", "long_name": "factor of all accelerations"},
-        ),
-    }
-    columns["uplift_scale"] = (
-        ("block", "record", "direction", "vertical"),
-        coordinates["uplift_scale"],
-        {"units": "1", "long_name": "factor of all accelerations above which it lifts"},
-    )
+        "scale": (("block", "record", "level"), scale, factor),
+        "uplift_scale": (DIMENSIONS[:4], coordinates["uplift_scale"], lifting),
+    }  # fmt: skip
     columns |= side_coordinates(bodies)
     if coordinates["copied"].any():
         words_of_copy = {"long_name": "copy of the run without a vertical component"}
         columns["copied"] = (("record", "vertical"), coordinates["copied"], words_of_copy)
     two = "negative_alpha" in columns
     for prefix, side, column in (("", "positive", 0), ("negative_", "negative", 1))[: 1 + two]:
-        columns[f"{prefix}restitution"] = (
-            ("block", "draw"),
-            ratios[:, :, column],
-            {"units": "1", "long_name": "restitution" + (f" of the {side} side" if two else "")},
-        )
+        of = f" of the {side} side" if two else ""
+        values = ratios[:, :, column]
+        about: dict[str, Any] = {"units": "1", "long_name": f"restitution{of}"}
+        columns[f"{prefix}restitution"] = (("block", "draw"), values, about)
     beside = dict.fromkeys((*levels.beside, *(() if intensity is None else (intensity,))))
     for each in beside:
-        columns[f"im_{each.key}"] = (
-            ("block", "record"),
-            measured(each, records, bodies),
-            {
-                "units": each.unit or "1",
-                "long_name": each.label,
-                "measure": each.name,
-                "scales": int(each.scales),
-                **({} if each.period_s is None else {"period_s": each.period_s}),
-            },
-        )
+        about = {
+            "units": each.unit or "1",
+            "long_name": each.label,
+            "measure": each.name,
+            "scales": int(each.scales),
+            **({} if each.period_s is None else {"period_s": each.period_s}),
+        }
+        columns[f"im_{each.key}"] = (("block", "record"), measured(each, records, bodies), about)
     return xarray.Dataset(
         {name: (DIMENSIONS, arrays[name], words[name]) for name in arrays},
         coords=columns,
@@ -149,8 +142,7 @@ def warnings_of(
             "motion that strong usually has another spectrum and duration."
         )
     for outcome in (Status.LOST_CONTACT, Status.UNDECIDED):
-        count = int((status == outcome).sum())
-        if count:
+        if count := int((status == outcome).sum()):
             remarks.append(
                 f"{count:,} of {status.size:,} runs ended {outcome.label}, without an answer."
             )

@@ -72,11 +72,11 @@ def qualification_of(
             sign * peaks[place] * side.alpha
             for sign, side in zip((1.0, -1.0), free_sides(block), strict=False)
         ]
-        for whole, motion in ((tops, top_displacement), (gaps, clearance)):
-            whole[place] = np.max([motion(block, angle) for angle in angles], axis=0)
+        tops[place] = np.max([top_displacement(block, angle) for angle in angles], axis=0)
+        gaps[place] = np.max([clearance(block, angle) for angle in angles], axis=0)
         edges[place] = block.width * (block.alpha * block.p) * speeds[place]
-    for whole in (tops, gaps):
-        whole[status == int(Status.OVERTURNED)] = np.nan
+    fell = status == int(Status.OVERTURNED)
+    tops[fell] = gaps[fell] = np.nan
     return dict(zip(OUTPUTS, (tops, gaps, edges), strict=True))
 
 
@@ -95,9 +95,10 @@ def most_of_rocking(runs: "xarray.Dataset") -> dict[str, float | None]:
 
 def rocking_words(values: Mapping[str, float | None]) -> str:
     """Return the same in words; empty where no run rocks and stands."""
-    top, gap, speed = (values[key] for key in OUTPUTS)
-    if top is None or gap is None or speed is None:
+    known = [value for key in OUTPUTS if (value := values[key]) is not None]
+    if not known:
         return ""
+    top, gap, speed = known
     edge = quantity(speed, "m/s")
     return f"at most {length(top)}, clearance {length(gap)}, its edge at {edge}, {OF_ROCKING}"
 
@@ -151,8 +152,8 @@ def forces_of_rocking(
         run=run,
     )
     forces = np.stack([cells[name].values.T for name in FORCES], axis=-1)
-    for each, place in enumerate(heavy):
-        rocked = forces[each][np.isfinite(forces[each, :, 0])]
+    for place, each in zip(heavy, forces, strict=True):
+        rocked = each[np.isfinite(each[:, 0])]
         if len(rocked):
             weight = weight_kn(blocks[place], masses_kg[place] or 0.0)
             across, down = (weight * np.quantile(rocked, SHARE, axis=0)).tolist()

@@ -2,7 +2,7 @@
 
 import functools
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -152,7 +152,6 @@ def run_ensemble(
         Axis(name="level", values=levels.values, long_name=levels.key),
         Axis(name="draw", values=np.arange(band.draws), long_name="value of the restitution"),
     )
-    more: dict[str, Any] = {} if weights is None else {"weights_kn": weights}
     load_kernel(equations)
     swept = evaluate(
         functools.partial(
@@ -161,10 +160,10 @@ def run_ensemble(
             band=band,
             mirrored_from=directions[0] if len(several) > 1 else None,
             model=equations,
-            **more,
+            weights_kn=weights,
         ),
         Grid(axes=axes),
-        [*OUTPUTS, *(FORCE_OUTPUTS if more else ())],
+        [*OUTPUTS, *(() if weights is None else FORCE_OUTPUTS)],
         run=run,
         numbered="cell",
         attributes={"model": equations.name, "measure": levels.key},
@@ -181,11 +180,13 @@ def run_ensemble(
     runs = sum(len(shakings) // (len(several) if block.symmetric else 1) for block in bodies)
     return labelled(
         arrays,
-        (bodies, records, names),
+        bodies,
+        records,
         levels,
         scale,
         band,
         coordinates={
+            "record": names,
             "direction": list(directions),
             "vertical": list(lifts),
             "copied": copied,
@@ -213,12 +214,8 @@ def _weights(blocks: Sequence[Block], mass_kg: float | Sequence[float] | None) -
             f"there must be one mass for all blocks, or {len(blocks)}, one for each",
             "give a mass in kg for each block",
         )
-    return np.array(
-        [
-            weight_kn(block, MASS("mass_kg", mass))
-            for block, mass in zip(blocks, masses, strict=True)
-        ]
-    )
+    pairs = zip(blocks, masses, strict=True)
+    return np.array([weight_kn(block, MASS("mass_kg", mass)) for block, mass in pairs])
 
 
 def _lifts(value: object, grounds: Sequence[GroundShaking]) -> tuple[str, ...]:

@@ -6,6 +6,7 @@ samples both sides of this are lines, so that the moment is a crossing of two li
 """
 
 from collections.abc import Iterator, Sequence
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -112,12 +113,8 @@ def uplift_scales(
     """
     ratios, limits = uplift_limits(blocks, linear=linear)
     least = np.full((len(blocks), len(grounds), len(directions), len(lifts)), np.inf)
-    for place, ground, sign, column in _drives(grounds, directions, lifts):
-        shares = ratios[:, column].tolist()
-        if ground.vertical is None:  # the lines are the same for all blocks
-            shares = shares[:1]
-        each = [driving(ground.record, sign, share, ground.vertical) for share in shares]
-        tops = np.array([max(lines.first.max(), lines.last.max()) for lines in each])
+    for place, column, driven in _drives(ratios, grounds, directions, lifts):
+        tops = np.array([max(lines.first.max(), lines.last.max()) for lines in driven])
         with np.errstate(divide="ignore"):
             scales = np.where(tops > 0.0, limits[:, column] / tops, np.inf)
         least[:, *place] = np.minimum(least[:, *place], scales)
@@ -125,17 +122,23 @@ def uplift_scales(
 
 
 def _drives(
-    grounds: Sequence[GroundShaking], directions: Sequence[str], lifts: Sequence[str]
-) -> Iterator[tuple[tuple[int, int, int], GroundShaking, float, int]]:
-    """Yield place, ground, sign and number of the driven side, for both sides of each run."""
-    for i, ground in enumerate(grounds):
-        flat = GroundShaking(record=ground.record)
-        for j, direction in enumerate(directions):
-            sign = -1.0 if direction == DIRECTIONS[1] else 1.0
-            for k, lift in enumerate(lifts):
-                shaken = ground if lift == "with" else flat
-                yield (i, j, k), shaken, sign, 0
-                yield (i, j, k), shaken, -sign, 1
+    ratios: Floats,
+    grounds: Sequence[GroundShaking],
+    directions: Sequence[str],
+    lifts: Sequence[str],
+) -> Iterator[tuple[tuple[int, int, int], int, list[Lines]]]:
+    """Yield place, driven side and the lines of each block, for both sides of each run."""
+    runs = product(enumerate(grounds), enumerate(directions), enumerate(lifts))
+    for (i, ground), (j, direction), (k, lift) in runs:
+        vertical = ground.vertical if lift == "with" else None
+        sign = -1.0 if direction == DIRECTIONS[1] else 1.0
+        for column, side in ((0, sign), (1, -sign)):
+            shares = ratios[:, column].tolist()
+            if vertical is None:  # the lines are the same for all blocks
+                driven = [driving(ground.record, side)] * len(shares)
+            else:
+                driven = [driving(ground.record, side, share, vertical) for share in shares]
+            yield (i, j, k), column, driven
 
 
 def uplift_times(
@@ -167,14 +170,9 @@ def uplift_times(
     ratios, limits = uplift_limits(blocks, linear=linear)
     count, records, levels = scale.shape
     earliest = np.full((count, records, len(directions), len(lifts), levels), np.nan)
-    for place, ground, sign, column in _drives(grounds, directions, lifts):
+    for place, column, driven in _drives(ratios, grounds, directions, lifts):
         thresholds = limits[:, column, np.newaxis] / scale[:, place[0]]
-        if ground.vertical is None:
-            times = driving(ground.record, sign).first_above(thresholds)
-        else:
-            shares = ratios[:, column].tolist()
-            each = [driving(ground.record, sign, share, ground.vertical) for share in shares]
-            rows = zip(each, thresholds, strict=True)
-            times = np.stack([lines.first_above(row) for lines, row in rows])
+        rows = zip(driven, thresholds, strict=True)
+        times = np.stack([lines.first_above(row) for lines, row in rows])
         earliest[:, *place] = np.fmin(earliest[:, *place], times)
     return earliest

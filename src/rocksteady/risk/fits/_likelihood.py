@@ -1,9 +1,6 @@
-"""Binomial log-likelihoods, their gradients and Hessians, and their maximum."""
+"""Binomial log-likelihood of probits, its gradient and Hessian, and its maximum."""
 
-import functools
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,73 +10,28 @@ SQRT_2 = math.sqrt(2.0)
 ROOT_OF_2_BY_PI = math.sqrt(2.0 / math.pi)
 
 
-@dataclass(frozen=True)
-class Family:
-    """A cumulative distribution F of the predictor eta, in forms that are exact in both tails.
-
-    Attributes
-    ----------
-    cdf, log_cdf, quantile
-        F, ln F and the inverse of F; 1 - F(eta) = F(-eta).
-    hazard
-        F'(eta)/F(eta).
-    fall
-        -d hazard/d eta at (eta, hazard).
-    """
-
-    cdf: Callable[[Floats], Floats]
-    log_cdf: Callable[[Floats], Floats]
-    quantile: Callable[[Floats], Floats]
-    hazard: Callable[[Floats], Floats]
-    fall: Callable[[Floats, Floats], Floats]
-
-
-@functools.cache
-def family_of(name: str) -> Family:
-    """Return the distribution of a family: "lognormal" or "logistic"."""
-    from scipy import special
-
-    def hazard_of_normal(eta: Floats) -> Floats:
-        hazard: Floats = ROOT_OF_2_BY_PI / special.erfcx(-eta / SQRT_2)
-        return hazard
-
-    families: Mapping[str, Family] = {
-        "lognormal": Family(
-            special.ndtr,
-            special.log_ndtr,
-            special.ndtri,
-            hazard_of_normal,
-            lambda eta, hazard: hazard * (hazard + eta),
-        ),
-        "logistic": Family(
-            special.expit,
-            special.log_expit,
-            special.logit,
-            lambda eta: special.expit(-eta),
-            lambda _, hazard: hazard * (1.0 - hazard),
-        ),
-    }
-    return families[name]
-
-
-def log_likelihood_of(family: Family, eta: Floats, failures: Floats, trials: Floats) -> float:
+def log_likelihood_of(eta: Floats, failures: Floats, trials: Floats) -> float:
     """Return sum(k ln F + (n - k) ln(1 - F)), without binomial coefficients."""
-    stood = trials - failures
-    return float(failures @ family.log_cdf(eta) + stood @ family.log_cdf(-eta))
+    from scipy.special import log_ndtr
+
+    return float(failures @ log_ndtr(eta) + (trials - failures) @ log_ndtr(-eta))
 
 
-def slopes(family: Family, eta: Floats, failures: Floats, trials: Floats) -> tuple[Floats, Floats]:
-    """Return the first and the negative second derivative of each term with respect to eta."""
-    up, down = family.hazard(eta), family.hazard(-eta)
+def slopes(eta: Floats, failures: Floats, trials: Floats) -> tuple[Floats, Floats]:
+    """Return the first and the negative second derivative of each term with respect to eta.
+
+    The inverse Mills ratio F'/F is exact in both tails, and its derivative is -F'/F (F'/F + eta).
+    """
+    from scipy.special import erfcx
+
+    up, down = (ROOT_OF_2_BY_PI / erfcx(-side / SQRT_2) for side in (eta, -eta))
     stood = trials - failures
     first = failures * up - stood * down
-    second = failures * family.fall(eta, up) + stood * family.fall(-eta, down)
+    second = failures * up * (up + eta) + stood * down * (down - eta)
     return first, second
 
 
-def maximise(
-    family: Family, design: Floats, failures: Floats, trials: Floats, start: Floats
-) -> Floats:
+def maximise(design: Floats, failures: Floats, trials: Floats, start: Floats) -> Floats:
     """Return the coefficients of the largest likelihood, where it has one.
 
     The log-likelihood is concave in the coefficients [1].  SciPy's trust region comes near to its
@@ -88,10 +40,8 @@ def maximise(
 
     Parameters
     ----------
-    family
-        F of P = F(design @ coefficients).
     design
-        Shape (n, q).
+        Of P = F(design @ coefficients), F the normal distribution; shape (n, q).
     failures, trials
         Shape (n,).
     start
@@ -106,14 +56,14 @@ def maximise(
     size = float(trials.sum())
 
     def loss(at: Floats) -> float:
-        return -log_likelihood_of(family, design @ at, failures, trials) / size
+        return -log_likelihood_of(design @ at, failures, trials) / size
 
     def gradient(at: Floats) -> Floats:
-        row: Floats = -(slopes(family, design @ at, failures, trials)[0] @ design) / size
+        row: Floats = -(slopes(design @ at, failures, trials)[0] @ design) / size
         return row
 
     def hessian(at: Floats) -> Floats:
-        second = slopes(family, design @ at, failures, trials)[1]
+        second = slopes(design @ at, failures, trials)[1]
         matrix: Floats = (design * second[:, None]).T @ design / size
         return matrix
 
@@ -125,20 +75,18 @@ def maximise(
         hess=hessian,
         options={"gtol": 1e-9, "maxiter": 500},
     ).x
-    solved = solve_score(family, design, failures, trials, near)
+    solved = solve_score(design, failures, trials, near)
     return near if solved is None else solved
 
 
-def solve_score(
-    family: Family, design: Floats, failures: Floats, trials: Floats, start: Floats
-) -> Floats | None:
+def solve_score(design: Floats, failures: Floats, trials: Floats, start: Floats) -> Floats | None:
     """Return the coefficients at which the score is 0, from near them; None if not found."""
     from scipy.optimize import root
 
     size = float(trials.sum())
 
     def score(at: Floats) -> tuple[Floats, Floats]:
-        first, second = slopes(family, design @ at, failures, trials)
+        first, second = slopes(design @ at, failures, trials)
         return first @ design / size, (design * (second / -size)[:, None]).T @ design
 
     result = root(score, start, jac=True, method="lm", options={"xtol": 1e-11, "ftol": 1e-24})

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.risk.fits._likelihood import family_of, log_likelihood_of, maximise
+from rocksteady.risk.fits._likelihood import log_likelihood_of, maximise
 from rocksteady.risk.fits._totals import Totals
 
 FITTED, SEPARATED, NEVER, ALWAYS, NOT_RISING = (
@@ -42,12 +42,20 @@ class Maximum:
     shares: Floats
 
 
-def maximum_of(totals: Totals, family: str) -> Maximum:
-    """Return the maximum of a family of curves."""
+def maximum_of(totals: Totals) -> Maximum:
+    """Return the lognormal curve of the largest likelihood, or the status of data without one."""
     status, step = _status_of(totals)
-    if status == FITTED:
-        return _fitted(totals, family)
+    best = _fitted(totals) if status == FITTED else None
+    if best is not None:
+        return best
     levels, failures, trials = totals
+    if status in (FITTED, NOT_RISING):
+        flat = np.full(len(levels), failures.sum() / trials.sum())
+        return Maximum(
+            status=NOT_RISING,
+            log_likelihood=_likelihood(flat, totals),
+            shares=np.full(len(levels), math.nan),
+        )
     shares, median = failures / trials, math.nan
     if step is not None:
         low, high = step
@@ -58,8 +66,8 @@ def maximum_of(totals: Totals, family: str) -> Maximum:
         status=status,
         median=median,
         step=step,
-        log_likelihood=_flat(totals) if status == NOT_RISING else _likelihood(shares, totals),
-        shares=np.full(len(levels), math.nan) if status == NOT_RISING else shares,
+        log_likelihood=_likelihood(shares, totals),
+        shares=shares,
     )
 
 
@@ -89,36 +97,31 @@ def _status_of(totals: Totals) -> tuple[str, tuple[float, float] | None]:
     return (SEPARATED, (stood, failed)) if stood <= failed else (FITTED, None)
 
 
-def _fitted(totals: Totals, family: str) -> Maximum:
-    """Return the maximum of overlapping counts: P = F(a + b z), z = (ln im - centre)/scale."""
+def _fitted(totals: Totals) -> Maximum | None:
+    """Return the maximum of overlapping counts: P = F(a + b z), z = (ln im - centre)/scale.
+
+    None where rounding makes the curve flat, or its median is beyond the floats.
+    """
+    from scipy.special import ndtr, ndtri
+
     levels, failures, trials = totals
-    function, logs, size = family_of(family), np.log(levels), trials.sum()
+    logs, size = np.log(levels), trials.sum()
     centre = float(trials @ logs / size)
     scale = math.sqrt(float(trials @ np.square(logs - centre) / size))
     design = np.column_stack([np.ones_like(logs), (logs - centre) / scale])
-    start = np.array([float(function.quantile(failures.sum() / size)), 1.0])
-    at = maximise(function, design, failures, trials, start)
+    start = np.array([float(ndtri(failures.sum() / size)), 1.0])
+    at = maximise(design, failures, trials, start)
     a, b = at.tolist()
     if b <= 0.0 or abs(centre - scale * a / b) > LARGEST_LOG:
-        return Maximum(
-            status=NOT_RISING,
-            log_likelihood=_flat(totals),
-            shares=np.full(len(levels), math.nan),
-        )
+        return None
     eta = design @ at
     return Maximum(
         status=FITTED,
         median=math.exp(centre - scale * a / b),
         beta=scale / b,
-        log_likelihood=log_likelihood_of(function, eta, failures, trials),
-        shares=function.cdf(eta),
+        log_likelihood=log_likelihood_of(eta, failures, trials),
+        shares=ndtr(eta),
     )
-
-
-def _flat(totals: Totals) -> float:
-    """Return the log-likelihood of single trials at one probability for all levels."""
-    share = totals.failures.sum() / totals.trials.sum()
-    return _likelihood(np.full(len(totals.levels), share), totals)
 
 
 def _likelihood(shares: Floats, totals: Totals) -> float:

@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,12 +11,12 @@ from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.checks.validation import non_negative
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.results.numbers import number, number_or_none, plural, quantity
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
-from rocksteady.risk.fits._likelihood import family_of
 from rocksteady.risk.fits._maximum import (
     ALWAYS,
     FITTED,
@@ -29,6 +29,8 @@ from rocksteady.risk.fits._stripes import Row, compare_stripes
 from rocksteady.risk.fits._totals import totals_of
 
 SHARE = Bounds(0.0, 1.0, "()", "give a share, as 0.5")
+QUANTILE = 1.645
+"""Standard normal deviate of 95 %, with the digits of its source."""
 
 
 @checked_result
@@ -36,12 +38,10 @@ SHARE = Bounds(0.0, 1.0, "()", "give a share, as 0.5")
 class FragilityCurve(Result):
     """Fragility curve P(failure | im), from `rocksteady.risk.fit_curve`.
 
-    P = F((ln im - ln median)/beta), F the normal distribution [1]_ or the logistic one.
+    P = F((ln im - ln median)/beta), F the normal distribution [1]_.
 
     Attributes
     ----------
-    family
-        "lognormal" or "logistic".
     status
         "fitted"; "separated": a step; "never" and "always": without a failure, without a survival;
         "not-rising": failures lie at no higher intensities than survivals, and no curve is forced.
@@ -49,8 +49,7 @@ class FragilityCurve(Result):
         Intensity of probability .5; for a step the geometric mean of its two sides; NaN without a
         curve.
     beta
-        Standard deviation of ln im (lognormal) or its scale (logistic); NaN of a step, which does
-        not identify it, and without a curve.
+        Standard deviation of ln im; NaN of a step, which does not identify it, and without a curve.
     step
         Highest intensity with a survival and lowest with a failure; None unless separated.
     log_likelihood
@@ -79,7 +78,6 @@ class FragilityCurve(Result):
     .. [1] J. W. Baker, Earthquake Spectra 31, 579-599 (2015), equations 11 and 12.
     """
 
-    family: Annotated[str, Label()]
     status: Annotated[str, Label()]
     median: Annotated[float, Label(plain=number_or_none)]
     beta: Annotated[float, Label(plain=number_or_none)]
@@ -105,14 +103,15 @@ class FragilityCurve(Result):
         ndarray
             Probability, of the same shape.  A step has .5 at its median.  Without a failure it is 0
             up to the highest intensity, without a survival 1 from the lowest on, and NaN elsewhere
-            and of data that do not rise.  A fitted curve goes on beyond `sampled` as its family
-            does.
+            and of data that do not rise.  A fitted curve goes on beyond `sampled`.
 
         Raises
         ------
         InputError
             If an intensity is negative or NaN.
         """
+        from scipy.special import ndtr
+
         at = np.asarray(intensity, dtype=np.float64)
         bad = ~(at >= 0.0)
         if bad.any():
@@ -129,7 +128,7 @@ class FragilityCurve(Result):
             return np.full(at.shape, math.nan)
         with np.errstate(divide="ignore", over="ignore"):  # of ln 0 the probability is 0
             eta = (np.log(at) - math.log(self.median)) / self.beta
-        return np.asarray(family_of(self.family).cdf(eta))
+        return np.asarray(ndtr(eta))
 
     def quantile(self, probability: float) -> float:
         """Return the intensity of a probability.
@@ -144,14 +143,49 @@ class FragilityCurve(Result):
         float
             NaN without a curve, infinite where a flat one reaches it at no number.
         """
+        from scipy.special import ndtri
+
         p = SHARE("probability", probability)
         if self.status != FITTED:
             return self.median
-        eta = float(family_of(self.family).quantile(np.array(p)))
         try:
-            return self.median * math.exp(self.beta * eta)
+            return self.median * math.exp(self.beta * float(ndtri(p)))
         except OverflowError:
             return math.inf
+
+    def hclpf(self, beta_u: float = 0.0) -> float:
+        """Return the intensity of high confidence of a low probability of failure (HCLPF).
+
+        It is median exp(-1.645 (beta + beta_u)) [1]_: with 95 % confidence at most 5 % fail.
+
+        Parameters
+        ----------
+        beta_u
+            Standard deviation of ln median, which is of knowledge; beta is of chance.  Default 0.
+
+        Returns
+        -------
+        float
+            NaN without a beta.
+
+        Raises
+        ------
+        InputError
+            If `beta_u` is negative or not finite.
+
+        Examples
+        --------
+        >>> from rocksteady.risk import fit_curve
+        >>> curve = fit_curve([0.2, 0.4, 0.8], [1, 9, 14], [15, 15, 15])
+        >>> print(f"{curve.hclpf(0.3):.3f}")
+        0.108
+
+        References
+        ----------
+        .. [1] R. P. Kennedy and M. K. Ravindra, Nuclear Engineering and Design 79, 47-68 (1984).
+        """
+        uncertainty = non_negative("beta_u", beta_u, hint="give that of ln median")
+        return self.median * math.exp(-QUANTILE * (self.beta + uncertainty))
 
     def describe(self) -> Description:
         """Return the curve and its stripes."""
@@ -159,20 +193,14 @@ class FragilityCurve(Result):
         facts = facts_of(
             self,
             Fact("measure", name, "intensity", f"{name} [{unit}]" if unit else name),
-            "family status median beta step log_likelihood misfit trials failures sampled",
+            "status median beta step log_likelihood misfit trials failures sampled",
             median=self._words(self.median),
             beta=NOT_IDENTIFIED if math.isnan(self.beta) else number(self.beta),
             sampled=f"{number(self.sampled[0])} to {self._words(self.sampled[1])}",
         )
         rows = [
-            {
-                "intensity": at,
-                "trials": trials,
-                "failures": failures,
-                "share": failures / trials,
-                "probability": curve,
-            }
-            for at, trials, failures, curve in self.stripes
+            {"intensity": at, "trials": n, "failures": k, "share": k / n, "probability": curve}
+            for at, n, k, curve in self.stripes
         ]
         columns = (
             Column("intensity", "intensity", number),
@@ -190,7 +218,7 @@ class FragilityCurve(Result):
         name, trials = self.measure[0], plural(self.trials, "trial")
         if self.status == FITTED:
             return (
-                f"{self.family} in {name}: median {self._words(self.median)}, beta "
+                f"lognormal in {name}: median {self._words(self.median)}, beta "
                 f"{number(self.beta)}, within {number(100.0 * self.misfit, 2)} points of the shares"
                 f" of {trials}"
             )
@@ -217,14 +245,13 @@ def fit_curve(
     failures: ArrayLike,
     trials: ArrayLike | None = None,
     *,
-    family: Literal["lognormal", "logistic"] = "lognormal",
     measure: tuple[str, str] = ("intensity", ""),
 ) -> FragilityCurve:
     """Fit a fragility curve to counts of failures by maximum likelihood.
 
-    P = F((ln im - ln median)/beta), F the normal distribution [1] or the logistic one.  Labels
-    enter as they are, in any order, and are not made monotone.  Runs of one record depend on each
-    other, so that no confidence follows from the number of trials.
+    P = F((ln im - ln median)/beta), F the normal distribution [1].  Labels enter as they are, in
+    any order, and are not made monotone.  Runs of one record depend on each other, so that no
+    confidence follows from the number of trials.
 
     Parameters
     ----------
@@ -234,8 +261,6 @@ def fit_curve(
         Their number in each observation, shape (n,).
     trials
         Their number in each observation, shape (n,); default 1 each.
-    family
-        Distribution of ln im; default "lognormal".
     measure
         Name and unit of the intensity, for texts, as ("PGV", "m/s").
 
@@ -262,10 +287,9 @@ def fit_curve(
     0.591 0.582
     """
     totals = totals_of(intensity, failures, trials)
-    best = maximum_of(totals, family)
+    best = maximum_of(totals)
     stripes, misfit = compare_stripes(totals, best.shares)
     return FragilityCurve(
-        family=family,
         status=best.status,
         median=best.median,
         beta=best.beta,

@@ -17,16 +17,16 @@ from rocksteady.model.checks.bounds import FRICTION
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number
-from rocksteady.risk.counted.count import Count, counts_of, outcomes_of, without_mirrors
+from rocksteady.risk.counted.count import counts_of, outcomes_of, without_mirrors
 from rocksteady.risk.counted.curve import Curve
 from rocksteady.risk.counted.reach import MOST_WITHOUT, RATIO, reaching_levels
 from rocksteady.risk.counted.sliding import friction_at, sliding_level
-from rocksteady.risk.counted.suite import PGA, across, distinct
+from rocksteady.risk.counted.suite import PGA, across, distinct, has_vertical
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
 from rocksteady.risk.ensemble.ways import Ways
-from rocksteady.risk.fits.fragility_curve import FragilityCurve, fit_curve
+from rocksteady.risk.fits.fragility_curve import fit_curve
 from rocksteady.risk.fragility.damage_states import DEFAULT_STATES, DamageState, exceeding, state_of
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
@@ -98,14 +98,15 @@ def count_fragility(ensemble: "xarray.Dataset", *, states: States = DEFAULT_STAT
     shares = []
     for state in asked:
         counts = counts_of(exceeding(state, status, peaks), answered)[:kept]
+        lognormal = fit_curve(
+            levels,
+            [each.falls for each in counts],
+            [each.runs for each in counts],
+            measure=("factor", "") if measure is None else (measure.label, measure.unit),
+        )
         curve = Curve(levels=levels, counts=counts, lifts_at=lifts_at)
         shares.append(
-            StateFragility(
-                state=state,
-                measure=measure,
-                curve=curve,
-                lognormal=_summary(levels, counts, measure),
-            )
+            StateFragility(state=state, measure=measure, curve=curve, lognormal=lognormal)
         )
     return Fragility(
         ensemble=ensemble.isel(level=slice(0, kept)),
@@ -196,21 +197,29 @@ def plan_fragility(
     grounds_of(several)  # refused where one is no record
     kept = distinct(several)
     places = {id(each) for each in kept}
-    copies = [across(each).name or "a record" for each in several if id(each) not in places]
     most = np.inf
     if friction is not None:
         ones = asked.at_scale_one([across(each) for each in kept], bodies)
         most = sliding_level(bodies, kept, ones, friction)
+    reached = reaching_levels(asked, bodies, kept, restitution=restitution, ways=ways, most=most)
+    rocking = [level for level in reached.values if level <= most]
+    if not rocking:
+        raise ModelError(
+            "friction",
+            friction,
+            f"it slides at all levels: above {number(most)} rocking takes more",
+            "give lower levels or a higher friction",
+        )
     return PlannedFragility(
         blocks=bodies,
         motions=kept,
-        levels=reaching_levels(asked, bodies, kept, restitution=restitution, ways=ways, most=most),
+        levels=replace(reached, levels=rocking),
         restitution=RestitutionBand() if restitution is None else restitution,
         ways=Ways() if ways is None else ways,
         friction=friction,
-        most=most,
+        slides_above=most if most < max(reached.values) * RATIO else None,
         began=began,
-        copies=copies,
+        copies=[across(each).name or "a record" for each in several if id(each) not in places],
     )
 
 
@@ -223,9 +232,9 @@ class PlannedFragility:
     blocks, motions, restitution, ways, friction
         As for `compute_fragility`.
     levels
-        Levels that reach.
-    most
-        Level above which a block slides; infinite where none does.
+        Levels that reach, without those at which a block slides.
+    slides_above
+        Level above which a block slides, where the levels end before it; else None.
     began
         When the search for the levels began, on the clock of `time.perf_counter`.
     copies
@@ -238,7 +247,7 @@ class PlannedFragility:
     restitution: RestitutionBand
     ways: Ways
     friction: float | None
-    most: float
+    slides_above: float | None
     began: float
     copies: Sequence[str]
 
@@ -248,7 +257,7 @@ class PlannedFragility:
         signs = len(chosen(self.ways.reverse, DIRECTIONS))
         if all(block.symmetric for block in self.blocks):
             signs = 1
-        lifted = sum(getattr(each, "vertical", None) is not None for each in self.motions)
+        lifted = sum(map(has_vertical, self.motions))
         grounds = len(self.motions) + lifted * (self.ways.vertical == "both")
         levels = len(self.levels.values)
         return len(self.blocks) * grounds * signs * levels * self.restitution.draws
@@ -270,61 +279,32 @@ class PlannedFragility:
             mass_kg=mass_kg,
             run=run,
         )
-        fragility = with_friction(
-            count_fragility(ensemble, states=states),
-            self.blocks,
-            self.motions,
-            self.friction,
-            self.most,
-        )
-        names = ", ".join(self.copies)
-        left_out = f"Left out, with the samples of other records: {names}." * bool(names)
+        fragility = count_fragility(ensemble, states=states)
+        warnings = list(fragility.warnings)
+        if self.copies:
+            names = ", ".join(self.copies)
+            warnings.insert(0, f"Left out, with the samples of other records: {names}.")
+        if self.slides_above is not None:
+            warnings.append(
+                f"Above {number(self.slides_above)} it slides under the strongest record: no share."
+            )
         return replace(
             fragility,
-            warnings=tuple(filter(None, (left_out, *fragility.warnings))),
+            friction=self.friction,
+            friction_needed=self._friction_needed(fragility),
+            slides_above=self.slides_above,
+            warnings=tuple(warnings),
             seconds=time.perf_counter() - self.began,
         )
 
-
-def with_friction(
-    fragility: Fragility,
-    blocks: Sequence[Block],
-    motions: Sequence[Record | BaseMotion],
-    friction: float | None,
-    most: float = np.inf,
-) -> Fragility:
-    """Return a fragility with the friction that it takes; levels above `most` would slide."""
-    kept = fragility
-    levels = fragility.ensemble["level"].values
-    warnings = list(fragility.warnings)
-    if (levels > most).any():
-        count = int((levels <= most).sum())
-        if not count:
-            raise ModelError(
-                "friction",
-                friction,
-                f"it slides at all levels: above {number(most)} rocking takes more",
-                "give lower levels or a higher friction",
-            )
-        kept = count_fragility(
-            fragility.ensemble.isel(level=slice(0, count)),
-            states=[each.state for each in fragility.states],
-        )
-    ends = bool(most < float(levels[-1]) * RATIO)
-    if ends:
-        warnings.append(f"Above {number(most)} it slides under the strongest record: no share.")
-    peaks = np.array([compute_measure(across(each), PGA) for each in motions])
-    half, at = kept.states[-1].half, kept.ensemble["level"].values
-    place = min(int(np.searchsorted(at, half[0])), len(at) - 1) if half else len(at) - 1
-    scale = kept.ensemble["scale"].isel(level=place).transpose("block", "record").values
-    need = friction_at(blocks, (scale * peaks).ravel())
-    return replace(
-        kept,
-        friction=friction,
-        friction_needed=need.largest,
-        slides_above=most if ends else None,
-        warnings=tuple(warnings),
-    )
+    def _friction_needed(self, fragility: Fragility) -> float:
+        """Return the friction at the level where half reach the last state, or at the last one."""
+        levels, half = fragility.ensemble["level"].values, fragility.states[-1].half
+        last = len(levels) - 1
+        place = min(int(np.searchsorted(levels, half[0])), last) if half else last
+        scale = fragility.ensemble["scale"].isel(level=place).transpose("block", "record").values
+        peaks = np.array([compute_measure(across(each), PGA) for each in self.motions])
+        return friction_at(self.blocks, (scale * peaks).ravel()).largest
 
 
 def damage_states(states: States) -> tuple[DamageState, ...]:
@@ -365,13 +345,10 @@ def _levels_with_answers(answered: NDArray[np.bool_]) -> int:
 
 def _measure_of(ensemble: "xarray.Dataset") -> Measure | None:
     """Return the measure of the levels; None of plain factors."""
-    key = ensemble.attrs["measure"]
-    for values in ensemble.coords.values():
-        if values.attrs.get("measure") is not None:
-            measure = Measure(values.attrs["measure"], values.attrs.get("period_s"))
-            if measure.key == key:
-                return measure
-    return None
+    values = ensemble.coords.get(f"im_{ensemble.attrs['measure']}")
+    return (
+        None if values is None else Measure(values.attrs["measure"], values.attrs.get("period_s"))
+    )
 
 
 def _lifts_at(ensemble: "xarray.Dataset") -> Floats:
@@ -382,13 +359,3 @@ def _lifts_at(ensemble: "xarray.Dataset") -> Floats:
     scales = without_mirrors(ensemble)["uplift_scale"]
     at = scales.transpose("block", "record", "direction", "vertical").values
     return np.sort((at * per_scale[:, :, np.newaxis, np.newaxis]).ravel())
-
-
-def _summary(levels: Floats, counts: Sequence[Count], measure: Measure | None) -> FragilityCurve:
-    """Return the lognormal curve nearest to the counts."""
-    return fit_curve(
-        levels,
-        [each.falls for each in counts],
-        [each.runs for each in counts],
-        measure=("factor", "") if measure is None else (measure.label, measure.unit),
-    )

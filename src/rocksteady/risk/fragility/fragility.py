@@ -1,7 +1,6 @@
 """Fragility: counted shares of all damage states over levels, with the runs behind them."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
@@ -73,6 +72,11 @@ class Fragility(Result):
         return str(self.ensemble.attrs["measure"])
 
     @property
+    def unit(self) -> str:
+        """Unit of the levels; empty where they have none."""
+        return "" if self.measure is None else self.measure.unit
+
+    @property
     def scale_factor_max(self) -> float:
         """Largest factor of a record's accelerations."""
         return float(self.ensemble["scale"].max())
@@ -94,11 +98,15 @@ class Fragility(Result):
     def describe(self) -> Description:
         """Return the counted shares of all states, and what summarises them."""
         ensemble, last = self.ensemble, self.states[-1]
-        unit = "" if self.measure is None else self.measure.unit
-        rows = [row for each in self.states for row in each.rows]
+        sentence = self._sentence()
+        columns = (
+            Column("level", f"level [{self.unit}]" if self.unit else "level", number),
+            Column("runs", "runs"),
+            *(Column(each.state.name, verb_of(each.state)) for each in self.states),
+        )
         facts = [
             Fact("measure", self.key, "intensity", str(self.measure or "factor")),
-            Fact("unit", unit),
+            Fact("unit", self.unit),
             Fact("model", self.model.name, "model"),
             Fact("records", self.records, "records"),
             Fact("runs", self.runs, "runs"),
@@ -116,22 +124,21 @@ class Fragility(Result):
             Fact("warnings", list(self.warnings)),
         ]
         return Description(
-            headline=self._sentence(),
+            headline=sentence,
             facts=facts,
             tables=[
-                Table("shares", rows),
+                Table("shares", [row for each in self.states for row in each.rows]),
                 Table("fits", [each.summary_row for each in self.states]),
-                Table("", self._shown_rows(), _columns(self.states, unit), title="Counted shares"),
+                Table("", self._shown_rows(), columns, title="Counted shares"),
             ],
             notes=self.warnings,
-            answer=Answer(self._sentence(), facts_stated(self._lines())),
+            answer=Answer(sentence, facts_stated(self._lines())),
         )
 
     def _level(self, value: float) -> str:
         """Return a level in words."""
-        unit = "" if self.measure is None else self.measure.unit
         label = "" if self.measure is None else self.measure.label
-        return f"{number(value)} {unit}".rstrip() if unit else f"{label} {number(value)}".strip()
+        return f"{number(value)} {self.unit}" if self.unit else f"{label} {number(value)}".strip()
 
     def _sentence(self) -> str:
         """Return where half of the runs reach the last state, or how many do at most."""
@@ -154,45 +161,50 @@ class Fragility(Result):
         stated = Stated(
             quantity=f"Half {verb} at",
             value=value,
-            unit="" if self.measure is None else self.measure.unit,
+            unit=self.unit,
             band=(low, high) if low and high else None,
         )
-        of = "" if self.measure is None else f" of {label}" if self.measure.unit else f" {label}"
+        of = "" if self.measure is None else f" of {label}" if self.unit else f" {label}"
         return f"{stated.quantity} {stated.number}{of}{stated.interval}."
 
     def _lines(self) -> list[Stated]:
         """Return what stands below the sentence."""
         last, few = self.states[-1], self.records < LEAST
-        unit = "" if self.measure is None else self.measure.unit
         runs = f"{self.runs:,} runs, {plural(self.records, 'record')}"
         lines = [
             Stated(
                 quantity="lifts at",
                 value=float(last.curve.lifts_at[0]),
-                unit=unit,
+                unit=self.unit,
                 evidence="in the record that lifts it first",
             )
             if math.isfinite(last.curve.lifts_at[0])
             else Stated(quantity="lifts at", text="no level: no record lifts it"),
             Stated(quantity="counted", text=runs),
-            *([] if few else [self._summary(last, unit)]),
+            *([] if few else [self._summary(last)]),
         ]
         if self.friction_needed is not None:
-            above = self.slides_above
-            beyond = "" if above is None else f"it slides above {self._level(above)}"
-            where = "" if few or last.half is None else f"where half {verb_of(last.state)}"
-            lines.append(friction_line(self.friction_needed, self.friction, beyond, where))
+            given, above = self.friction, self.slides_above
+            where = "" if few or last.half is None else f" where half {verb_of(last.state)}"
+            lines.append(
+                Stated(
+                    quantity="friction",
+                    text=f"needs {number(self.friction_needed)}{where}",
+                    evidence="it is not given" if given is None else f"given {number(given)}",
+                    condition="" if above is None else f"it slides above {self._level(above)}",
+                )
+            )
         if self.scale_factor_max > MOST_SCALED:
             words = f"records by up to {number(self.scale_factor_max)} x: check these"
             lines.append(Stated(quantity="scaled", text=words))
         lines += [
-            Stated(quantity=f"half {verb_of(each.state)}", value=each.half[0], unit=unit)
+            Stated(quantity=f"half {verb_of(each.state)}", value=each.half[0], unit=self.unit)
             for each in self.states[-2:-1]
             if each.half is not None and each.state.name != UPLIFT and not few
         ]
         return lines
 
-    def _summary(self, last: StateFragility, unit: str) -> Stated:
+    def _summary(self, last: StateFragility) -> Stated:
         """Return median and beta, where they summarise the points."""
         best, misfit = last.lognormal, f"{number(100.0 * last.lognormal.misfit, 2)} points"
         if math.isnan(best.beta):
@@ -202,30 +214,25 @@ class Fragility(Result):
             return Stated(quantity="lognormal", text=words)
         return Stated(
             quantity="lognormal",
-            text=f"median {number(best.median)} {unit}".rstrip() + f", beta {number(best.beta)}",
+            text=f"median {number(best.median)} {self.unit}".rstrip()
+            + f", beta {number(best.beta)}",
             evidence=f"within {misfit} of the counts",
         )
 
     def _shown_rows(self) -> list[dict[str, Any]]:
         """Return a row for each level, with the share of each state."""
-        rows = []
-        for place, level in enumerate(self.states[-1].curve.levels.tolist()):
-            row: dict[str, Any] = {"level": level, "runs": self.states[-1].curve.counts[place].runs}
-            for each in self.states:
-                count = each.curve.counts[place]
-                row[each.state.name] = share_of(count.share)
-            rows.append(row)
-        return rows
-
-
-def friction_line(needed: float, given: float | None, condition: str, where: str) -> Stated:
-    """Return the friction that is needed, where it is, and the one that is given."""
-    return Stated(
-        quantity="friction",
-        text=f"needs {number(needed)} {where}".rstrip(),
-        evidence="it is not given" if given is None else f"given {number(given)}",
-        condition=condition,
-    )
+        curve = self.states[-1].curve
+        return [
+            {
+                "level": level,
+                "runs": curve.counts[place].runs,
+                **{
+                    each.state.name: share_of(each.curve.counts[place].share)
+                    for each in self.states
+                },
+            }
+            for place, level in enumerate(curve.levels.tolist())
+        ]
 
 
 def verb_of(state: DamageState) -> str:
@@ -233,12 +240,3 @@ def verb_of(state: DamageState) -> str:
     if state.peak is not None:
         return f"tilt > {state.peak:g} alpha"
     return {"uplift": "lift", "overturned": "fall"}[state.name]
-
-
-def _columns(states: Sequence[StateFragility], unit: str) -> tuple[Column, ...]:
-    """Return the columns of the table of shares."""
-    return (
-        Column("level", f"level [{unit}]" if unit else "level", number),
-        Column("runs", "runs"),
-        *(Column(each.state.name, verb_of(each.state)) for each in states),
-    )

@@ -99,33 +99,30 @@ class StateFragility(Result):
     @property
     def rows(self) -> list[dict[str, Any]]:
         """A row for each level, under the names of the JSON."""
-        rows = []
-        for level, count in zip(self.curve.levels.tolist(), self.curve.counts, strict=True):
-            low, high = count.band
-            rows.append(
-                {
-                    "damage_state": self.state.name,
-                    "measure": "scale" if self.measure is None else self.measure.key,
-                    "level": level,
-                    "share": number_or_none(count.share),
-                    "low": low,
-                    "high": high,
-                    "runs": count.runs,
-                    "reached": count.falls,
-                    "records": count.records,
-                }
-            )
-        return rows
+        return [
+            {
+                "damage_state": self.state.name,
+                "measure": "scale" if self.measure is None else self.measure.key,
+                "level": level,
+                "share": number_or_none(count.share),
+                "low": count.band[0],
+                "high": count.band[1],
+                "runs": count.runs,
+                "reached": count.falls,
+                "records": count.records,
+            }
+            for level, count in zip(self.curve.levels.tolist(), self.curve.counts, strict=True)
+        ]
 
     @property
     def summary_row(self) -> dict[str, Any]:
         """Median, beta and misfit, under the names of the JSON."""
-        fitted = np.isfinite(self.lognormal.beta)
+        best = self.lognormal
         return {
             "damage_state": self.state.name,
-            "median": number_or_none(self.lognormal.median),
-            "beta": number_or_none(self.lognormal.beta),
-            "misfit": number_or_none(self.lognormal.misfit) if fitted else None,
+            "median": number_or_none(best.median),
+            "beta": number_or_none(best.beta),
+            "misfit": number_or_none(best.misfit) if np.isfinite(best.beta) else None,
         }
 
     def describe(self) -> Description:
@@ -142,18 +139,14 @@ class StateFragility(Result):
             {**row, "band": interval((row["low"], row["high"]), 0.9).partition(": ")[2].rstrip(")")}
             for row in self.rows
         ]
-        half = self.half
+        half, summary = self.half, self.summary_row
         words = f"half at {number(half[0])} {unit}".rstrip() if half else "not half at any level"
         return Description(
             headline=f"{self.state.name}: {words}",
             facts=[
-                Fact("damage_state", self.state.name, "damage state"),
+                Fact("damage_state", summary.pop("damage_state"), "damage state"),
                 Fact("peak", self.state.peak),
-                *(
-                    Fact(key, value)
-                    for key, value in self.summary_row.items()
-                    if key != "damage_state"
-                ),
+                *(Fact(key, value) for key, value in summary.items()),
             ],
             tables=[Table("shares", rows, columns)],
         )

@@ -265,12 +265,12 @@ def _contributing(levels: Floats, parts: Floats) -> tuple[float, float, float]:
     return first, half, last
 
 
-def why_unknown(risk: Risk) -> str:
-    """Return why a rate is not known."""
+def why_unknown(risk: Risk, *, above: str = "nothing is counted") -> str:
+    """Return why a rate is not known; `above` is what is above the last level of the runs."""
     hazard = risk.hazard
     if risk.outside > MOST_OUTSIDE:
         last = quantity(risk.fragile.last / risk.fragile.factor, hazard.unit)
-        return f"{chance(risk.outside)} of it lies above {last}, where nothing is counted"
+        return f"{chance(risk.outside)} of it lies above {last}, where {above}"
     end = float(hazard.levels[-1])
     share = float(risk.fragile.at(end))
     where = f"{chance(share)} fall" if share else "none falls"

@@ -19,14 +19,18 @@ m/2`` on one power law, which is zero where e = 1 + m/(2 + m): once at most, and
 is monotone: each has one root where d changes its sign, and none where it does not.
 """
 
+import functools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import Side
-from rocksteady.risk.screens.spectra import Chain
+from rocksteady.results.numbers import number, quantity
+from rocksteady.risk.screens._rows import Case
+from rocksteady.risk.screens.screen import Screen
+from rocksteady.risk.screens.spectra import Chain, HeaderDamping, spectrum_of
 
 LEAST = 1e-9
 """Of alpha: rotations below it are not looked at; capacity and demand do not change there."""
@@ -75,7 +79,7 @@ class RockingBody:
         gamma = -2.0 * math.log(self.restitution)
         return gamma / math.hypot(2.0 * math.pi, gamma)
 
-    @cached_property
+    @functools.cached_property
     def vertical_factor(self) -> float:
         """F_v, by which the vertical motion lowers the capacity."""
         return math.hypot(1.0, tan(self.alpha) * self.vertical_ratio)
@@ -198,3 +202,90 @@ def rotations_text(roots_rad: Sequence[float]) -> str:
     if len(roots_rad) > MOST_SHOWN:
         return f"{len(roots_rad)} angles from {roots_rad[0]:.3g} to {roots_rad[-1]:.3g} rad"
     return " and ".join(f"{root:.3g}" for root in roots_rad) + " rad"
+
+
+def asce_row(case: Case) -> Screen:
+    """Return the row of ASCE 43-05, Appendix A.2, with all roots."""
+    demand = case.demand
+    ratio = demand.spectral_ratio
+    body = RockingBody.of_side(case.side, case.block.gravity, ratio or 0.0)
+    screen = functools.partial(
+        case.rocking,
+        name="ASCE 43-05 rocking",
+        made_for="nuclear facilities",
+        equation="A.2, A-5 on",
+        edition="ASCE/SEI 43-05",
+        source="ASCE/SEI 43-05, Appendix A.2, approximate method for rocking of an unanchored "
+        "rigid body",
+        unit="rad",
+    )
+    if body.restitution <= 0.0:
+        return screen(value=None, no_answer="no answer: restitution below 0")
+    longest = 1.0 / body.frequency_hz(body.alpha)
+    constants = [
+        ("C_I", body.inertia, ""),
+        ("C_R", body.restitution, ""),
+        ("beta_e", body.damping, ""),
+        ("period at alpha", longest, "s"),
+    ]
+    spectrum = spectrum_of(demand.spectrum, demand.spectrum_damping)
+    if spectrum is None or ratio is None:
+        verdict, needs = "needs a PGA or SA_V/SA_H", "pga_g or sa_v_per_sa_h"
+        if demand.spectrum is None:
+            verdict, needs = "needs a spectrum with its damping", "spectrum, spectrum_damping"
+        elif spectrum is None:
+            verdict, needs = "needs its damping", "spectrum_damping"
+        details = tuple(constants)
+        return screen(value=None, verdict=verdict, needs=needs, details=details, answered=False)
+    constants += [("SA_V/SA_H", ratio, ""), ("F_v", body.vertical_factor, "")]
+    chain, how = spectrum.at_damping(body.damping, longest)
+    if isinstance(demand.spectrum_damping, HeaderDamping):
+        given = " and ".join(f"{100.0 * each:.3g} %" for each in demand.spectrum_damping)
+        how += f"; {given} by its header"
+    rotations = find_rotations(body, chain)
+    for root in rotations.roots_rad:
+        constants += [
+            ("root", root, "rad"),
+            ("f_e at the root", body.frequency_hz(root), "Hz"),
+            ("SA_cap at the root", body.capacity_m_s2(root) / STANDARD_GRAVITY, "g"),
+        ]
+    verdict, passes, needs = _verdict(body, rotations, longest)
+    value = rotations.roots_rad[-1] if rotations.roots_rad else None
+    remark = "A.2 calls its angle a best estimate: the row passes up to alpha, with no margin."
+    remark += " The spectrum is a power law between its points."
+    if value is not None:
+        remark += f" Roots at {rotations_text(rotations.roots_rad)}; the largest is shown."
+    if rotations.examined_rad < body.alpha:
+        remark += (
+            f" It ends at {number(chain.last_s)} s: up to {number(rotations.examined_rad)} rad."
+        )
+    if ratio or demand.vertical_g:
+        how_much = "that of the peaks" if demand.sa_v_per_sa_h is None else "as stated"
+        remark += f" Vertical motion: F_v with SA_V/SA_H {number(ratio)}, {how_much}."
+    return screen(
+        value=value,
+        verdict=verdict if needs else f"{verdict}; {how}",
+        passes=passes,
+        counts_vertical=demand.vertical_g > 0.0 and demand.sa_v_per_sa_h is None,
+        needs=needs,
+        details=tuple(constants),
+        remark=remark,
+        answered=not needs,
+    )
+
+
+def _verdict(
+    body: RockingBody, rotations: Rotations, longest: float
+) -> tuple[str, bool | None, str]:
+    """Return the words, whether it passes, and what is missing."""
+    complete = rotations.examined_rad >= body.alpha
+    if not complete and (rotations.above_at_end or not rotations.roots_rad):
+        return f"needs a spectrum up to {number(longest)} s", None, "spectrum"
+    if not rotations.roots_rad:
+        if rotations.above_at_end:
+            return "overturns: no root, demand above capacity", False, ""
+        return "does not overturn: no root, capacity above demand", True, ""
+    largest = quantity(rotations.roots_rad[-1] / body.alpha, "alpha")
+    if rotations.above_at_end:
+        return f"may overturn beyond {largest}", False, ""
+    return f"rocks up to {largest}", True, ""

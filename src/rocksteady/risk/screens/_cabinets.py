@@ -41,18 +41,7 @@ class Cabinet:
     @property
     def number(self) -> float:
         """The median as p v/(g tan alpha)."""
-        side = self.block.positive
-        return velocity_number(side, self.block.gravity, self.median_m_s)
-
-    @property
-    def mean_cm_s(self) -> float:
-        """Arithmetic mean of the lognormal [cm/s], as NRML 0.5 takes it."""
-        return 100.0 * self.median_m_s * math.exp(0.5 * BETA * BETA)
-
-    @property
-    def deviation_cm_s(self) -> float:
-        """Standard deviation of the lognormal [cm/s], as NRML 0.5 takes it."""
-        return self.mean_cm_s * math.sqrt(math.expm1(BETA * BETA))
+        return velocity_number(self.block.positive, self.block.gravity, self.median_m_s)
 
     def distance(self, side: Side) -> float:
         """Return the root of the sum of squares of ln(depth ratio) and ln(height ratio)."""
@@ -65,7 +54,8 @@ class Cabinet:
         return normal_share(math.log(pfv_m_s / self.median_m_s) / BETA)
 
     def values(self) -> dict[str, str | float]:
-        """Return the cabinet as a row of a table."""
+        """Return the row of a table; mean and deviation are those that NRML 0.5 takes."""
+        mean_cm_s = 100.0 * self.median_m_s * math.exp(0.5 * BETA * BETA)
         return {
             "row": self.row,
             "depth_in": self.depth_in,
@@ -75,8 +65,8 @@ class Cabinet:
             "median_in_s": self.median_m_s / INCH_M,
             "beta": BETA,
             "p_pfv_per_uplift": self.number,
-            "nrml_mean_cm_s": self.mean_cm_s,
-            "nrml_sd_cm_s": self.deviation_cm_s,
+            "nrml_mean_cm_s": mean_cm_s,
+            "nrml_sd_cm_s": mean_cm_s * math.sqrt(math.expm1(BETA * BETA)),
         }
 
 

@@ -1,7 +1,6 @@
 """Rows of the table of screens: each formula with its source, its value and its verdict."""
 
 import math
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -9,6 +8,7 @@ from typing import Any
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.caps import conserving_pair
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import Side, wall_ratio
 from rocksteady.results.numbers import chance, number, quantity
@@ -23,7 +23,7 @@ from rocksteady.risk.screens.friction import (
     needed_friction,
     uplift_acceleration_g,
 )
-from rocksteady.risk.screens.screen import Screen, Standing
+from rocksteady.risk.screens.screen import Detail, Screen, Standing
 from rocksteady.risk.screens.thresholds import (
     MEDIAN,
     circolare_rectangle,
@@ -34,9 +34,8 @@ from rocksteady.risk.screens.thresholds import (
     shares_at,
     velocity_number,
 )
-from rocksteady.seismic.measures.free_sides import first_side, free_sides
+from rocksteady.seismic.measures.free_sides import first_side, free_sides, impact_ratios
 
-REFUSED = "no answer: friction governs"
 NEAR = 0.25
 """Distance of a cabinet, in ln of its depth and height, up to which it has a verdict."""
 LEAST_NUMBER = 0.2
@@ -46,9 +45,7 @@ RECTANGLE_SHARE = 0.75
 ALIKE = 1e-6
 LIKE_EARTH = 0.01
 """Relative difference of a gravity from 9.80665 m/s^2 that formulas with fixed units bear."""
-BOTH_WAYS = "Made for blocks that rock to both sides: the wall is left out."
 WALLS = "masonry walls"
-IMPACTS = "left out, as an impact has no duration"
 
 
 @dataclass(frozen=True)
@@ -117,7 +114,7 @@ class Case:
         self,
         *,
         remark: str = "",
-        answered: bool | None = None,
+        answered: bool = True,
         approximate: bool = False,
         no_answer: str = "",
         **fields: Any,
@@ -125,49 +122,55 @@ class Case:
         """Return a row that takes rocking for granted: refused where the block slides.
 
         Its formula was made for rectangles, and, unless it is one of walls, for rocking to both
-        sides.  It is answered where it has a value, or as given, and `approximate` where stated;
-        with words in `no_answer` it is refused without a value.
+        sides.  Without an answer it needs an input; with words in `no_answer` it is refused without
+        a value.
         """
         if no_answer:
             fields |= {"value": None, "passes": None, "needs": "", "details": ()}
             fields["verdict"] = no_answer
             return Screen(status="refused", remark=remark * (not self.off_earth), **fields)
-        known = fields["value"] is not None if answered is None else answered
-        status: Standing = "approximate" if approximate else "computed"
-        status = status if known else "needs input"
         if not self.rectangular:
-            what = "made for homogeneous rectangles"
+            approximate = True
+            remark += " Made for homogeneous rectangles"
             if self.other is not None:
-                what += "; the side that lifts first is taken, as if both were like it"
-            remark = f"{remark} {what[0].upper()}{what[1:]}.".strip()
-            status = "approximate" if status == "computed" else status
+                remark += "; the side that lifts first is taken, as if both were like it"
+            remark += "."
         if self.block.one_sided and fields.get("made_for") != WALLS:
-            remark = f"{remark} {BOTH_WAYS}".strip()
-            status = "approximate" if status == "computed" else status
-        if self.mode in SLIDES and status != "needs input":
-            fields |= {"verdict": REFUSED, "passes": None}
+            approximate = True
+            remark += " Made for blocks that rock to both sides: the wall is left out."
+        status: Standing = "needs input"
+        if answered and self.mode in SLIDES:
             status = "refused"
-        return Screen(status=status, remark=remark, **fields)
+            fields |= {"verdict": "no answer: friction governs", "passes": None}
+        elif answered:
+            status = "approximate" if approximate else "computed"
+        return Screen(status=status, remark=remark.strip(), **fields)
+
+
+def _missing(demand: Demand, *keys: str) -> tuple[str, str]:
+    """Return the verdict of a row that lacks some of these peaks, and their keys."""
+    lacking = [key for key in keys if getattr(demand, key) is None]
+    verdict = "needs " + " and ".join(f"a {key[:3].upper()}" for key in lacking)
+    return verdict, " and ".join(lacking)
 
 
 def uplift_row(case: Case) -> Screen:
     """Return the row of uplift."""
     value = uplift_acceleration_g(case.block, case.demand.vertical_at_peak_g)
     pga = case.demand.pga_g
-    needs = ""
-    if pga is None:
-        verdict, needs = "needs a PGA", "pga_g"
-    elif not exceeds(pga, value):
+    verdict, needs = _missing(case.demand, "pga_g")
+    if pga is not None:
+        lifted = exceeds(pga, value)
         verdict = f"stays down at {number(pga)} g"
-    else:
-        verdict = f"lifts: {number(pga)} g is {number(pga / value)} times it"
-    scale = value / tan(case.side.alpha)
+        if lifted:
+            verdict = f"lifts: {number(pga)} g is {number(pga / value)} times it"
     remark = "To its free side." if case.block.one_sided else ""
-    details: tuple[tuple[str, float, str], ...] = ()
+    details: tuple[Detail, ...] = ()
     if case.other is not None:
-        details = (("other side", scale * tan(case.other.alpha), "g"),)
+        other = value / tan(case.side.alpha) * tan(case.other.alpha)
+        details = (("other side", other, "g"),)
         remark = "Of the side that lifts first."
-    remark = (remark + case.vertical("downwards, a_v of (g - a_v) tan(α)")).strip()
+    remark += case.vertical("downwards, a_v of (g - a_v) tan(α)")
     return Screen(
         name="uplift",
         equation="(g - a_v) tan(α)",
@@ -180,7 +183,7 @@ def uplift_row(case: Case) -> Screen:
         verdict=verdict,
         needs=needs,
         details=details,
-        remark=remark,
+        remark=remark.strip(),
     )
 
 
@@ -189,7 +192,7 @@ def friction_row(case: Case) -> Screen:
     pga, friction = case.demand.pga_g, case.friction
     needs = ""
     value = tan(max(side.alpha for side in free_sides(case.block)))
-    details: tuple[tuple[str, float, str], ...] = ()
+    details: tuple[Detail, ...] = ()
     if pga is None:
         verdict, needs = "needs a PGA; this is its least, at uplift", "pga_g"
     else:
@@ -200,8 +203,12 @@ def friction_row(case: Case) -> Screen:
             verdict, needs = "needs the friction; below it the block slides", "friction"
         else:
             more = ": friction governs" if case.mode in SLIDES else ""
-            verdict = f"{case.mode}{more} (μ {number(friction or 0.0)})"
-            verdict = verdict.replace("rest", "stays at rest")
+            words = "stays at rest" if case.mode == "rest" else case.mode
+            verdict = f"{words}{more} (μ {number(friction or 0.0)})"
+    remark = "A friction above width/height alone does not ensure pure rocking: the need grows "
+    remark += "with the PGA."
+    if case.other is not None:
+        remark += " The greater of both sides: shaking reverses."
     return Screen(
         name="friction to rock",
         equation="rocking limit",
@@ -213,32 +220,39 @@ def friction_row(case: Case) -> Screen:
         verdict=verdict,
         needs=needs,
         details=details,
-        remark="A friction above width/height alone does not ensure pure rocking: the need grows "
-        "with the PGA."
-        + ("" if case.other is None else " The greater of both sides: shaking reverses.")
-        + case.vertical("downwards, taken from g"),
+        remark=remark + case.vertical("downwards, taken from g"),
     )
 
 
 def restitution_row(case: Case) -> Screen:
     """Return the row of the restitution that conserves angular momentum about the new edge."""
-    if case.block.one_sided:
-        return _wall_row(case)
-    first, second = case.side, case.block.negative
-    if first == second:
-        second = case.block.positive
-    gravity = case.block.gravity
-    inertia = gravity * second.radius / second.p**2  # I_0/M about the edge that is struck
-    gyration = inertia - second.radius**2
-    crossing = first.centre_height * second.centre_height - first.distance * second.distance
-    value = (gyration + crossing) / inertia
-    edition = "Housner 1963"
+    block, gravity, cap = case.block, case.block.gravity, case.block.cap
+    sides = block.positive, block.negative
+    first = sides.index(case.side)
+    value: float | None = conserving_pair(*sides, gravity, cap)[first]
+    verdict = f"this block has {number(impact_ratios(block)[first])}"
+    equation, edition = "momentum at edge", "Housner 1963"
     source = (
         "G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963); for unequal sides "
         "(I_c + m R1 R2 cos(alpha1 + alpha2))/(I_c + m R2^2)"
     )
-    if case.block.cap is not None:
-        value = case.block.cap.housner_ratio(first, gravity)
+    remark = "Tests often exceed it, up to its square root."
+    if block.one_sided:
+        value = None
+        equation, edition = "momentum at wall", "Sorrentino 2008"
+        source = (
+            "L. Sorrentino, S. Kunnath, G. Monti and G. Scalora, Eng. Struct. 30, 2140-2153 "
+            "(2008): impacts on base, wall and base, (1 - 2 k sin^2 alpha)^2 |1 - 2 k cos^2 alpha|"
+        )
+        remark = "Of the wall; the free block's own is not used."
+        if cap is not None:
+            verdict = "no answer: angular momentum gives none for a frame against a wall"
+        else:
+            try:
+                value = wall_ratio(*sides, gravity)
+            except InputError:
+                verdict = "no answer: a wall does not turn back a block so stocky"
+    elif cap is not None:
         edition = "Makris 2013"
         source = (
             "N. Makris and M. F. Vassiliou, Earthq. Eng. Struct. Dyn. 42, 431-449 (2013), of "
@@ -246,45 +260,15 @@ def restitution_row(case: Case) -> Screen:
         )
     return Screen(
         name="restitution",
-        equation="momentum at edge",
+        equation=equation,
         edition=edition,
         source=source,
         status="computed",
         value=value,
         unit="",
-        verdict=f"this block has {number(first.restitution)}",
-        remark="Tests often exceed it, up to its square root." + case.vertical(IMPACTS),
+        verdict=verdict,
+        remark=remark + case.vertical("left out, as an impact has no duration"),
     )
-
-
-def _wall_row(case: Case) -> Screen:
-    """Return the row of the restitution that conserves angular momentum on base, wall and base."""
-    value, restitution = None, number(case.block.restitution)
-    unknown = "no answer: a wall does not turn back a block so stocky"
-    if case.block.cap is not None:
-        unknown = "no answer: angular momentum gives none for a frame against a wall"
-    else:
-        with suppress(InputError):  # of a stocky block
-            value = wall_ratio(case.block.positive, case.block.negative, case.block.gravity)
-    return Screen(
-        name="restitution",
-        equation="momentum at wall",
-        edition="Sorrentino 2008",
-        source="L. Sorrentino, S. Kunnath, G. Monti and G. Scalora, Eng. Struct. 30, 2140-2153 "
-        "(2008): impacts on base, wall and base, (1 - 2 k sin^2 alpha)^2 |1 - 2 k cos^2 alpha|",
-        status="computed",
-        value=value,
-        unit="",
-        verdict=unknown if value is None else f"this block has {restitution}",
-        remark="Of the wall; the free block's own is not used." + case.vertical(IMPACTS),
-    )
-
-
-def _missing_peaks(demand: Demand) -> tuple[str, str]:
-    """Return the verdict of a row that lacks peaks, and their keys."""
-    keys = [key for key in ("pga_g", "pgv_m_s") if getattr(demand, key) is None]
-    verdict = "needs " + " and ".join(f"a {key[:3].upper()}" for key in keys)
-    return verdict, " and ".join(keys)
 
 
 def ishiyama_row(case: Case) -> Screen:
@@ -300,7 +284,7 @@ def ishiyama_row(case: Case) -> Screen:
     elif pga is not None and pgv is not None:
         verdict, passes = "may overturn: both bounds are reached", False
     else:
-        verdict, needs = _missing_peaks(case.demand)
+        verdict, needs = _missing(case.demand, "pga_g", "pgv_m_s")
     return case.rocking(
         name="Ishiyama bound",
         equation="(B/H) g, .4 V_i",
@@ -349,7 +333,7 @@ def kaneko_hayashi_row(case: Case) -> Screen:
         verdict = f"fewer than half overturn at {number(pgv)} m/s"
         value, unit = bounds.velocity_m_s, "m/s"
     else:
-        verdict, needs = _missing_peaks(case.demand)
+        verdict, needs = _missing(case.demand, "pga_g", "pgv_m_s")
     return case.rocking(
         no_answer=case.off_earth,
         name="Kaneko-Hayashi 50 %",
@@ -382,10 +366,9 @@ def circolare_row(case: Case) -> Screen:
     details += [("0.6 d0 (SLC)", full.d_slc_m, "m")]
     for name, each in factors:
         details += [(f"T_SLV, {name}", each.t_slv_s, "s"), (f"T_SLC, {name}", each.t_slc_s, "s")]
-    needs, passes = "", None
-    if pga is None:
-        verdict, needs = "needs a PGA", "pga_g"
-    else:
+    verdict, needs = _missing(case.demand, "pga_g")
+    passes = None
+    if pga is not None:
         passes = pga <= value
         verdict = f"S_e(0) {'below' if passes else 'above'} a0 with FC 1.35, without q"
         if not passes and pga <= share * full.a0_lumped_g:
@@ -416,14 +399,14 @@ def circolare_row(case: Case) -> Screen:
 def velocity_row(case: Case) -> Screen:
     """Return the row of p PGV/(g tan alpha), with what fell in its range."""
     gravity, pgv, pga = case.block.gravity, case.demand.pgv_m_s, case.demand.pga_g
-    value, needs, passes = None, "pgv_m_s", None
-    verdict = "needs a PGV"
+    value, passes = None, None
+    verdict, needs = _missing(case.demand, "pgv_m_s")
     outside = not sampled(case.side)
     middle = MEDIAN * gravity * tan(case.side.alpha) / case.side.p
     details = [(f"PGV at {MEDIAN:g}", middle, "m/s")]
     lifted = pga is None or lifts(case.block, pga, case.demand.vertical_at_peak_g)
     if pgv is not None:
-        value, needs = velocity_number(case.side, gravity, pgv), ""
+        value = velocity_number(case.side, gravity, pgv)
         if not lifted:
             verdict, passes = "stays down: PGA below uplift", True
         else:
@@ -447,6 +430,7 @@ def velocity_row(case: Case) -> Screen:
         counts_vertical=case.shaken_up and pga is not None and (passes is False or not lifted),
         needs=needs,
         details=tuple(details),
+        answered=value is not None,
         approximate=outside,
         remark="Of blocks that lift, at any PGA: theirs, and that of runs of this package. "
         f"Passed below {LEAST_NUMBER:g} only."

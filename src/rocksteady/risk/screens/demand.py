@@ -81,23 +81,28 @@ class Demand:
 
     def __post_init__(self) -> None:
         """Validate the spectrum, and read a file."""
-        if self.spectrum is None or isinstance(self.spectrum, ResponseSpectrum | Record):
-            self._refuse_damping()
-        else:
-            given = self.spectrum
-            if isinstance(self.spectrum, str | PathLike):
-                table, damping = read_table(Path(self.spectrum), self.spectrum_damping)
-                object.__setattr__(self, "spectrum", table)
-                object.__setattr__(self, "spectrum_damping", damping)
+        given = self.spectrum
+        if isinstance(given, str | PathLike):
+            table, damping = read_table(Path(given), self.spectrum_damping)
+            object.__setattr__(self, "spectrum", table)
+            object.__setattr__(self, "spectrum_damping", damping)
+        if self._is_table:
             tabulated(self.spectrum, self.spectrum_damping, shown=given)
+        elif self.spectrum_damping is not None:
+            valid = "it is the damping of a table, and there is none"
+            raise InputError("spectrum_damping", self.spectrum_damping, valid, "leave it out")
+
+    @property
+    def _is_table(self) -> bool:
+        """Whether the spectrum is a table: neither missing nor that of a record."""
+        return not isinstance(self.spectrum, ResponseSpectrum | Record | None)
 
     def with_peak(self) -> "Demand":
         """Return the demand with the PGA of its table at period 0, where none is given."""
-        table = self.spectrum
-        if self.pga_g is not None or table is None or isinstance(table, ResponseSpectrum | Record):
+        if self.pga_g is not None or not self._is_table:
             return self
-        first = list(table[0])
-        return replace(self, pga_g=float(max(first[1:]))) if first[0] == 0.0 else self
+        period, *values = self.spectrum[0]
+        return replace(self, pga_g=float(max(values))) if period == 0.0 else self
 
     @classmethod
     def from_record(
@@ -149,16 +154,7 @@ class Demand:
         """That acceleration in words; empty where there is none."""
         if not self.vertical_at_peak_g:
             return ""
-        share = f" ({number(self.vertical_share)} of {quantity(self.vertical_g, 'g')})"
         words = f"{quantity(self.vertical_at_peak_g, 'g')} of vertical motion downwards at the peak"
-        return words if self.vertical_share == 1.0 else words + share
-
-    def _refuse_damping(self) -> None:
-        """Refuse a damping that belongs to no table."""
-        if self.spectrum_damping is not None:
-            raise InputError(
-                "spectrum_damping",
-                self.spectrum_damping,
-                "it is the damping of a table, and there is none",
-                "leave it out",
-            )
+        if self.vertical_share == 1.0:
+            return words
+        return f"{words} ({number(self.vertical_share)} of {quantity(self.vertical_g, 'g')})"

@@ -85,14 +85,13 @@ class Screen(Result):
 
     def describe(self) -> Description:
         """Return value, verdict and source, and the intermediate quantities."""
-        rows = [
-            dict(zip(("quantity", "value", "unit"), detail, strict=True)) for detail in self.details
-        ]
         columns = (
             Column("quantity", "quantity", left=True),
             Column("value", "value", number),
             Column("unit", "unit", left=True),
         )
+        keys = [column.key for column in columns]
+        rows = [dict(zip(keys, detail, strict=True)) for detail in self.details]
         shown = ("verdict", "equation", "edition", "status", "made_for", "source")
         return Description(
             headline=f"{self.name}: {self.words}; {self.verdict}",

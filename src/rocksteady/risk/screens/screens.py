@@ -13,7 +13,7 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.screens import _rows
-from rocksteady.risk.screens._asce_row import asce_row
+from rocksteady.risk.screens._asce import asce_row
 from rocksteady.risk.screens._cabinets import CABINETS
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import SLIDES
@@ -113,11 +113,8 @@ class Screens(Result):
         demand = self.demand
         judged = [row for row in self.rows if row.passes is not None]
         passed = sum(row.passes is True for row in judged)
-        peaks = [
-            quantity(value, unit)
-            for value, unit in ((demand.pga_g, "g"), (demand.pgv_m_s, "m/s"))
-            if value is not None
-        ]
+        pairs = ((demand.pga_g, "g"), (demand.pgv_m_s, "m/s"))
+        peaks = [quantity(value, unit) for value, unit in pairs if value is not None]
         shaking = f" at {' and '.join(peaks)}" if peaks else ""
         vertical = quantity(demand.vertical_g, "g")
         shaking += f" with a vertical peak of {vertical}" if self._counts_vertical else ""

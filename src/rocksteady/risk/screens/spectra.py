@@ -1,5 +1,6 @@
 """Demand spectra: tables at one or several dampings, or exact ones of a record, as power laws."""
 
+import functools
 import math
 import re
 from bisect import bisect_right
@@ -167,10 +168,7 @@ def tabulated(table: object, damping: Any, *, shown: object = None) -> Tabulated
     try:
         rows = np.array(numeric_array("spectrum", table, "iuf"), dtype=np.float64)
     except UnfitError as unfit:
-        valid, hint = unfit.args
-        raise InputError("spectrum", shown, valid, hint) from None
-    except (TypeError, ValueError):  # rows of unequal lengths, or no numbers
-        rows = np.empty(0)
+        raise InputError("spectrum", shown, *unfit.args) from None
     valid = ""
     if rows.ndim != 2 or rows.shape[0] < 2 or rows.shape[1] < 2:
         valid = "it must have two rows or more and two columns or more"
@@ -201,14 +199,10 @@ def tabulated(table: object, damping: Any, *, shown: object = None) -> Tabulated
         )
     hint = "give 0.05 for 5 % of critical"
     values = [in_range("spectrum_damping", each, 0.0, 1.0, "()", hint=hint) for each in dampings]
-    order = np.argsort(values)
-    if (np.diff(np.array(values)[order]) == 0.0).any():
+    if len(set(values)) < len(values):
         raise InputError("spectrum_damping", damping, "they must differ", "give each damping once")
-    return TabulatedSpectrum(
-        periods_s=rows[:, 0],
-        dampings=tuple(np.array(values)[order].tolist()),
-        values_g=rows[:, 1:][:, order],
-    )
+    order = np.argsort(values)
+    return TabulatedSpectrum(rows[:, 0], tuple(sorted(values)), rows[:, 1:][:, order])
 
 
 def spectrum_of(spectrum: object, damping: object) -> RecordSpectrum | TabulatedSpectrum | None:
@@ -253,16 +247,17 @@ def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
     InputError
         If the file cannot be read, holds no such table, or its header is not clear.
     """
+    refusal = functools.partial(InputError, "spectrum", path)
     try:
         size = path.stat().st_size
         lines = path.read_text(encoding="utf-8").splitlines() if size <= MOST_BYTES else []
     except (OSError, ValueError) as error:  # a name with a zero byte too
         reason = getattr(error, "strerror", None) or "it is no text"
-        raise InputError("spectrum", path, f"it cannot be read ({reason})", SHAPE_HINT) from error
+        raise refusal(f"it cannot be read ({reason})", SHAPE_HINT) from error
     if size > MOST_BYTES:
-        raise InputError("spectrum", path, "it is too large for a spectrum", SHAPE_HINT)
-    rows: list[list[float]] = []
+        raise refusal("it is too large for a spectrum", SHAPE_HINT)
     _refuse_commas(path, lines)
+    rows: list[list[float]] = []
     comments: dict[int, str] = {}
     for number, line in enumerate(lines, 1):
         text = line.strip()
@@ -270,22 +265,20 @@ def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
             row = [float(word) for word in re.split(r"[\s,;]+", text.rstrip(",;"))] if text else []
         except ValueError:
             if rows and not text.startswith("#"):
-                valid = f"line {number} is no row of numbers"
-                raise InputError("spectrum", path, valid, SHAPE_HINT) from None
+                raise refusal(f"line {number} is no row of numbers", SHAPE_HINT) from None
             text = re.sub(r"(?<![\d.])0,(?=\d)", "0.", text.lower())
             comments[number] = re.sub(r"-?(per\s?cent\w?|pct\.?)", "%", text)
             continue
         if "." not in text and re.search(r"\d,\d", text) and re.search(r"\d[;\s]+\d", text):
-            valid = f"line {number} has decimal commas"
-            raise InputError("spectrum", path, valid, "write points, as 0.5 for 0,5")
-        if row and rows and len(row) != len(rows[0]):
-            count = plural(len(row), "number")
-            valid = f"line {number} has {count}, and the rows above {len(rows[0])}"
-            raise InputError("spectrum", path, valid, SHAPE_HINT)
+            raise refusal(f"line {number} has decimal commas", "write points, as 0.5 for 0,5")
         if row:
             rows.append(row)
+        if len(row) not in (0, len(rows[0])):
+            count = plural(len(row), "number")
+            valid = f"line {number} has {count}, and the rows above {len(rows[0])}"
+            raise refusal(valid, SHAPE_HINT)
     if not rows:
-        raise InputError("spectrum", path, "it has no rows of numbers", SHAPE_HINT)
+        raise refusal("it has no rows of numbers", SHAPE_HINT)
     if damping is None:
         damping = _header_damping(path, comments, len(rows[0]) - 1)
     return np.array(rows), damping

@@ -238,19 +238,21 @@ def remedy_rows(assessment: Assessment) -> list[Row]:
     return [
         {
             "changed": Cell(remedy.change, "name"),
-            "to": figure(_length(remedy.value)),
+            "to": figure(_length(remedy.value, f"none up to {length(remedy.last)}")),
             "falls": figure(prose(share_of(remedy.share))),
             f"at {MARGIN:g} x": figure(prose(share_of(remedy.share_1_1))),
-            "sure from": figure(_length(remedy.shown_at)),
-            "friction needed": figure(number(remedy.friction_needed or math.nan)),
+            "sure from": figure(_length(remedy.shown_at, NOTHING)),
+            "friction needed": figure(
+                NOTHING if remedy.friction_needed is None else number(remedy.friction_needed)
+            ),
         }
         for remedy in assessment.remedies
     ]
 
 
-def _length(metres: float | None) -> str:
-    """Return a length, or a dash where there is none."""
-    return NOTHING if metres is None else length(metres)
+def _length(metres: float | None, other: str) -> str:
+    """Return a length, or what stands in its place where there is none."""
+    return other if metres is None else length(metres)
 
 
 def case_rows(assessment: Assessment) -> list[Row]:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rocksteady.results.numbers import chance, number, plural
+from rocksteady.results.numbers import chance, number, plural, share_of
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.risk.ensemble.qualification import FORCES, OF_ROCKING
@@ -84,7 +84,7 @@ def _shown(row: Mapping[str, Any], count: int) -> dict[str, Any]:
         "badge": badge(*BADGES[row["verdict"]]),
         "share": _share(row),
         "band": _band(row),
-        "beyond": NOTHING if row["share_1_1"] is None else prose(chance(row["share_1_1"])),
+        "beyond": NOTHING if row["share_1_1"] is None else prose(share_of(row["share_1_1"])),
         "uplift": number(row["uplift_pga_g"]),
         "clearance": NOTHING
         if row["clearance_m"] is None
@@ -133,7 +133,7 @@ def _all_rows(table: ObjectsTable) -> list[Row]:
             "verdict": badge(*BADGES[row["verdict"]]),
             "falls": figure(_share(row)),
             "90 %": figure(_band(row)),
-            "at 1.1 x": figure(NOTHING if row["share_1_1"] is None else chance(row["share_1_1"])),
+            "at 1.1 x": figure(NOTHING if row["share_1_1"] is None else share_of(row["share_1_1"])),
             "lifts at [g]": figure(number(row["uplift_pga_g"])),
         }
         rows.append(cells)

@@ -147,12 +147,13 @@ def _warnings(assessment: Assessment) -> list[str]:
 
 def _method(assessment: Assessment) -> dict[str, Any]:
     """Return the numbers of the paragraphs on the method; none of what was not run."""
-    runs, shaking = assessment.judged.runs, assessment.judged.shaking
+    shaking, fragility = assessment.judged.shaking, assessment.fragility
+    runs = assessment.judged.runs if fragility is None else fragility.ensemble
     if runs is None or shaking is None:
         return {}
     ratios = runs["restitution"].values
     counted: dict[str, str] = dict.fromkeys(("levels", "measure", "reach", "runs"), "")
-    if (fragility := assessment.fragility) is not None:
+    if fragility is not None:
         levels, (label, unit) = fragility.states[-1].curve.levels, level_words(assessment)
         counted = {
             "levels": plural(len(levels), "level"),

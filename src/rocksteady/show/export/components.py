@@ -1,18 +1,17 @@
 """Components of loss models: what is written for pelicun and OpenQuake, in SI units and g.
 
-Counted shares are written as points.  Their levels are those of the counts, and the level at which
-each run lifts, with another just above it.  Straight lines between them give the counted share at
-each level, rise in a step where a run lifts, and lie nowhere above the share that lifts.
+Counted shares are written as points: 0 at the lowest uplift, the step there, and the share at each
+level above it.  All states have the same levels, so that each line lies below that of the state
+before it, and no point is above the share that lifts.
 """
 
 import math
 import re
-from bisect import bisect
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
-from typing import Annotated, Literal
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,11 +27,10 @@ from rocksteady.risk.fragility.damage_states import UPLIFT
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import GOOD, StateFragility
 from rocksteady.risk.hazard.hazard_measures import intensity_named
+from rocksteady.seismic.measures.scalar import Measure
 
-LossMeasure = Literal["pga_g", "pgv_m_s", "sa_g"]
-
-MEASURES: tuple[LossMeasure, ...] = ("pga_g", "pgv_m_s", "sa_g")
-"""Intensity measures that loss tools have a name for."""
+MEASURES = {"pga_g": False, "pgv_m_s": False, "sa_g": True}
+"""Intensity measures that loss tools have a name for, and whether they have a period."""
 IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_.]{0,74}")
 LONGEST = 75
 """Characters of a name, in OpenQuake."""
@@ -45,8 +43,8 @@ MOST_STATES = 9
 INTENSITY = Bounds(0.0, math.inf, "[]", "give an intensity in the component's unit")
 GAP = 2e-5
 """Least ratio of two levels, less 1: pelicun keeps six digits."""
-WIDTH = 1e-4
-"""Ratio of the levels before and after a step, less 1."""
+STEP = 1.5 * GAP
+"""Ratio of the levels before and after the step at uplift, less 1."""
 
 
 def text_value(name: str, value: object) -> str:
@@ -78,6 +76,16 @@ def _identifier(name: str, value: object) -> str:
         f"it must be a letter, then letters, digits, '_' and '.', {LONGEST} at most, and no word"
     )
     raise InputError(name, value, f"{valid} for a missing value", "name it as RS.cabinet")
+
+
+def _measure(name: str, value: object) -> Measure:
+    """Return a measure that both tools take."""
+    measure = intensity_named(name, value)
+    if MEASURES.get(measure.name) != (measure.period_s is not None):
+        names = ", ".join(f"{each}:PERIOD" if needs else each for each, needs in MEASURES.items())
+        hint = 'write a period in seconds, as "sa_g:1.0"'
+        raise InputError(name, value, f"loss tools accept {names}", hint)
+    return measure
 
 
 def _levels(name: str, value: Sequence[float]) -> tuple[float, ...]:
@@ -118,8 +126,6 @@ class LossState:
     shares
         Probability at each level: the first 0, none below the one before it; None with a
         lognormal.
-    note
-        What the curve stands for, and how far it is from the runs; default none.
 
     Raises
     ------
@@ -142,7 +148,6 @@ class LossState:
     beta: Annotated[float | None, partial(positive, hint="give that of ln x")] = None
     levels: Annotated[Sequence[float] | None, _levels] = None
     shares: Annotated[Sequence[float] | None, _shares] = None
-    note: Annotated[str, text_value] = ""
 
     def __post_init__(self) -> None:
         """Validate the pairs."""
@@ -190,11 +195,9 @@ class LossComponent:
         Letter first, then letters, digits, "_" and ".", at most 75 characters; pelicun splits
         names at "-".
     measure
-        "pga_g", "pgv_m_s" or "sa_g"; "sa_g:0.7" gives the period too.
+        "pga_g", "pgv_m_s", or "sa_g:0.7" for 5 % damping and a period of 0.7 s.
     states
-        In increasing order of severity.
-    period_s
-        Period of "sa_g" [s], 5 % damped.
+        In increasing order of severity: all are lognormals, or all have points.
     floor
         Whether the demand is that of a floor and not of the ground; off by default.
     description
@@ -205,8 +208,8 @@ class LossComponent:
     Raises
     ------
     InputError
-        If the identifier is not valid, a period is missing or superfluous, two states have one
-        name, or there are more than nine: pelicun takes LS10 before LS2.
+        If the identifier or measure is not valid, two states have one name, lognormals and points
+        are mixed, or there are more than nine states: pelicun takes LS10 before LS2.
 
     Examples
     --------
@@ -217,30 +220,26 @@ class LossComponent:
     """
 
     identifier: Annotated[str, _identifier]
-    measure: LossMeasure | str
+    measure: Annotated[Measure | str, _measure]
     states: tuple[LossState, ...]
-    period_s: Annotated[float | None, partial(positive, hint="give seconds")] = None
     floor: bool = False
     description: Annotated[str, text_value] = ""
     note: Annotated[str, text_value] = ""
 
     def __post_init__(self) -> None:
-        """Validate the measure and the names of states."""
-        if ":" in str(self.measure) and self.period_s is None:
-            intensity = intensity_named("measure", self.measure)
-            object.__setattr__(self, "measure", intensity.name)
-            object.__setattr__(self, "period_s", intensity.period_s)
-        if self.measure not in MEASURES:
-            valid = "loss tools accept " + ", ".join(MEASURES)
-            raise InputError("measure", self.measure, valid, "use one of them")
-        if (self.period_s is not None) != (self.measure == "sa_g"):
-            raise InputError(
-                "period_s", self.period_s, "sa_g has a period, and no other measure", "give seconds"
-            )
+        """Validate the states."""
         names = [state_name(state.name) for state in self.states]
         if not 1 <= len(names) <= MOST_STATES or len(set(names)) < len(names):
             valid = f"there must be 1 to {MOST_STATES}, of names that differ in letters and digits"
             raise InputError("states", names, valid, "choose fewer, or rename each")
+        if len({state.median is None for state in self.states}) > 1:
+            valid = "all must be lognormals, or all must have points"
+            raise InputError("states", names, valid, "give all the same")
+
+    @property
+    def intensity(self) -> Measure:
+        """The measure."""
+        return intensity_named("measure", self.measure)
 
     @classmethod
     def from_fragility(
@@ -254,8 +253,8 @@ class LossComponent:
     ) -> "LossComponent":
         """Make a component of the counted shares of a fragility.
 
-        The curve of each state is points, which give the counted share at each level.  A state
-        that no run reaches is left out, and the note names it.
+        The points of each state give the counted share at each level.  A state that no run reaches
+        is left out, and the note names it.
 
         Parameters
         ----------
@@ -264,8 +263,8 @@ class LossComponent:
         fragility
             Shares of one block over PGA, PGV or spectral acceleration.
         lognormal
-            Whether each state is its lognormal in place of points, which must be within 10 points
-            of the counted shares; default False.
+            Whether each state but uplift is its lognormal in place of points, which must be within
+            10 points of the counted shares; default False.
 
         Returns
         -------
@@ -294,40 +293,42 @@ class LossComponent:
         >>> component.states[0].probability([0.19, 0.21]).tolist()
         [0.0, 1.0]
         """
-        measure, blocks = fragility.measure, fragility.ensemble.sizes["block"]
-        if measure is None or measure.name not in MEASURES or blocks > 1:
+        runs, measure = fragility.ensemble, fragility.measure
+        if measure is None or runs.sizes["block"] > 1:
             raise InputError(
                 "fragility",
-                Words(f"is of {plural(blocks, 'block')} over {fragility.key}"),
+                Words(f"is of {plural(runs.sizes['block'], 'block')} over {fragility.key}"),
                 f"a component is of one block over {', '.join(MEASURES)}",
                 "count the runs of one block over pga_g",
             )
-        made = {each.state.name: _state_of(each, lognormal) for each in fragility.states}
-        missed = ", ".join(name for name, state in made.items() if state is None)
-        states = tuple(state for state in made.values() if state is not None)
-        if not states:
-            valid = "some run must reach a state of a component"
+        if measure.name == "sa_g" and measure.period_s is None:
+            signs = [sign for sign in ("", "negative_") if f"{sign}alpha" in runs.coords]
+            sides = [(float(runs[f"{sign}alpha"][0]), float(runs[f"{sign}p"][0])) for sign in signs]
+            measure = replace(measure, period_s=2.0 * math.pi / min(sides)[1])
+        levels = fragility.states[-1].curve.levels
+        reached = [each for each in fragility.states if each.share(levels[-1]) > 0.0]
+        missed = ", ".join(each.state.name for each in fragility.states if each not in reached)
+        if not reached:
             words = Words(f"has no run that reaches {missed}")
+            valid = "some run must reach a state of a component"
             raise InputError("fragility", words, valid, "count at higher levels")
-        screen = fragility.describe()
-        assert screen.answer is not None
-        facts = "; ".join(f"{label} {words}" for label, words in screen.answer.stated)
-        left_out = [f"Left out: {missed}, which no run reaches."] if missed else []
+        kept = [each for each in reached if each.state.name != UPLIFT or not lognormal] or reached
+        left_out = f" Left out: {missed}, which no run reaches." if missed else ""
+        if len(kept) < len(reached):
+            left_out += f" Left out: {UPLIFT}, whose share is a step."
+        note = (
+            f"{fragility.runs:,} runs of {plural(fragility.records, 'record')} at "
+            f"{plural(len(levels), 'level')} up to {quantity(levels[-1], measure.unit)}, "
+            f"{'as lognormals' if lognormal else 'made monotone'}."
+        )
         return cls(
             identifier=identifier,
-            measure=measure.name,
-            states=states,
-            period_s=_period(fragility) if measure.name == "sa_g" else None,
+            measure=measure,
+            states=tuple(map(_lognormal_of if lognormal else _points_of, kept)),
             floor=floor,
             description=description,
-            note=" ".join([screen.answer.sentence, f"{facts}.", *screen.notes, *left_out]),
+            note=note + left_out,
         )
-
-    @property
-    def notes(self) -> list[str]:
-        """Sentences on the component, and on what the curve of each state stands for."""
-        each = [f"{state.name}: {state.note}" for state in self.states if state.note]
-        return [*filter(None, [self.note]), *each]
 
 
 def state_name(name: str) -> str:
@@ -359,65 +360,31 @@ def check_identifiers(components: Sequence[LossComponent]) -> None:
         raise InputError("components", words, valid, "give each its own")
 
 
-def _state_of(state: StateFragility, lognormal: bool) -> LossState | None:
-    """Return a damage state as points or as its lognormal; None where no run reaches it.
-
-    Raises
-    ------
-    InputError
-        If a lognormal is wanted and does not summarise the counted shares.
-    """
-    levels, best, name = _points_of(state), state.lognormal, state.state.name
-    # Between equal shares, interpolation may be off by a rounding.
-    shares = np.minimum.accumulate(state.share(levels)[::-1])[::-1]
-    if not shares.any():
-        return None
-    curve, unit = state.curve, "" if state.measure is None else state.measure.unit
-    misfit = f"the best lognormal is {number(100.0 * best.misfit, 2)} points away"
-    if math.isnan(best.beta):
-        misfit = "no lognormal is near"
-    runs = plural(curve.counts[0].ways * len(curve.counts[0].fell), "run")
-    last = f"{plural(len(curve.levels), 'level')} up to {quantity(curve.levels[-1], unit)}"
-    note = f"{runs} at each of {last}, made monotone; {misfit}"
-    if name == UPLIFT:
-        note = f"the share that lifts, known without a run; {misfit}"
-    if not lognormal:
-        return LossState(name=name, levels=levels.tolist(), shares=shares.tolist(), note=note)
+def _lognormal_of(state: StateFragility) -> LossState:
+    """Return a damage state as its lognormal, which must summarise the counted shares."""
+    best = state.lognormal
     if not state.is_lognormal:
-        words = Words(f"does not hold '{name}', {misfit}")
+        misfit = f"{number(100.0 * best.misfit, 2)} points away"
+        away = (
+            "no lognormal is near" if math.isnan(best.beta) else f"the best lognormal is {misfit}"
+        )
+        words = Words(f"does not hold '{state.state.name}', {away}")
         valid = f"it must be within {100.0 * GOOD:g} points of the counted shares"
         raise InputError("lognormal", words, valid, "leave it out: points hold them")
-    return LossState(name=name, median=best.median, beta=best.beta, note=f"lognormal of {note}")
+    return LossState(name=state.state.name, median=best.median, beta=best.beta)
 
 
-def _points_of(state: StateFragility) -> Floats:
-    """Return levels between which straight lines hold the shares of a state.
+def _points_of(state: StateFragility) -> LossState:
+    """Return a damage state as points, which some run must reach.
 
-    Of two levels that six digits cannot separate one is left out: that of the counts stays.
-    Uplift is known beyond the last level of the counts, other states are not.
+    Of two levels that six digits cannot separate the lower one stays.
     """
-    curve = state.curve
-    lifts = curve.lifts_at[np.isfinite(curve.lifts_at)]
-    counted = curve.levels[curve.levels > curve.lifts_at[0]]
-    before = counted * (1.0 - WIDTH)
-    before = before[curve.lifting(before) < curve.lifting(counted)]  # a step lies between
-    beside = np.sort(np.concatenate([lifts, lifts * (1.0 + WIDTH), before]))
-    if state.state.name != UPLIFT:
-        beside = beside[beside < curve.levels[-1]]
-    points: list[float] = []
-    for level in np.concatenate([counted, beside]).tolist():
-        place = bisect(points, level)
-        near = points[max(place - 1, 0) : place + 1]
-        if all(abs(math.log(level / each)) > 1.01 * GAP for each in near):
-            points.insert(place, level)
-    return np.array(points)
-
-
-def _period(fragility: Fragility) -> float:
-    """Return the period of a measure [s], by default 2 pi/p of the side that lifts first."""
-    if fragility.measure is not None and fragility.measure.period_s is not None:
-        return fragility.measure.period_s
-    runs = fragility.ensemble
-    signs = [sign for sign in ("", "negative_") if f"{sign}alpha" in runs.coords]
-    sides = [(float(runs[f"{sign}alpha"][0]), float(runs[f"{sign}p"][0])) for sign in signs]
-    return 2.0 * math.pi / min(sides)[1]
+    first = float(state.curve.lifts_at[0])
+    above = state.curve.levels[state.curve.levels > first]
+    above = above[np.diff(above, prepend=0.0) > STEP * above]
+    if above[0] > first * (1.0 + STEP) ** 2:
+        above = np.append(first * (1.0 + STEP), above)
+    levels = np.append(min(first, above[0] / (1.0 + STEP)), above)
+    # Between equal shares, interpolation may be off by a rounding.
+    shares = np.maximum.accumulate(state.share(levels))
+    return LossState(name=state.state.name, levels=levels.tolist(), shares=shares.tolist())

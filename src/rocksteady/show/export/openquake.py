@@ -14,7 +14,6 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.export.components import (
     LossComponent,
-    LossState,
     check_identifiers,
     state_name,
     text_value,
@@ -26,8 +25,6 @@ NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
 MODEL = re.compile(r"[A-Za-z0-9_-]{1,75}")
 REACH = 4.75
 """Standard deviations from the median to the limit without damage: a probability of 1e-6."""
-QUANTILES = 191
-"""Levels of a lognormal that stands beside points."""
 CM = 100.0
 """OpenQuake's velocities are in cm/s."""
 NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -44,9 +41,9 @@ def write_openquake(
 ) -> Path:
     r"""Write components as a fragility model of OpenQuake, NRML 0.5.
 
-    A component whose states are all lognormal is a continuous function. Any other is a discrete
-    one, with the levels of all its states; the first is the limit without damage, and above the
-    last the probabilities stay.
+    A component of lognormals is a continuous function. One of points is a discrete function, with
+    the levels of all its states; the first is the limit without damage, and above the last the
+    probabilities stay.
 
     A lognormal has the arithmetic mean :math:`m = \hat x \exp(\beta^2/2)` and standard deviation
     :math:`m \sqrt{\exp(\beta^2) - 1}`, and not the median :math:`\hat x` and :math:`\beta`. PGV
@@ -107,20 +104,14 @@ def write_openquake(
                 f"all components of a model have the same states, here {', '.join(states)}",
                 "write the others to a file of their own",
             )
-    root = ET.Element("nrml", {"xmlns": NAMESPACE})
-    model = _child(
+    root = ET.Element("nrml", xmlns=NAMESPACE)
+    model = ET.SubElement(
         root, "fragilityModel", id=model_id, assetCategory="buildings", lossCategory=loss_category
     )
-    _child(model, "description").text = _allowed(_description(components))
-    _child(model, "limitStates").text = " ".join(states)
+    ET.SubElement(model, "description").text = _allowed(_description(components))
+    ET.SubElement(model, "limitStates").text = " ".join(states)
     for component in components:
-        function = _child(model, "fragilityFunction", id=component.identifier)
-        if any(state.median is None for state in component.states):
-            function.set("format", "discrete")
-            _add_points(function, component)
-        else:
-            function.attrib |= {"format": "continuous", "shape": "logncdf"}
-            _add_lognormals(function, component)
+        _add_function(model, component)
     ET.indent(root)
     data = ET.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
     save_whole("path", file, lambda target: target.write_bytes(data))
@@ -140,60 +131,34 @@ def arithmetic_moments(median: float, beta: float) -> tuple[float, float]:
     return mean, mean * math.sqrt(math.expm1(beta * beta))
 
 
-def _child(parent: ET.Element, tag: str, **attributes: str) -> ET.Element:
-    return ET.SubElement(parent, tag, attributes)
-
-
-def _unit(component: LossComponent) -> float:
-    """Return by what an intensity is multiplied in the file."""
-    return CM if component.measure == "pgv_m_s" else 1.0
-
-
-def _measure(component: LossComponent) -> str:
-    """Return the measure in OpenQuake's words."""
-    if component.measure == "sa_g":
-        return f"SA({component.period_s!r})"
-    return "PGV" if component.measure == "pgv_m_s" else "PGA"
-
-
-def _add_lognormals(function: ET.Element, component: LossComponent) -> None:
-    """Add the lognormal of each state, and the levels between which it holds."""
-    unit = _unit(component)
-    betas = [(state.median or 0.0, state.beta or 0.0) for state in component.states]
+def _add_function(model: ET.Element, component: LossComponent) -> None:
+    """Add the curves of a component: its lognormals, or its points, linear between them."""
+    measure, states = component.intensity, component.states
+    unit = CM if measure.name == "pgv_m_s" else 1.0
+    imt = measure.name.partition("_")[0].upper()
+    if measure.period_s is not None:
+        imt = f"SA({measure.period_s!r})"
+    function = ET.SubElement(model, "fragilityFunction", id=component.identifier)
+    imls = ET.SubElement(function, "imls", imt=imt)
+    if states[0].median is None:
+        function.set("format", "discrete")
+        first, *levels = sorted({level for state in states for level in state.levels or ()})
+        imls.set("noDamageLimit", repr(unit * first))
+        imls.text = _numbers(unit * np.array(levels))
+        for state in states:
+            poes = ET.SubElement(function, "poes", ls=state_name(state.name))
+            poes.text = _numbers(state.probability(levels))
+        return
+    function.attrib |= {"format": "continuous", "shape": "logncdf"}
+    betas = [(unit * (state.median or 0.0), state.beta or 0.0) for state in states]
     low = min(median * math.exp(-REACH * beta) for median, beta in betas)
     high = max(median * math.exp(REACH * beta) for median, beta in betas)
     # Below minIML the probability is that at minIML, and 0 up to noDamageLimit.
-    _child(
-        function,
-        "imls",
-        imt=_measure(component),
-        noDamageLimit=repr(unit * low),
-        minIML=repr(0.5 * unit * low),
-        maxIML=repr(unit * high),
-    )
-    for state, (median, beta) in zip(component.states, betas, strict=True):
-        mean, deviation = arithmetic_moments(unit * median, beta)
+    imls.attrib |= {"noDamageLimit": repr(low), "minIML": repr(0.5 * low), "maxIML": repr(high)}
+    for state, (median, beta) in zip(states, betas, strict=True):
+        mean, deviation = arithmetic_moments(median, beta)
         name = state_name(state.name)
-        _child(function, "params", ls=name, mean=repr(mean), stddev=repr(deviation))
-
-
-def _add_points(function: ET.Element, component: LossComponent) -> None:
-    """Add the curve of each state at the levels of all, linear between them."""
-    levels = np.unique(np.concatenate([_levels_of(each) for each in component.states]))
-    unit = _unit(component)
-    limit = repr(float(unit * levels[0]))
-    imls = _child(function, "imls", imt=_measure(component), noDamageLimit=limit)
-    imls.text = _numbers(unit * levels[1:])
-    for state in component.states:
-        poes = _child(function, "poes", ls=state_name(state.name))
-        poes.text = _numbers(state.probability(levels[1:]))
-
-
-def _levels_of(state: LossState) -> Floats:
-    """Return the levels of points, or those between which straight lines hold a lognormal."""
-    if state.median is None or state.beta is None:
-        return np.array(state.levels)
-    return np.asarray(state.median * np.exp(state.beta * np.linspace(-REACH, REACH, QUANTILES)))
+        ET.SubElement(function, "params", ls=name, mean=repr(mean), stddev=repr(deviation))
 
 
 def _numbers(values: Floats) -> str:
@@ -204,13 +169,13 @@ def _description(components: Sequence[LossComponent]) -> str:
     """Return what the model is, and what each component's curves stand for."""
     from rocksteady import __version__
 
-    lines = [
-        f"Free-standing rigid objects, computed by rocksteady {__version__}. The engineer verifies."
-    ]
-    for component in components:
-        head = f"{component.identifier}: {component.description}".strip()
-        lines.append(" ".join([head, *component.notes]))
-    return "\n".join(lines)
+    head = f"Free-standing rigid objects, computed by rocksteady {__version__}."
+    return "\n".join(
+        [
+            f"{head} The engineer verifies.",
+            *(f"{each.identifier}: {each.description} {each.note}".strip() for each in components),
+        ]
+    )
 
 
 def _allowed(text: str) -> str:

@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from rocksteady import durable
-from rocksteady.errors import InputError, OutputError
+from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.counted.reach import RATIO
 from rocksteady.show.export.components import (
@@ -39,8 +38,9 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
     ``Theta_0`` and its beta as ``Theta_1``, PGA is in g and PGV in m/s ("mps"). Points are a
     ``multilinear_CDF``: ``Theta_0`` has intensities, "|", and the probability at each.
 
-    Such a curve rises from 0 to 1 everywhere. Level parts rise by a millionth, and one whose last
-    share is below 1 has another point with 1, a step of levels beyond; the companion says so.
+    Such a curve rises from 0 to 1 everywhere. Equal shares rise by a millionth each, and a curve
+    whose last share is below 1 has another point with 1, a step of levels beyond; the companion
+    says so.
 
     Parameters
     ----------
@@ -79,27 +79,20 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
         raise InputError("path", path, "the table ends in .csv", "name it as fragility.csv")
     check_identifiers(components)
     companion = table.with_suffix(".json")
-    for file in (table, companion):
-        problem = durable.obstacle(file)
-        if problem is not None:
-            raise OutputError("path", file, *problem)
     most = max(len(component.states) for component in components)
     head = [*HEAD, *(f"LS{k + 1}-{name}" for k in range(most) for name in OF_EACH)]
-    text = json_text_of(components)
-    rows = [_row(component, most) for component in components]
-    save_csv("path", table, head, rows)
-    save_text("path", companion, text)
+    save_text("path", companion, _companion(components))  # first: no table is without its remarks
+    save_csv("path", table, head, [_row(component, most) for component in components])
     return table, companion
 
 
 def _row(component: LossComponent, most: int) -> list[object]:
     """Return the row of a component; an absent limit state is empty."""
-    quantity, unit = (
-        ("Velocity", "mps") if component.measure == "pgv_m_s" else ("Acceleration", "g")
-    )
+    measure = component.intensity
+    quantity, unit = ("Velocity", "mps") if measure.name == "pgv_m_s" else ("Acceleration", "g")
     demand = f"Peak {'Floor' if component.floor else 'Ground'} {quantity}"
-    if component.period_s is not None:
-        demand = f"Spectral Acceleration|{component.period_s!r}"
+    if measure.period_s is not None:
+        demand = f"Spectral Acceleration|{measure.period_s!r}"
     row: list[object] = [component.identifier, 0, demand, unit, 0, 1]
     for state in component.states:
         if state.median is None:
@@ -111,22 +104,18 @@ def _row(component: LossComponent, most: int) -> list[object]:
 
 def _points_text(state: LossState) -> str:
     """Return intensities and probabilities as pelicun reads them: rising from 0 to 1."""
-    levels = np.array(state.levels)
-    levels = np.append(levels, RATIO * levels[-1])
-    parts = np.rint(PARTS * np.array([*(state.shares or ()), 1.0])).astype(np.int64)
-    last = int(np.argmax(parts == PARTS)) + 1
-    levels, parts = levels[:last], parts[:last]
-    # Both ends of a level part stay.
-    ends = (np.diff(parts, prepend=-1) > 0) | (np.diff(parts, append=PARTS + 1) > 0)
-    levels, parts = levels[ends], parts[ends]
-    steps = np.arange(len(parts))  # two points differ by one at least
-    parts = np.minimum.accumulate((parts - steps)[::-1])[::-1] + steps
+    levels, shares = list(state.levels or ()), [*(state.shares or ()), 1.0]
+    levels.append(RATIO * levels[-1])
+    parts = np.rint(PARTS * np.array(shares)).astype(np.int64)
+    count = int(np.argmax(parts == PARTS)) + 1
+    steps = np.arange(count)  # two points differ by one at least
+    parts = np.minimum.accumulate((parts[:count] - steps)[::-1])[::-1] + steps
     parts = np.maximum(parts, steps)
-    texts = [f"{level:.12g}" for level in levels], [f"{part / PARTS:.6g}" for part in parts]
+    texts = [f"{at:.12g}" for at in levels[:count]], [f"{part / PARTS:.6g}" for part in parts]
     return "|".join(",".join(column) for column in texts)
 
 
-def json_text_of(components: Sequence[LossComponent]) -> str:
+def _companion(components: Sequence[LossComponent]) -> str:
     """Return the companion: what each component and each of its states is."""
     import json
 
@@ -142,27 +131,14 @@ def json_text_of(components: Sequence[LossComponent]) -> str:
     }
     for component in components:
         values[component.identifier] = {
-            "Description": _clean(
-                component.description or f"Free-standing object {component.identifier}"
-            ),
-            "Comments": _clean("\n".join([REMARKS, *component.notes])),
+            "Description": component.description or f"Free-standing object {component.identifier}",
+            "Comments": "\n".join(filter(None, [REMARKS, component.note])),
             "SuggestedComponentBlockSize": "1 EA",
             "RoundUpToIntegerQuantity": "True",
             "LimitStates": {
-                f"LS{k + 1}": {
-                    "DS1": {
-                        "Description": _clean(state.name),
-                        "Name": state_name(state.name),
-                        "Curve": _clean(state.note),
-                    }
-                }
+                f"LS{k + 1}": {"DS1": {"Description": state.name, "Name": state_name(state.name)}}
                 for k, state in enumerate(component.states)
             },
         }
     # Plain ASCII: a reader with another encoding, as Windows has, gets the same text.
     return json.dumps(values, indent=2, ensure_ascii=True, allow_nan=False) + "\n"
-
-
-def _clean(text: str) -> str:
-    """Return text without halves of characters, which no file can hold."""
-    return text.encode("utf-8", "replace").decode("utf-8")

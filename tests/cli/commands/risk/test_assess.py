@@ -87,7 +87,7 @@ def test_records_stand_beside_the_flags_of_a_block(folder: Path) -> None:
         (f"{VASE} --friction 0", "--friction = 0.0 is not valid"),
         (f"{VASE} --vertical-g 1.2", "--vertical-g = 1.2"),
         (f"{VASE} -r 0.8,0.9", "an object has one restitution"),
-        (f"{VASE} --hazard site.csv", "--hazard = 'site.csv' is not valid: rates of counted runs"),
+        (f"{VASE} --hazard site.csv", "--hazard = 'site.csv' is not valid: there is no such file"),
         (f"{VASE} --no-stretch", "--no-stretch = True is not accepted: without --records"),
         (f"{VASE} --units g", "--units = 'g' is not accepted: without --records"),
         (f"{VASE} --pair", "--pair = True is not accepted: without --records"),
@@ -132,7 +132,7 @@ BLOCKS = [
 def test_any_block_of_the_flags_is_an_object_with_its_measures(given: dict[str, object]) -> None:
     flags = BlockFlags(**given)  # type: ignore[arg-type]
     block = sized_block(flags)
-    made = described_block(flags, PeakFlags(pga_g=0.3, pgv_m_s=0.3), 0.2).block
+    made = described_block(flags, PeakFlags(pga_g=0.3, pgv_m_s=0.3)).block
     assert measures(made) == pytest.approx(measures(block), rel=1e-14)
     assert (made.symmetric, made.one_sided) == (block.symmetric, block.one_sided)
     assert (made.cap, made.gravity) == (block.cap, block.gravity)

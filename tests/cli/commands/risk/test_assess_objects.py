@@ -29,6 +29,16 @@ storeys = 1
 frequencies_hz = [2.0]
 shapes = [[1.0]]
 """
+CURVES = {
+    "site": "PGA [g],annual rate\n0.02,0.05\n0.2,0.003\n2,3e-6\n",
+    "rises": "PGA [g],annual rate\n0.1,0.001\n0.3,0.01\n",
+    "single": "PGA [g],annual rate\n0.1,0.001\n",
+    "pgv": "PGV [m/s],annual rate\n0.02,0.05\n2,3e-6\n",
+    "several": "#,,,investigation_time=1,imt='PGA'\nlon,lat,depth,poe-0.1,poe-0.3\n"
+    "1,2,0,0.01,0.001\n1,3,0,0.01,0.001\n",
+}
+"""Hazard curves, most of which are none."""
+RATE = "assess statue.toml --records motions --out answer --hazard"
 
 
 @pytest.fixture(name="place")
@@ -164,7 +174,15 @@ def test_a_file_among_the_motions_that_is_no_record_is_left_out(place: Path) -> 
         ("assess statue.toml --records motions --pga-g 0.3", "the object's file states it"),
         ("assess statue.toml --records motions --width-m 1", "the object's file states it"),
         ("assess statue.toml --no-stretch", "without --records it has no meaning"),
-        ("assess statue.toml --hazard site.csv", "--hazard = 'site.csv' is not valid: rates of"),
+        ("assess statue.toml --hazard none.csv", "--hazard = 'none.csv' is not valid: there is no"),
+        (f"{RATE} rises.csv", "line 3, '0.3,0.01': the rate of 0.3 is above that of 0.1"),
+        (f"{RATE} single.csv", "the curve has 1 level"),
+        (f"{RATE} several.csv", "it holds 2 curves, and an object stands at one site"),
+        (f"{RATE} pgv.csv --no-stretch", "--hazard is over pgv_m_s"),
+        (f"{RATE} site.csv --target 0.1 --target-50-years 0.1", "a verdict is on one target"),
+        (f"{RATE} site.csv --target-50-years 1", "--target-50-years = 1.0"),
+        ("assess statue.toml --target-50-years 0.1", "--hazard"),
+        ("assess statue.toml --lognormal", "--out"),
         ("assess statue.toml --example", "leave one of them out"),
         ("assess --example --records motions", "--example reads no files"),
         ("assess --example --pga-g 0.3", "--example reads no files"),
@@ -182,6 +200,8 @@ def test_what_has_no_meaning_is_refused_in_one_line(command: str, words: str, pl
     felt = OBJECT.replace("pga_g = 0.4", 'place = "floor"\npga_g = 0.4')
     (place / "felt.toml").write_text(felt, encoding="utf-8")
     (place / "one.csv").write_text("name,width_m,height_m\nvase,0.12,0.5\n", encoding="utf-8")
+    for name, text in CURVES.items():
+        (place / f"{name}.csv").write_text(text, encoding="utf-8")
     before = sorted(place.iterdir())
     assert words in refused(command)
     assert sorted(place.iterdir()) == before

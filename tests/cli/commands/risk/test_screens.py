@@ -7,7 +7,6 @@ import pytest
 from rocksteady import Demand, read_record
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
-from tests.descriptions import fits
 from tests.every import every
 
 BLOCK = "screens --width-m 0.32 --height-m 1.8"
@@ -20,15 +19,6 @@ def _table(tmp_path: Path) -> Path:
     file = tmp_path / "floor.txt"
     file.write_text(TABLE, encoding="utf-8")
     return file
-
-
-def test_the_text_fits_and_names_what_is_missing() -> None:
-    assert rocksteady(BLOCK).out.startswith("No answer yet")
-    ran = rocksteady(f"{BLOCK} --more")
-    assert ran.code == 0
-    assert fits(ran.out)
-    assert "needs a spectrum with its damping" in ran.out
-    assert "the engineer verifies" in ran.out
 
 
 def test_a_spectrum_brings_its_damping_and_a_flag_overrules_it(table: Path) -> None:

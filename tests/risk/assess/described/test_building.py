@@ -8,7 +8,7 @@ import pytest
 from rocksteady import assess_object, assess_objects
 from rocksteady.errors import InputError, ModelError, RocksteadyError
 from rocksteady.motions import Floor, make_synthetic_suite
-from rocksteady.risk import Building, DescribedObject, read_buildings
+from rocksteady.risk import Building, DescribedObject, Peaks, read_buildings
 from rocksteady.risk.assess.described.building import floor_of
 
 SUITE = make_synthetic_suite(12)
@@ -59,10 +59,10 @@ def test_an_object_on_a_floor_is_one_on_the_motions_of_that_floor() -> None:
     """Led there by hand; with one peak of the ground, which motions of a floor keep."""
     floors = [None, MUSEUM.floors[0], MUSEUM.floors[2]]
     objects = [standing(f"statue {k}", floor=k, building="museum") for k in (0, 1, 3)]
-    found = assess_objects(objects, SUITE, buildings=[MUSEUM], pga_g=0.25)
+    found = assess_objects(objects, SUITE, buildings=[MUSEUM], demand=Peaks(pga_g=0.25))
     for row, floor in zip(found.rows, floors, strict=True):
         moved = [*SUITE] if floor is None else [floor.motion(each) for each in SUITE]
-        (alone,) = assess_objects([standing(row["name"])], moved, pga_g=0.25).rows
+        (alone,) = assess_objects([standing(row["name"])], moved, demand=Peaks(pga_g=0.25)).rows
         for key in ("share", "low", "high", "fall", "runs", "lifted", "verdict", "floor_pga_g"):
             assert row[key] == alone[key], key
     assert [row["storey"] for row in found.rows] == [0, 1, 3]
@@ -77,7 +77,7 @@ def test_what_the_ground_does_not_lift_a_floor_may() -> None:
         [standing("ground", floor=0), standing("roof", floor="attic")],
         SUITE,
         buildings=[MUSEUM],
-        **low,
+        demand=Peaks(**low),
     ).rows
     assert (ground["verdict"], ground["by"]) == ("stands", "statics")
     assert roof["by"] == "runs"
@@ -104,7 +104,9 @@ def test_a_place_is_a_floor_and_its_number() -> None:
 
 def test_an_object_may_have_a_demand_of_its_own() -> None:
     own = standing("own", demand={"pga_g": 0.6, "pgv_m_s": 0.7})
-    rows = assess_objects([own, standing("of all")], SUITE, pga_g=0.1, pgv_m_s=0.1).rows
+    rows = assess_objects(
+        [own, standing("of all")], SUITE, demand=Peaks(pga_g=0.1, pgv_m_s=0.1)
+    ).rows
     assert [(row["pga_g"], row["pgv_m_s"]) for row in rows] == [(0.6, 0.7), (0.1, 0.1)]
     assert [row["verdict"] for row in rows][1] == "stands"
     assert rows[0]["fall"] > 0
@@ -130,7 +132,7 @@ def test_a_place_that_is_none_is_refused_in_one_line(
 ) -> None:
     with pytest.raises(RocksteadyError) as error:
         assess_objects(
-            [standing("vase", **keys)], SUITE, buildings=buildings, pga_g=0.3, pgv_m_s=0.3
+            [standing("vase", **keys)], SUITE, buildings=buildings, demand=Peaks(pga_g=0.3)
         )
     assert name in str(error.value)
     assert words in str(error.value)

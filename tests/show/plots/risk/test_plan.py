@@ -12,7 +12,7 @@ from matplotlib.patches import Rectangle
 from rocksteady import assess_objects, plots
 from rocksteady.errors import InputError
 from rocksteady.motions import make_synthetic_suite
-from rocksteady.risk import Building, DescribedObject, ObjectsTable
+from rocksteady.risk import Building, DescribedObject, ObjectsTable, Peaks
 from rocksteady.show.style.tokens import LIGHT
 
 SIZES = {"vase": (0.12, 0.5), "stele": (0.3, 1.6), "case": (0.7, 1.9)}
@@ -35,7 +35,7 @@ def _table() -> ObjectsTable:
     ]
     house = Building.of_first_mode("house", storeys=2, period_s=0.3, rooms={"attic": 2})
     suite = make_synthetic_suite(11)
-    return assess_objects(objects, suite, buildings=[house], pga_g=0.3, pgv_m_s=0.3)
+    return assess_objects(objects, suite, buildings=[house], demand=Peaks(pga_g=0.3, pgv_m_s=0.3))
 
 
 def drawn(table: ObjectsTable) -> tuple[Any, list[Rectangle]]:

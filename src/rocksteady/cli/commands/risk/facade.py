@@ -138,21 +138,19 @@ def facade(
     }
     _refuse_idle(file, recorded, reading, flags, example=example)
     if tongue != "en" and out is None and output.plot is None:
-        raise FlagError(
-            "--language",
-            language,
-            "it is that of --out and --plot, and neither is given",
-            "add --out DIR, or leave it out",
-        )
+        valid = "it is that of --out and --plot, and neither is given"
+        refuse({"--language": language}, valid, "add --out DIR, or leave it out")
     output.check([] if file is None else [file], out=out)
     output.check_folder(FACADE, out)
     described = read_facade(EXAMPLE if file is None else file)
     wall = _with_restitution(described.facade, restitution)
     demand, runs, files = described.demand, None, [] if file is None else [*described.files]
     suite = Suite()
-    if recorded.records or example:
-        suite = Suite.synthetic(EXAMPLE_MOTIONS) if example else recorded.suite(reading)
-        files += suite.files
+    if example:
+        suite = Suite.synthetic(EXAMPLE_MOTIONS)
+    elif recorded.records:
+        suite = recorded.suite(reading)
+    files += suite.files
     output.check_folder(FACADE, out, [*files, *suite.read])
     if suite.motions:
         runs = run_facade(
@@ -188,10 +186,9 @@ def _chosen(flag: str, text: str, names: dict[str, T]) -> T:
     """
     folded = {name.lower(): value for name, value in names.items()}
     if text.lower() not in folded:
-        first, *rest = names
-        raise FlagError(
-            flag, text, f"it is one of {', '.join(names)}", f"give {first}, or {rest[0]}"
-        )
+        first, second, *_ = names
+        valid = f"it is one of {', '.join(names)}"
+        raise FlagError(flag, text, valid, f"give {first}, or {second}")
     return folded[text.lower()]
 
 
@@ -213,7 +210,7 @@ def _refuse_idle(
     files = {**recorded.given, **reading.given}
     if example:
         if file is not None:
-            raise FlagError("--example", True, f"{file} is checked already", "leave one out")
+            refuse({"--example": True}, f"{file} is checked already", "leave one out")
         refuse(files, "--example reads no files")
     elif file is None:
         raise FlagError(
@@ -272,27 +269,22 @@ def _refuse_open(check: "FacadeCheck") -> None:
     FlagError
         If no check has a verdict, or the runs have none.
     """
+    given = {"--check": True}
     if check.runs is not None and check.runs.refusal is not None:
-        raise FlagError("--check", True, check.runs.refusal, "add records, or leave out --check")
+        refuse(given, check.runs.refusal, "add records, or leave out --check")
     if not check.states:
-        raise FlagError(
-            "--check",
-            True,
-            "neither the file nor records give a demand: no check has a verdict",
-            "add [demand.slv] to the file or --records DIR, or leave out --check",
-        )
+        valid = "neither the file nor records give a demand: no check has a verdict"
+        refuse(given, valid, "add [demand.slv] to the file or --records DIR, or leave out --check")
 
 
 def _in_text(check: "FacadeCheck", *, example: bool) -> "Description":
     """Return what people read: the checks, a row for each record, and the notes of both."""
     description = check.describe()
-    tables, notes = [*description.tables], [*description.notes]
+    words = "An example: the wall is invented and the motions are synthetic."
+    tables, notes = [*description.tables], [words] * example + [*description.notes]
     if check.runs is not None:
         tables += check.runs.describe().tables
         notes += check.runs.remarks
-    if example:
-        words = "An example: the wall is invented and the motions are synthetic."
-        notes.insert(0, words)
     return replace(description, tables=tables, notes=notes)
 
 

@@ -1,8 +1,9 @@
 """Geometry, mass and content of an object as one rigid body, nominal or at the end of a range."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import cos, hypot, sin
@@ -10,24 +11,56 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Restitution
 from rocksteady.model.blocks.outlines import Outline
 from rocksteady.model.blocks.sides import with_point_mass
-from rocksteady.risk.assess.described.schema import Geometry, ObjectInput, Range, Value
+from rocksteady.risk.assess.described.schema import Content, Geometry, ObjectInput, Range, Value
 from rocksteady.risk.observations.files.toml_tables import named
-
-Choose = Callable[[str, Value], float]
-"""Returns the number to compute with, of a key ("content.mass_kg") and its value."""
 
 FRAME = ("columns", "cap_mass_ratio")
 """Keys of a frame, of which the others describe one column, a body with its mass in mid-height."""
-FORMS: Mapping[str, tuple[str, ...]] = {
-    "width_m and height_m": ("width_m", "height_m", "base_width_m", "offset_m",
-                             "mass_centre_height_m", "gyration_m", "inertia_kg_m2", "mass_kg",
-                             *FRAME),
-    "left_m, right_m and mass_centre_height_m": ("left_m", "right_m", "mass_centre_height_m",
-                                                 "height_m", "gyration_m", "inertia_kg_m2",
-                                                 "mass_kg"),
-    "alpha_rad or alpha_deg, and p_rad_s": ("alpha_rad", "alpha_deg", "p_rad_s", *FRAME),
-}  # fmt: skip
-"""The three ways to give a geometry, each with all keys that go with it."""
+
+
+class Form(NamedTuple):
+    """A way to give a geometry.
+
+    Attributes
+    ----------
+    words
+        What gives the size.
+    heads
+        Keys that the way is recognised by.
+    needed
+        Keys without which it is not complete, each with those that may stand in its place.
+    keys
+        All keys that go with it.
+    """
+
+    words: str
+    heads: tuple[str, ...]
+    needed: tuple[tuple[str, ...], ...]
+    keys: tuple[str, ...]
+
+
+SIZES = Form(
+    words="width_m and height_m",
+    heads=("width_m", "height_m"),
+    needed=(("width_m",), ("height_m",)),
+    keys=("width_m", "height_m", "base_width_m", "offset_m", "mass_centre_height_m", "gyration_m",
+          "inertia_kg_m2", "mass_kg", *FRAME),
+)  # fmt: skip
+EDGES = Form(
+    words="left_m, right_m and mass_centre_height_m",
+    heads=("left_m", "right_m"),
+    needed=(("left_m",), ("right_m",), ("mass_centre_height_m",)),
+    keys=("left_m", "right_m", "mass_centre_height_m", "height_m", "gyration_m", "inertia_kg_m2",
+          "mass_kg"),
+)  # fmt: skip
+SLENDERNESS = Form(
+    words="alpha_rad or alpha_deg, and p_rad_s",
+    heads=("alpha_rad", "alpha_deg", "p_rad_s"),
+    needed=(("alpha_rad", "alpha_deg"), ("p_rad_s",)),
+    keys=("alpha_rad", "alpha_deg", "p_rad_s", *FRAME),
+)
+FORMS = (SIZES, EDGES, SLENDERNESS)
+WAYS = "; ".join(form.words for form in FORMS)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,14 +133,6 @@ class Body:
         )
         return replace(block, outline=outline)
 
-    def with_mass(self, mass_kg: float, height_m: float) -> "Body":
-        """Return the body with a point mass above the middle between mass centre and nothing else.
-
-        The mass is added straight below or above the mass centre, at a height above the base.
-        """
-        assert self.mass_kg is not None
-        return self.with_share(mass_kg / self.mass_kg, height_m)
-
     def with_share(self, share: float, height_m: float) -> "Body":
         """Return the body with a point mass, a share of its own, in line with its mass centre."""
         centre, gyration = with_point_mass(
@@ -141,13 +166,22 @@ class Body:
         )
 
 
-def nominal(_: str, value: Value) -> float:
-    """Return the middle of a range."""
+def middle(value: Value) -> float:
+    """Return a number, or the middle of a range."""
     return value.middle if isinstance(value, Range) else value
 
 
-def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
+def body_of(given: ObjectInput, source: str, key: str = "", end: float = 0.0) -> Body:
     """Return the object with its content as one body.
+
+    Parameters
+    ----------
+    given
+        The object.
+    source
+        What it comes from, for messages.
+    key, end
+        Key whose value is another number, as "content.mass_kg"; of other ranges the middle counts.
 
     Raises
     ------
@@ -155,17 +189,13 @@ def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
         If its geometry is given twice or in part, no body has it, or it has several parts that are
         not stated to be fixed to each other.
     """
-    shape = given.geometry
+    shape, content = given.geometry, given.content
     form = _form(shape, source)
-    numbers = {
-        key: choose(f"geometry.{key}", value)
-        for key in shape.__struct_fields__
-        if (value := getattr(shape, key)) is not None
-    }
-    if form == 2:
+    numbers = _numbers("geometry", shape, key, end)
+    if form is SLENDERNESS:
         body = _of_slenderness(numbers, given.gravity_m_s2)
     else:
-        body = _of_sizes(numbers, source) if form == 0 else _of_edges(numbers)
+        body = _of_sizes(numbers, source) if form is SIZES else _of_edges(numbers)
     if body.centre_height > body.height:
         raise InputError(
             named(source, "geometry", "mass_centre_height_m"),
@@ -179,14 +209,14 @@ def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
             body = body.with_share(ratio, body.height)
         else:
             body = replace(body, columns=shape.columns, cap_mass_ratio=ratio)
-        if given.content is not None:
+        if content is not None:
             raise ModelError(
                 named(source, "geometry", "columns"),
                 Words("stands beside [content]"),
                 "columns carry their cap alone",
                 "leave [content] out, or add it to cap_mass_ratio",
             )
-    if not given.fixed_parts and (given.content is not None or shape.columns == 1):
+    if not given.fixed_parts and (content is not None or shape.columns == 1):
         raise ModelError(
             named(source, "", "fixed_parts"),
             Words("is not true"),
@@ -194,7 +224,7 @@ def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
             "add fixed_parts = true (in a table: yes) where they are fixed to each other, or "
             "describe what can rock by itself",
         )
-    if given.content is None:
+    if content is None:
         return body
     if body.mass_kg is None:
         raise ModelError(
@@ -202,77 +232,77 @@ def body_of(given: ObjectInput, source: str, choose: Choose = nominal) -> Body:
             Words("is missing"),
             "content needs the mass of the object beside its own",
             "add mass_kg, without its content, or leave [content] out"
-            + (", and give sizes in place of alpha and p" if form == 2 else ""),
+            + (", and give sizes in place of alpha and p" if form is SLENDERNESS else ""),
         )
-    mass = choose("content.mass_kg", given.content.mass_kg)
-    height = choose("content.mass_centre_height_m", given.content.mass_centre_height_m)
-    return body.with_mass(mass, height)
+    point = _numbers("content", content, key, end)
+    return body.with_share(point["mass_kg"] / body.mass_kg, point["mass_centre_height_m"])
 
 
-def _form(shape: Geometry, source: str) -> int:
+def _numbers(table: str, given: Geometry | Content, key: str, end: float) -> dict[str, float]:
+    """Return the numbers of a table: of a range the middle, or the end that is chosen."""
+    return {
+        name: end if key == f"{table}.{name}" else middle(value)
+        for name in given.__struct_fields__
+        if (value := getattr(given, name)) is not None
+    }
+
+
+def _form(shape: Geometry, source: str) -> Form:
     """Return which of the three ways a geometry is given in."""
     given = [key for key in shape.__struct_fields__ if getattr(shape, key) is not None]
-    heads = (("width_m", "height_m"), ("left_m", "right_m"), ("alpha_rad", "alpha_deg", "p_rad_s"))
-    extra: set[str] = {"height_m"} if set(heads[1]) & set(given) else set()  # goes with edges too
-    places = [place for place, head in enumerate(heads) if set(head) & (set(given) - extra)]
+    # A height goes with edges too.
+    heads = [key for key in given if key != "height_m" or not {*EDGES.heads} & {*given}]
+    forms = [form for form in FORMS if {*form.heads} & {*heads}]
     table = f"{source}: [geometry]"
-    ways = "; ".join(FORMS)
-    if not places:
+    if not forms:
         raise ModelError(
-            table, Words("has no size"), f"it is one of: {ways}", "add width_m and height_m"
+            table, Words("has no size"), f"it is one of: {WAYS}", "add width_m and height_m"
         )
-    if len(places) > 1:
-        keys = [next(key for key in heads[place] if key in given) for place in places]
-        raise ModelError(
-            table,
-            Words(f"has both {keys[0]} and {keys[1]}"),
-            f"the size is given in one way: {ways}",
-            f"leave {keys[0]} or {keys[1]} out",
-        )
-    (form,) = places
-    framed = bool(set(FRAME) & set(given))
+    first, *others = [next(key for key in form.heads if key in given) for form in forms]
+    _refuse_both(table, [first, *others[:1]], f"the size is given in one way: {WAYS}")
+    (form,) = forms
+    framed = bool({*FRAME} & {*given})
     moved = ("base_width_m", "offset_m", "mass_centre_height_m") if framed else ()
-    fits = [key for key in FORMS[list(FORMS)[form]] if key not in moved]
+    keys = [key for key in form.keys if key not in moved]
     for key in given:
-        if key not in fits:
+        if key not in keys:
             raise ModelError(
                 f"{table} {key}",
-                Words(f"does not go with {next(k for k in heads[form] if k in given)}"),
-                f"beside it stand {', '.join(fits)}",
+                Words(f"does not go with {first}"),
+                f"beside it stand {', '.join(keys)}",
                 "leave it out",
             )
-    needed: list[tuple[str, ...]] = [("width_m",), ("height_m",)]
-    if form == 1:
-        needed = [("left_m",), ("right_m",), ("mass_centre_height_m",)]
-    elif form == 2:
-        needed = [("alpha_rad", "alpha_deg"), ("p_rad_s",)]
-    needed += [(key,) for key in FRAME if framed]
-    for choice in needed:
-        if not set(choice) & set(given):
-            raise ModelError(
-                f"{table} {' or '.join(choice)}",
-                Words("is missing"),
-                f"a frame has {' and '.join(FRAME)}"
-                if choice[0] in FRAME
-                else f"a geometry is one of: {ways}",
-                "add it",
-            )
-    for first, second in (("gyration_m", "inertia_kg_m2"), ("alpha_rad", "alpha_deg")):
-        if first in given and second in given:
-            raise ModelError(
-                table,
-                Words(f"has both {first} and {second}"),
-                "one of the two is enough",
-                f"leave {first} or {second} out",
-            )
-    if "inertia_kg_m2" in given and "mass_kg" not in given:
-        raise ModelError(
-            f"{table} mass_kg",
-            Words("is missing"),
-            "inertia_kg_m2 needs the mass beside it",
-            "add mass_kg, or give gyration_m = sqrt(I/M)",
-        )
+    valid = f"a geometry is one of: {WAYS}"
+    for choice in form.needed:
+        _require(table, given, choice, valid)
+    for key in FRAME if framed else ():
+        _require(table, given, (key,), f"a frame has {' and '.join(FRAME)}")
+    for pair in (("gyration_m", "inertia_kg_m2"), ("alpha_rad", "alpha_deg")):
+        _refuse_both(table, [key for key in pair if key in given], "one of the two is enough")
+    if "inertia_kg_m2" in given:
+        hint = "add mass_kg, or give gyration_m = sqrt(I/M)"
+        _require(table, given, ("mass_kg",), "inertia_kg_m2 needs the mass beside it", hint)
     return form
+
+
+def _refuse_both(table: str, keys: Sequence[str], valid: str) -> None:
+    """Refuse two keys of which one is enough."""
+    if len(keys) > 1:
+        first, second = keys
+        raise ModelError(
+            table,
+            Words(f"has both {first} and {second}"),
+            valid,
+            f"leave {first} or {second} out",
+        )
+
+
+def _require(
+    table: str, given: Sequence[str], choice: Sequence[str], valid: str, hint: str = "add it"
+) -> None:
+    """Refuse a geometry with none of some keys."""
+    if not {*choice} & {*given}:
+        raise ModelError(f"{table} {' or '.join(choice)}", Words("is missing"), valid, hint)
 
 
 def _of_sizes(numbers: Mapping[str, float], source: str) -> Body:

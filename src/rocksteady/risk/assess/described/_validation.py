@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.housner_forms import form_of_text
 from rocksteady.model.blocks.sizes import METRES, TALL
-from rocksteady.model.checks.bounds import MASS
-from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.checks.bounds import MASS, Bounds, Whole
 from rocksteady.risk.assess.described.schema import (
     TABLES,
     ObjectInput,
+    Options,
     Range,
     inline_keys,
     numbers_of,
@@ -21,34 +21,40 @@ from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.observations.files.toml_tables import TomlTables, named
 from rocksteady.risk.screens.demand import VERTICAL
 
-BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
-    "offset_m": (-TALL, TALL, "[]", "give how far right of the middle it is, in metres"),
-    "inertia_kg_m2": (0.0, 1e15, "(]", "give the moment of inertia about the mass centre"),
+SIZE = Bounds(0.0, TALL, "(]", METRES)
+RULES: Mapping[str, Bounds | Whole] = {
+    "offset_m": Bounds(-TALL, TALL, "[]", "give how far right of the middle it is, in metres"),
+    "inertia_kg_m2": Bounds(0.0, 1e15, "(]", "give the moment of inertia about the mass centre"),
     "mass_kg": MASS,
-    "alpha_rad": (0.0, 0.5 * math.pi, "()", "give the angle in radians; alpha_deg takes degrees"),
-    "alpha_deg": (0.0, 90.0, "()", "give the angle in degrees; alpha_rad takes radians"),
-    "p_rad_s": (0.3, 100.0, "[]", "give the frequency parameter sqrt(M g R / I_0) in rad/s"),
-    "cap_mass_ratio": (0.0, 1000.0, "[]", "give the mass of the cap over that of all columns"),
-    "friction": (0.0, 3.0, "(]", "give the coefficient of friction, as 0.4"),
-    "restitution": (0.0, 1.0, "(]", "give a ratio of angular velocities, or a form of 'housner'"),
-    "gravity_m_s2": (0.1, 100.0, "[]", "leave it out for 9.80665 m/s^2"),
-    "pga_g": (0.0, 10.0, "(]", "give the peak acceleration in g, as 0.35"),
-    "pgv_m_s": (0.0, 10.0, "(]", "give the peak velocity in m/s: write 0.4 for 40 cm/s"),
+    "alpha_rad": Bounds(
+        0.0, 0.5 * math.pi, "()", "give the angle in radians; alpha_deg takes degrees"
+    ),
+    "alpha_deg": Bounds(0.0, 90.0, "()", "give the angle in degrees; alpha_rad takes radians"),
+    "p_rad_s": Bounds(0.3, 100.0, "[]", "give the frequency parameter sqrt(M g R / I_0) in rad/s"),
+    "columns": Whole(1, 1000, "give the number of equal columns of a frame, as 4"),
+    "cap_mass_ratio": Bounds(
+        0.0, 1000.0, "[]", "give the mass of the cap over that of all columns"
+    ),
+    "floor": Whole(
+        0, 1000, "give the number of its floor, 0 for the ground, or the name of a room"
+    ),
+    "friction": Bounds(0.0, 3.0, "(]", "give the coefficient of friction, as 0.4"),
+    "restitution": Bounds(
+        0.0, 1.0, "(]", "give a ratio of angular velocities, or a form of 'housner'"
+    ),
+    "gravity_m_s2": Bounds(0.1, 100.0, "[]", "leave it out for 9.80665 m/s^2"),
+    "pga_g": Bounds(0.0, 10.0, "(]", "give the peak acceleration in g, as 0.35"),
+    "pgv_m_s": Bounds(0.0, 10.0, "(]", "give the peak velocity in m/s: write 0.4 for 40 cm/s"),
     **VERTICAL,
-    "period_s": (0.0, 60.0, "(]", "give a period in seconds"),
-    "sa_g": (0.0, 30.0, "(]", "give a spectral acceleration in g"),
-    "damping": (0.0, 1.0, "()", "give it over the critical one: 0.05 for 5 %"),
-    "peak": (0.0, 10.0, "[]", "give theta/alpha, as 0.3"),
-    "target_probability": (0.0, 1.0, "()", "give a probability, as 0.1"),
-    "target_50_years": (0.0, 1.0, "()", "give a probability, as 0.01"),
+    "period_s": Bounds(0.0, 60.0, "(]", "give a period in seconds"),
+    "sa_g": Bounds(0.0, 30.0, "(]", "give a spectral acceleration in g"),
+    "damping": Bounds(0.0, 1.0, "()", "give it over the critical one: 0.05 for 5 %"),
+    "peak": Bounds(0.0, 10.0, "[]", "give theta/alpha, as 0.3"),
+    "target_probability": Bounds(0.0, 1.0, "()", "give a probability, as 0.1"),
+    "target_50_years": Bounds(0.0, 1.0, "()", "give a probability, as 0.01"),
+    "draws": Whole(1, 1000, "give the number of restitutions, as 5"),
 }
-"""Lowest and highest number of each key, whether they belong to it, and what to do."""
-
-WHOLE: Mapping[str, tuple[int, int, str]] = {
-    "floor": (0, 1000, "give the number of its floor, 0 for the ground, or the name of a room"),
-    "columns": (1, 1000, "give the number of equal columns of a frame, as 4"),
-    "draws": (1, 1000, "give the number of restitutions, as 5"),
-}
+"""Rule of the numbers of each key that is no size."""
 
 FILE = TomlTables(kinds=TABLES, needs="an object has a name and a [geometry]", inline=inline_keys)
 
@@ -85,7 +91,7 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
             )
     _check_restitution(given, source)
     for table, key, value in numbers_of(given):
-        _check(table, key, value, source, from_zero=key == "restitution" and given.against_wall)
+        _check(table, key, value, source, walled=given.against_wall)
     options = given.assessment
     if options.target_probability is not None and options.target_50_years is not None:
         raise ModelError(
@@ -95,30 +101,17 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
             "leave one of the two out",
         )
     _check_spectrum(given, source)
-    _check_states(given, source)
-    states = [name for name, _ in own_states(given.assessment)]
-    if given.assessment.damage_states is not None and len(set(states)) != max(1, len(states)):
-        raise InputError(
-            named(source, "assessment", "damage_states"),
-            states,
-            "there must be one or more, each of another name",
-            "leave it out for the five usual ones",
-        )
+    _check_states(options, source)
     return given
 
 
-def _check(table: str, key: str, value: object, source: str, *, from_zero: bool) -> None:
-    """Refuse a number outside its range, in which 0 may lie, and a range upside down."""
-    name = named(source, table, key)
-    if key in WHOLE:
-        least, most, hint = WHOLE[key]
-        whole_number(name, value, at_least=least, at_most=most, hint=hint)
-        return
-    low, high, ends, hint = BOUNDS.get(key, (0.0, TALL, "(]", METRES))
-    ends = "[]" if from_zero else ends
-    bounds = (value.low, value.high) if isinstance(value, Range) else (value,)
-    for number in bounds:
-        in_range(name, number, low, high, ends, hint=hint)  # type: ignore[arg-type]
+def _check(table: str, key: str, value: object, source: str, *, walled: bool) -> None:
+    """Refuse a number outside its range, and a range upside down."""
+    name, rule = named(source, table, key), RULES.get(key, SIZE)
+    if key == "restitution" and walled:
+        rule = Bounds(0.0, 1.0, "[]", rule.hint)
+    for number in (value.low, value.high) if isinstance(value, Range) else (value,):
+        rule(name, number)
     if isinstance(value, Range) and value.low > value.high:
         raise InputError(
             name, (value.low, value.high), "low must not be above high", "exchange the two"
@@ -144,14 +137,23 @@ def _check_restitution(given: ObjectInput, source: str) -> None:
         )
 
 
-def _check_states(given: ObjectInput, source: str) -> None:
-    """Refuse a damage state that there is not."""
-    for state, peak in own_states(given.assessment):
+def _check_states(options: Options, source: str) -> None:
+    """Refuse a damage state that there is not, one that comes twice, and a list of none."""
+    place = named(source, "assessment", "damage_states")
+    states = own_states(options)
+    for state, peak in states:
         try:
             DamageState(state, peak)
         except InputError as error:
-            place = named(source, "assessment", "damage_states")
             raise InputError(place, state, error.valid, error.hint) from None
+    names = [name for name, _ in states]
+    if options.damage_states is not None and len({*names}) != max(1, len(names)):
+        raise InputError(
+            place,
+            names,
+            "there must be one or more, each of another name",
+            "leave it out for the five usual ones",
+        )
 
 
 def _check_spectrum(given: ObjectInput, source: str) -> None:

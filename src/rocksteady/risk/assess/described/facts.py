@@ -68,6 +68,9 @@ class ObjectFacts(Result):
         lifts = quantity(self.uplift_pga_g, "g")
         if self.demand.vertical_words:
             lifts += f" with {self.demand.vertical_words}"
+        mass = "" if self.mass_kg is None else quantity(self.mass_kg, "kg")
+        if mass and self.block.cap is not None:
+            mass += " of columns and cap"
         rows = [
             {
                 "side": name,
@@ -100,7 +103,7 @@ class ObjectFacts(Result):
                 f"more than {number(self.friction_to_lift)}",
             ),
             Fact("friction", self.friction),
-            Fact("mass_kg", self.mass_kg, *self._mass()),
+            Fact("mass_kg", self.mass_kg, "mass" if mass else "", mass),
         ]
         columns = [
             Column("side", "edge", left=True),
@@ -118,13 +121,6 @@ class ObjectFacts(Result):
             tables=[Table("sides", rows, shown)],
             notes=self.warnings,
         )
-
-    def _mass(self) -> tuple[str, str]:
-        """Return label and words of the mass; none where there is none."""
-        if self.mass_kg is None:
-            return "", ""
-        parts = "" if self.block.cap is None else " of columns and cap"
-        return "mass", quantity(self.mass_kg, "kg") + parts
 
 
 @checked
@@ -157,10 +153,8 @@ def compute_object_facts(described: DescribedObject) -> ObjectFacts:
     >>> print(facts.warnings[0])
     The friction is not given: with a coefficient below 0.178 the object slides.
     """
-    block, body = described.block, described.body
-    side = first_side(block)
-    slope, demand = tan(side.alpha), described.demand
-    friction = described.given.friction
+    block, demand = described.block, described.demand
+    slope, friction = tan(first_side(block).alpha), described.given.friction
     return ObjectFacts(
         name=described.name,
         block=block,
@@ -168,7 +162,7 @@ def compute_object_facts(described: DescribedObject) -> ObjectFacts:
         uplift_pga_g=uplift_acceleration_g(block, demand.vertical_at_peak_g),
         friction=None if friction is None else bounds_of(friction),
         friction_to_lift=slope,
-        mass_kg=body.whole_mass_kg,
+        mass_kg=described.body.whole_mass_kg,
         warnings=tuple(_warnings(described, block, slope)),
     )
 

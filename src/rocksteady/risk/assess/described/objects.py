@@ -4,7 +4,6 @@ import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,14 +14,13 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
-from rocksteady.risk.assess.described._body import Body, Choose, body_of, nominal
+from rocksteady.risk.assess.described._body import Body, body_of, middle
 from rocksteady.risk.assess.described._validation import validated
 from rocksteady.risk.assess.described.schema import (
-    Content,
-    Geometry,
     ObjectInput,
     Range,
     Value,
+    numbers_of,
     target_of,
 )
 from rocksteady.risk.counted.verdict import Target
@@ -31,13 +29,14 @@ from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import least_gravity_g
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
 GROUND = ("", "0", "ground")
 """Floors that are the ground."""
 BASE = ("width_m", "base_width_m", "left_m", "right_m")
 """Keys of a base."""
+UNITS = {
+    "_kg_m2": "kg m^2", "_rad_s": "rad/s", "_m": "m", "_kg": "kg", "_rad": "rad", "_deg": "deg",
+}  # fmt: skip
+"""Unit of a key of geometry or content by its ending."""
 FILE_HINT = "name a file of one object in TOML, or a table of objects in CSV"
 
 EXAMPLE = Path(__file__).with_name("example.toml")
@@ -52,23 +51,6 @@ def floor_number(place: str) -> int | None:
     return int(whole) if whole.isascii() and whole.isdecimal() else None
 
 
-def parameter_words(parameter: str) -> str:
-    """Return what was changed in words: of a key of the object's file its name without the unit.
-
-    Examples
-    --------
-    >>> parameter_words("geometry.mass_centre_height_m"), parameter_words("mass centre")
-    ('mass centre height', 'mass centre')
-    """
-    table, dot, key = parameter.rpartition(".")
-    if not dot:
-        return parameter
-    for unit in ("_kg_m2", "_rad_s", "_m_s2", "_m", "_kg", "_rad", "_deg"):
-        key = key.removesuffix(unit)
-    words = key.replace("_", " ")
-    return f"{table} {words}" if table == "content" else words
-
-
 def key_words(key: str) -> str:
     """Return the key of an object's file in words, with its unit.
 
@@ -76,15 +58,24 @@ def key_words(key: str) -> str:
     --------
     >>> key_words("geometry.mass_centre_height_m"), key_words("content.mass_kg")
     ('mass centre height [m]', 'content mass [kg]')
-    >>> key_words("mass centre")
-    'mass centre'
+    >>> key_words("geometry.p_rad_s"), key_words("mass centre")
+    ('p [rad/s]', 'mass centre')
     """
     table, _, name = key.rpartition(".")
-    if not table:
-        return key
-    name, _, unit = name.rpartition("_")
-    words = name.replace("_", " ") + f" [{unit}]"
-    return words if table == "geometry" else f"{table} {words}"
+    ending, unit = next((each for each in UNITS.items() if name.endswith(each[0])), ("", ""))
+    words = name.removesuffix(ending).replace("_", " ") + (f" [{unit}]" if unit else "")
+    return f"{table} {words}" if table == "content" else words
+
+
+def parameter_words(key: str) -> str:
+    """Return the key of an object's file in words, without its unit.
+
+    Examples
+    --------
+    >>> parameter_words("geometry.mass_centre_height_m"), parameter_words("mass centre")
+    ('mass centre height', 'mass centre')
+    """
+    return key_words(key).partition(" [")[0]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -97,13 +88,12 @@ class Variant:
         What is changed, as "content.mass_kg".
     label
         The change in words, as "content.mass_kg 20".
-    body, block
-        The body and the block that it then is.
+    block
+        The block that it then is.
     """
 
     key: str
     label: str
-    body: Body
     block: Block
 
 
@@ -165,10 +155,10 @@ did you mean width_m?
     def __post_init__(self) -> None:
         """Validate everything, the ends of every range too."""
         object.__setattr__(self, "given", validated(self.values, self.source))
-        for choose, _, _ in [(nominal, "", ""), *self._ends()]:
-            self._made(body_of(self.given, self.source, choose), self.restitution)
+        block = self.block
+        self.variants()
         with in_file(self.source, "demand"):
-            least_gravity_g(self.block, self.demand.vertical_at_peak_g)
+            least_gravity_g(block, self.demand.vertical_at_peak_g)
 
     @property
     def name(self) -> str:
@@ -212,18 +202,16 @@ did you mean width_m?
     @property
     def demand(self) -> Demand:
         """The demand where it stands, as the published formulas take it."""
-        given = self.given.demand
-        spectrum = given.spectrum
+        given, spectrum = self.given.demand, self.given.demand.spectrum
         pga, pgv = (
             None if peak is None else peak * factor
             for peak, factor in zip((given.pga_g, given.pgv_m_s), self.amplified, strict=True)
         )
+        table = None if spectrum is None else np.column_stack([spectrum.period_s, spectrum.sa_g])
         return Demand(
             pga_g=pga,
             pgv_m_s=pgv,
-            spectrum=None
-            if spectrum is None
-            else np.column_stack([spectrum.period_s, spectrum.sa_g]),
+            spectrum=table,
             spectrum_damping=None if spectrum is None else spectrum.damping,
             vertical_g=given.vertical_g,
             vertical_share=given.vertical_share,
@@ -277,7 +265,7 @@ did you mean width_m?
         """
         sizes = self._sizes()
         centre = sizes.get("mass_centre_height_m") or _times(sizes["height_m"], 0.5)
-        part = 1.0 - by_m / nominal("", centre)
+        part = 1.0 - by_m / middle(centre)
         return self._reshaped(sizes | {"mass_centre_height_m": _times(centre, part)})
 
     def _sizes(self) -> dict[str, Value]:
@@ -313,15 +301,16 @@ did you mean width_m?
 
     def variants(self) -> tuple[Variant, ...]:
         """Return the object at both ends of each range of its geometry and content."""
-        return tuple(
-            Variant(
-                key=key,
-                label=f"{key} {number(end)}",
-                body=(body := body_of(self.given, self.source, choose)),
-                block=self._made(body, self.restitution),
-            )
-            for choose, key, end in self._ends()
-        )
+        variants = []
+        for table, name, value in numbers_of(self.given):
+            key = f"{table}.{name}"
+            if table in ("geometry", "content") and isinstance(value, Range):
+                for end in (value.low, value.high):
+                    body = body_of(self.given, self.source, key, end)
+                    block = self._made(body, self.restitution)
+                    label = f"{key} {number(end)}"
+                    variants.append(Variant(key=key, label=label, block=block))
+        return tuple(variants)
 
     def describe(self) -> Description:
         """Return the description in the file."""
@@ -340,13 +329,6 @@ did you mean width_m?
             about.append(Fact("friction", _plain(self.given.friction), "friction", words))
         return Description(headline=f"{self.name}: {block.headline}", facts=[*about, *block.facts])
 
-    def _ends(self) -> "Iterator[tuple[Choose, str, float]]":
-        """Yield, of each range, both ends: what chooses it, its key and its number."""
-        for key, value in _ranges(self.given):
-            for low in (True, False):
-                end = value.low if low else value.high
-                yield _chooser(key, end), key, end
-
     def _made(self, body: Body, restitution: Restitution) -> Block:
         """Return the block of a body; a refusal names the file."""
         gravity = self.given.gravity_m_s2
@@ -356,28 +338,6 @@ did you mean width_m?
             if self.given.fixed_parts:
                 block = replace(block, parts=self.given.parts)
             return block.against_wall(restitution) if walled else block
-
-
-def _ranges(given: ObjectInput) -> "Iterator[tuple[str, Range]]":
-    """Yield key and range of geometry and content."""
-    tables: tuple[tuple[str, Geometry | Content | None], ...] = (
-        ("geometry", given.geometry),
-        ("content", given.content),
-    )
-    for name, table in tables:
-        for key in () if table is None else table.__struct_fields__:
-            value = getattr(table, key)
-            if isinstance(value, Range):
-                yield f"{name}.{key}", value
-
-
-def _chooser(changed: str, end: float) -> Choose:
-    """Return what chooses the end of one range, and of others the middle."""
-
-    def choose(key: str, value: Value) -> float:
-        return end if key == changed else nominal(key, value)
-
-    return choose
 
 
 def _times(value: Value, factor: float) -> Value:

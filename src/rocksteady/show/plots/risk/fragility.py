@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import CONFIDENCE, number
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
@@ -62,11 +61,6 @@ def plot_fragility(
     -------
     matplotlib.axes.Axes
         The axes: level, and share of the runs, with the name of each state at the end of its line.
-
-    Raises
-    ------
-    InputError
-        If a fitted curve is of no run.
 
     Examples
     --------
@@ -166,14 +160,12 @@ def _abscissas(state: StateFragility) -> Floats:
 
 def _draw_fitted(axes: "Axes", curve: FragilityCurve) -> None:
     """Draw a fitted curve over the shares that it was fitted to."""
-    if not curve.stripes:
-        raise InputError("fragility", Words("is of no run"), "a picture needs runs", "give another")
     inks, width = inks_of(axes), line_scale(axes)
     at, trials, failures = np.array([row[:3] for row in curve.stripes], dtype=np.float64).T
     low, high = curve.sampled
     percent_ticks(axes, "y")
     across = np.linspace(low, high, SAMPLES)
-    if low > 0.0 and (len(at) < 3 or spaced_by_ratio(at)):
+    if len(at) < 3 or spaced_by_ratio(at):
         axes.set(xscale="log", xlim=_limits(at))
         across = np.geomspace(low, high, SAMPLES)
     plain_ticks(axes)
@@ -199,4 +191,4 @@ def _fit_words(curve: FragilityCurve) -> str:
     if curve.step is not None:
         low, high = map(number, curve.step)
         return f"step between\n{low} and {high}{unit}"
-    return f"{curve.family}\nmedian {number(curve.median)}{unit}\nβ {number(curve.beta)}"
+    return f"lognormal\nmedian {number(curve.median)}{unit}\nβ {number(curve.beta)}"

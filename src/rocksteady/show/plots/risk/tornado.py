@@ -14,7 +14,7 @@ from rocksteady.show.export.components import text_value
 from rocksteady.show.plots.risk._words import FALLING, greek
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, name_rows
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
+from rocksteady.show.style.legends import draw_legend, size_of, text_size
 from rocksteady.show.style.limits import name_above
 from rocksteady.show.style.tokens import inks_of
 
@@ -32,7 +32,6 @@ def plot_tornado(
     ax: "Axes | None" = None,
     *,
     label: str | None = None,
-    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the range of an answer under each assumption, the widest on top.
 
@@ -47,8 +46,6 @@ def plot_tornado(
     label
         What the answer is, with its unit; None (default) of a share of runs that fall, which is
         written in per cent.
-    legend
-        "inside" the axes, to their "right", "below" them, the default, or "none".
 
     Returns
     -------
@@ -87,7 +84,7 @@ def plot_tornado(
     words = greek(text_value("label", label)) if label is not None else FALLING
     bars.sort(key=lambda bar: -max(abs(end - middle) for end in bar[1:]))
     axes = axes_or_new(ax)
-    inks, place = inks_of(axes), place_of(axes, legend or "below", "below")
+    inks = inks_of(axes)
     ends = np.array([bar[1:] for bar in bars], dtype=np.float64) - middle
     rows_at = np.arange(len(bars))
     # Where both ends lie on one side, each has half of the height.
@@ -132,7 +129,7 @@ def plot_tornado(
         axes.xaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]))
         axes.xaxis.set_major_formatter(FuncFormatter(lambda at, _: f"{100.0 * at:g} %"))
     axes.set(xlabel=words, xlim=(low, high))
-    draw_legend(axes, place, handles=handles)
+    draw_legend(axes, "below", handles=handles)
     return axes
 
 
