@@ -198,7 +198,7 @@ def test_the_share_of_runs_in_which_an_object_falls(
     words = f"{chance(share)} (90 %: "
     for text in (screen.out, crowd.out, answer.summary(), page):
         assert words in " ".join(text.split()), words
-    with Path("answer/fragility.csv").open(encoding="utf-8", newline="") as stream:
+    with Path("answer/shares.csv").open(encoding="utf-8", newline="") as stream:
         kept = [each for each in csv.DictReader(stream) if float(each["level"]) == 0.35]
     assert [float(each["share"]) for each in kept if each["damage_state"] == "overturned"] == [
         share

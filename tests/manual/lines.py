@@ -110,10 +110,10 @@ def shortened(line: str) -> str:
 # ----------------------------------------------------------------------- files of the reader
 
 
-def _channel(station: str, direction: str, factor: float) -> str:
-    """Return a channel in PEER's format."""
+def _channel(station: str, direction: str, factor: float, omega: float = 6.0) -> str:
+    """Return a channel in PEER's format, of an angular frequency [rad/s]."""
     time = 0.01 * np.arange(400)
-    swelling = 0.6 * factor * np.sin(6.0 * time) * np.exp(-((time - 2.0) ** 2))  # g
+    swelling = 0.6 * factor * np.sin(omega * time) * np.exp(-((time - 2.0) ** 2))  # g
     rows = [" ".join(f"{value: .7E}" for value in row) for row in swelling.reshape(-1, 5)]
     return (
         f"PEER NGA STRONG MOTION DATABASE RECORD\nSomewhere-01, 1/17/1994, {station}, {direction}\n"
@@ -130,7 +130,7 @@ _TESTS = "test,record,object,outcome,gain,session\n" + "".join(
     )
 )
 YOURS = {
-    **{f"suite/{k}.AT2": _channel("Hut", "90", 1.0 / k) for k in range(1, 13)},
+    **{f"suite/{k}.AT2": _channel("Hut", "90", 1.0 / k, 4.0 + 0.3 * k) for k in range(1, 13)},
     **{
         f"stations/HUT{k}{name}.AT2": _channel(f"Hut {k}", direction, factor / k)
         for k in range(1, 5)

@@ -157,17 +157,17 @@ def _risks(t: dict[str, Any]) -> dict[str, Callable[[], Any]]:
         for name, (width, height) in {"vase": (0.12, 0.5), "chest": (0.9, 1.1)}.items()
     ]
     eleven = rs.motions.make_synthetic_suite(11)
-    several = rs.assess_objects(objects, eleven, pga_g=0.4, pgv_m_s=0.5)
+    several = rs.assess_objects(objects, eleven, demand=rs.risk.Peaks(pga_g=0.4, pgv_m_s=0.5))
     names = ("boundary", "screen", "branch test")
     drawn: dict[str, Callable[[], Any]] = {
         f"rows of {name}": partial(plots.rows, t[name]) for name in names
     }
     at, fell = np.geomspace(0.1, 1.0, 6), [0, 2, 9, 14, 19, 20]
-    logistic = rs.risk.fit_curve(at, fell, [20] * 6, family="logistic")
+    fitted = rs.risk.fit_curve(at, fell, [20] * 6)
     step = rs.risk.fit_curve([0.1, 0.2, 0.3, 0.4], [0, 0, 20, 20], [20] * 4)
     suite = [shock("weak", 0.3), shock("once"), shock("a record with a long name indeed", 3.0)]
     return drawn | {
-        "logistic curve": partial(plots.fragility, logistic),
+        "fitted curve": partial(plots.fragility, fitted),
         "step of a curve": partial(plots.fragility, step),
         "one state": partial(plots.fragility, t["state_fragility"]),
         "scales of three": partial(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray
 
-from rocksteady import BaseMotion, Execution, run_ensemble
+from rocksteady import BaseMotion, Execution, Record, run_ensemble
 from rocksteady.risk import Levels, RestitutionBand
 from rocksteady.sweeps import evaluate
 from tests.every import every
@@ -15,7 +15,7 @@ from tests.seismic.grounds import ground, lifting
 
 BLOCKS = (SYMMETRIC, OFF_CENTRE, OFF_CENTRE.against_wall(0.5))
 FIRST, *OTHERS = (ground(seed, peak=4.0, name=f"ground {seed}") for seed in range(3))
-SUITE = (BaseMotion(FIRST, lifting()), *OTHERS)
+SUITE: tuple[Record | BaseMotion, ...] = (BaseMotion(FIRST, lifting()), *OTHERS)
 
 
 def computed(scatter: float = 0.05, seed: int = 0, run: Execution | None = None) -> xarray.Dataset:

@@ -9,9 +9,10 @@ import pytest
 from scipy.integrate import quad
 from scipy.stats import norm
 
-from rocksteady import Block, compute_risk
+from rocksteady import Block, compute_fragility, compute_risk
 from rocksteady.errors import InputError
-from rocksteady.risk import HazardCurve, check_hazard_branches
+from rocksteady.motions import make_synthetic_suite
+from rocksteady.risk import HazardCurve, Levels, RestitutionBand, check_hazard_branches
 from tests.every import every
 
 K, MEDIAN, BETA = 2.2, 0.4, 0.5
@@ -49,6 +50,25 @@ def test_survival_is_averaged_over_alpha(cv: float, age: float) -> None:
     assert found.annual_rates == pytest.approx([rate * math.exp(0.5 * (K * sigma) ** 2)], rel=1e-9)
     # Survival is convex in the rate: an unsure alpha makes it likelier than at the mean rate.
     assert found.survival[0] > math.exp(-age * found.annual_rates[0])
+
+
+def test_counted_shares_give_the_rates_and_the_survival() -> None:
+    """A surer alpha leaves the rate of the counts; a wider one moves them by a factor of levels."""
+    fragility = compute_fragility(
+        Block.rectangle(width=0.4, height=1.6),
+        make_synthetic_suite(12),
+        levels=Levels("pgv_m_s"),
+        restitution=RestitutionBand(draws=1),
+    )
+    curve = branch(1e-4)
+    risk = compute_risk(fragility, curve)
+    sure = check_hazard_branches(fragility, [curve], 500.0, alpha_cv=0.0)
+    assert sure.annual_rates == pytest.approx([risk.annual_rate], rel=1e-12)
+    assert sure.survival == pytest.approx([math.exp(-500.0 * risk.annual_rate)], rel=1e-12)
+    sigma = math.sqrt(math.log1p(0.2**2))
+    unsure = check_hazard_branches(fragility, [curve], 500.0, alpha_cv=0.2)
+    expected = risk.annual_rate * math.exp(0.5 * (K * sigma) ** 2)  # rates go with alpha^-k
+    assert unsure.annual_rates == pytest.approx([expected], rel=1e-3)
 
 
 def test_weights_follow_bayes() -> None:

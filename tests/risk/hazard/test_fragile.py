@@ -12,7 +12,7 @@ from rocksteady import Block, compute_fragility
 from rocksteady.errors import InputError
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.risk import Fragility, HazardCurve, Levels, RestitutionBand, fit_curve
-from rocksteady.risk.hazard._fragile import fragile_of, resampled
+from rocksteady.risk.hazard.fragile import fragile_of, resampled
 from tests.every import every
 
 AT = np.array([0.01, 0.1, 0.4, 0.9, 5.0])
@@ -20,7 +20,7 @@ BLOCK = Block.rectangle(width=0.32, height=1.8)
 
 
 def hazard(measure: str = "pgv_m_s") -> HazardCurve:
-    return HazardCurve(measure=measure, levels=[0.01, 10.0], rates=[0.1, 1e-6])
+    return HazardCurve(measure=measure, levels=np.array([0.01, 10.0]), rates=np.array([0.1, 1e-6]))
 
 
 def counted(records: int = 12, measure: str = "pga_g") -> Fragility:

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from scipy.special import expit, ndtr
 
 from rocksteady.risk import HazardCurve
-from rocksteady.risk.hazard._fragile import fragile_of
 from rocksteady.risk.hazard._sum import mass_of
+from rocksteady.risk.hazard.fragile import fragile_of
 from tests.every import every
 
 Floats = NDArray[np.float64]

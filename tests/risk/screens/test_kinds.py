@@ -69,16 +69,9 @@ def test_rows_are_chosen_for_the_kind_and_the_governing_one_stands_first(kind: K
     assert all(name in str(words) for name in others)
     assert not any(name in dict(answer.rows) for name in others)
     assert fits(found.summary(more=True))
-    for text in (found.summary(), found.summary(more=True)):
-        lines = text.splitlines()
-        assert not any(line.strip().startswith(name) for line in lines for name in others)
-    values = as_json(found.to_dict())
-    assert values["kind"] == kind
-    assert [row["name"] for row in values["screens"]] == names
-    assert [row["name"] for row in values["left_out"]] == others
-    for name in others:
-        with pytest.raises(InputError, match="there is no such row"):
-            found.row(name)
+    lines = [line.strip() for line in found.summary(more=True).splitlines()]
+    assert not any(line.startswith(name) for line in lines for name in others)
+    assert [row["name"] for row in as_json(found.to_dict())["left_out"]] == others
 
 
 @every("kind", [None, *OWN])
@@ -95,8 +88,6 @@ def test_only_rows_that_apply_are_counted(kind: Kind | None) -> None:
     assert said(found).startswith(begin)
     passed = {row.name for row in found.rows if row.passes}
     assert passed - {"Ishiyama bound", "p PGV/(g tan alpha)"} <= {OWN.get(kind or "")}
-    rows = as_json(found.to_dict())["screens"]
-    assert {row["name"] for row in rows if row["passes"]} == passed
 
 
 def test_rows_made_for_other_blocks_are_named_beside_the_count() -> None:

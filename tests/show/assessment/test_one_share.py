@@ -25,7 +25,7 @@ CABINET = DescribedObject(
     values={
         "name": "cabinet",
         "friction": 0.6,
-        "geometry": {"width_m": 0.45, "height_m": 1.8},
+        "geometry": {"width_m": 0.5, "height_m": 1.8},
         "demand": {"pga_g": 0.5, "pgv_m_s": 0.5},
     }
 )
@@ -73,7 +73,7 @@ def test_screen_page_json_and_tables_state_the_same_share_and_rate(
     (curves,) = read_loss_files(folder).values()
     for curve in curves:
         assert curve(0.5) == pytest.approx(share, abs=1e-5)
-        assert curve(0.55) == pytest.approx(answer["share_1_1"], abs=1e-5)
+        assert curve(0.55) == pytest.approx(max(share, answer["share_1_1"]), abs=1e-5)
 
     page = Page((folder / "report.html").read_text(encoding="utf-8"))
     heading = page.headings[0][1].replace("\N{NO-BREAK SPACE}", " ")

@@ -167,7 +167,7 @@ CASES: dict[str, Case] = {
         [
             [t["assessed runs"].judged.shaking.level],
             [1.1 * t["assessed runs"].judged.shaking.level],
-            [t["assessed runs"].target],
+            [t["assessed runs"].target.share],
             fallen_by_level(t["assessed runs"].fragility),
             bands_of(t["assessed runs"].fragility),
         ],

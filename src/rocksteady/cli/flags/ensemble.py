@@ -86,8 +86,8 @@ class Suite:
             records, facts = plural(count, "record"), [*answer.facts]
             rest = words.removeprefix(records)
             for place, (label, fact) in enumerate(facts):
-                if label == "counted" and str(fact).endswith(records):
-                    facts[place] = label, f"{fact}{rest}"
+                if label == "counted" and records in str(fact):
+                    facts[place] = label, str(fact).replace(records, words, 1)
                     break
                 if label == "records" and re.match(
                     rf"{count:,}(, scaled|, stretched|$)", str(fact)

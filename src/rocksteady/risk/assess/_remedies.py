@@ -1,7 +1,6 @@
 """Remedies: the least change with which an object meets its target, by runs of what it makes."""
 
 import itertools
-import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from operator import itemgetter
@@ -116,10 +115,12 @@ def _changes(described: DescribedObject) -> Iterator[_Change]:
     """Yield the kinds of change of an object."""
     body = described.body
     width, centre = body.left + body.right, body.centre_height
-    count = int(math.log(WIDEST) / math.log(WIDER)) + 2
+    factors = [1.0]
+    while factors[-1] < WIDEST:
+        factors.append(factors[-1] * WIDER)
     yield _Change(
         name=CHANGES[0],
-        steps=WIDER ** np.arange(count, dtype=np.float64),
+        steps=np.array(factors),
         make=described.wider,
         value=lambda factor: width * factor,
     )

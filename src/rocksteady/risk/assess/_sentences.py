@@ -68,11 +68,11 @@ class Screen:
         if self.target.years is not None and decision.verdict != "no-answer":
             words = self._rate()
             return f"{words[:1].upper()}{words[1:]}{on}."
+        if decision.verdict == "no-answer":
+            return f"No answer at {self.demand}: {self._no_answer()}."
         if judged.stands:
             lifts = quantity(judged.uplift_g, "g")
             return f"It stands at {self.demand}: nothing below {lifts} can lift it."
-        if decision.verdict == "no-answer":
-            return f"No answer at {self.demand}: {self._no_answer()}."
         return f"{self._counted()[0]} at {self.demand}{on}: {self._counted()[1]}."
 
     def _counted(self) -> tuple[str, str]:
@@ -140,7 +140,8 @@ class Screen:
             return []
         best = next((each for each in remedies if each.values), remedies[0])
         takes = records_to_show(self.target.share)
-        few = "" if takes <= count.records else f"{self.target.words} takes {takes} records"
+        shown = best.shown_at is not None or takes <= count.records
+        few = "" if shown else f"{self.target.words} takes {takes} records"
         words = change_words(best, self.target)
         return [Stated(quantity="least change", text=words, condition=few)]
 

@@ -18,7 +18,6 @@ from rocksteady.results.result import Result
 from rocksteady.results.stated import Stated, facts_stated
 from rocksteady.risk.assess._assessment_tables import tables_of
 from rocksteady.risk.assess._judging import Judged, judge_objects
-from rocksteady.risk.assess._rates import curve_of, is_curved, site_of, with_rate, without_rate
 from rocksteady.risk.assess._remedies import is_helped, remedies_of
 from rocksteady.risk.assess._remedy import Remedy
 from rocksteady.risk.assess._sensitivity import Case, bars_of, vary
@@ -28,6 +27,7 @@ from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.facts import ObjectFacts, compute_object_facts
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.placed_objects import peaks_of, place_objects
+from rocksteady.risk.assess.rates import curve_of, is_curved, site_of, with_rate, without_rate
 from rocksteady.risk.counted.suite import Peaks, Shaking, Suite, folds, median_fold
 from rocksteady.risk.counted.verdict import CODES, LEAST, Decision, Target
 from rocksteady.risk.ensemble.qualification import (
@@ -234,7 +234,7 @@ class Assessment(Result):
             Fact("name", self.described.name, "object"),
             Fact("sentence", self.sentence),
             *(Fact("", label=label, text=text) for label, text in facts_stated(self.lines)),
-            *answer_facts(judged, built_in=self.suite.built_in),
+            *answer_facts(judged, target, built_in=self.suite.built_in),
             Fact("copies", self.suite.copies),
             *target_facts(target),
             Fact("demand", self.demand, "demand"),
@@ -262,16 +262,16 @@ class Assessment(Result):
         return list(dict.fromkeys(warnings))
 
 
-def answer_facts(judged: Judged, *, built_in: bool) -> list[Fact]:
+def answer_facts(judged: Judged, target: Target, *, built_in: bool) -> list[Fact]:
     """Return what a judgement is in JSON, under the keys that others rely on."""
     decision, shaking = judged.decision, judged.shaking
     counted = decision.verdict in ("green", "red", "not-shown") and not judged.stands
     count = judged.count if counted else None
     low, high = (0.0, 0.0) if judged.stands else count.band if count else (None, None)
-    by = None
-    if judged.stands or decision.verdict == "slides":
+    by, in_years = None, target.years is not None
+    if decision.verdict == "slides" or (judged.stands and not in_years):
         by = "statics"
-    elif count is not None:
+    elif count is not None or decision.verdict in ("green", "red", "not-shown"):
         by = "built-in motions" if built_in else "runs"
     beyond = judged.beyond if judged.beyond is not None and judged.beyond.records >= LEAST else None
     near = judged.near
@@ -314,6 +314,7 @@ def _rate_facts(judged: Judged) -> list[Fact]:
     known = risk if risk is not None and risk.is_known else None
     low, high = known.band if known and known.band else (None, None)
     return [
+        Fact("no_rate", judged.no_rate or None),
         Fact("rate_per_year", known and known.annual_rate),
         Fact("rate_low", low),
         Fact("rate_high", high),

@@ -17,7 +17,6 @@ from rocksteady.results.numbers import chance, number, plural, share_of
 from rocksteady.results.result import Result
 from rocksteady.results.stated import share_words
 from rocksteady.risk.assess._judging import Judged, band_of, judge_objects
-from rocksteady.risk.assess._rates import curve_of, is_curved, site_of, with_rate, without_rate
 from rocksteady.risk.assess._remedies import is_helped, remedies_of
 from rocksteady.risk.assess._remedy import CHANGES, Remedy, change_words
 from rocksteady.risk.assess._sentences import WORDS
@@ -32,6 +31,7 @@ from rocksteady.risk.assess.placed_objects import (
     place_objects,
     with_demand,
 )
+from rocksteady.risk.assess.rates import curve_of, is_curved, site_of, with_rate, without_rate
 from rocksteady.risk.counted.suite import Peaks, Shaking, Suite
 from rocksteady.risk.counted.verdict import CODES, LEAST, VERDICTS, Target, Verdict
 from rocksteady.risk.ensemble.qualification import (
@@ -61,7 +61,7 @@ MOST_HELPED = 10
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ObjectsTable(Result):
-    """Answers for count objects, from `rocksteady.assess_objects`.
+    """Answers for several objects, from `rocksteady.assess_objects`.
 
     Attributes
     ----------
@@ -109,7 +109,7 @@ class ObjectsTable(Result):
 
     @property
     def verdicts(self) -> dict[Verdict, int]:
-        """How count objects have which verdict, what asks for something first."""
+        """How often each verdict occurs, what asks for something first."""
         counts = Counter(row["verdict"] for row in self.rows)
         return {verdict: counts[verdict] for verdict in VERDICTS if counts[verdict]}
 
@@ -276,7 +276,7 @@ def assess_objects(
     stretch: bool = True,
     run: Execution | None = None,
 ) -> ObjectsTable:
-    """Assess count objects at their demands, each kind of object run once.
+    """Assess several objects at their demands, each kind of object run once.
 
     Each gets the counted share and the verdict that `assess_object` gives, and with a hazard curve
     the rate; the 10 worst kinds get the least changes too.  The sensitivity is left to it.
@@ -459,7 +459,7 @@ def _row(described: DescribedObject, judged: Judged, suite: Suite) -> dict[str, 
     side = first_side(block)
     uplift = uplift_acceleration_g(block, demand.vertical_at_peak_g)
     sentence = screen_of(described, judged, suite).sentence
-    answer = answer_facts(judged, built_in=suite.built_in)
+    answer = answer_facts(judged, described.target, built_in=suite.built_in)
     return {
         "name": described.name,
         "kind": given.kind,

@@ -145,6 +145,6 @@ def with_demand(described: DescribedObject, demand: Peaks | None) -> DescribedOb
             "demand",
             Words(f"is missing of {described.name}"),
             "objects are assessed at a peak velocity, a peak acceleration or both",
-            "give Peaks(pga_g=..., pgv_m_s=...)",
+            "give rs.risk.Peaks(pga_g=0.3)",
         )
     return described.with_peaks(pga_g=demand.pga_g, pgv_m_s=demand.pgv_m_s)

@@ -2,12 +2,18 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.risk.counted.count import Count
+
+KEPT: Final = (1e12, 1e6)
+"""Weights of the levels whose counts are kept, beside 1 of others."""
+SAME: Final = 1e-9
+"""Relative distance of levels that are the same."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -22,11 +28,15 @@ class Curve:
         The count at each level.
     lifts_at
         Level at which each run first lifts, sorted, shape (runs,); infinite of one that never does.
+    through
+        Levels whose counts the monotone curve keeps, two at most, the first before the second: a
+        demand and 1.1 times it.
     """
 
     levels: Floats
     counts: Sequence[Count]
     lifts_at: Floats
+    through: tuple[float, ...] = ()
 
     @property
     def shares(self) -> Floats:
@@ -36,7 +46,14 @@ class Curve:
     @property
     def steps(self) -> Floats:
         """Monotone shares at the levels: those nearest to the counted ones."""
-        return monotone(self.shares)
+        return self.monotone(self.shares)
+
+    def monotone(self, shares: Floats) -> Floats:
+        """Return the monotone shares nearest to some at the levels."""
+        weights = np.ones(len(self.levels))
+        for level, weight in zip(self.through, KEPT, strict=False):
+            weights[np.isclose(self.levels, level, rtol=SAME, atol=0.0)] = weight
+        return monotone(shares, weights)
 
     @property
     def is_monotone(self) -> bool:
@@ -59,8 +76,8 @@ class Curve:
         return np.asarray(np.minimum(flat, self.lifting(at)))
 
 
-def monotone(shares: Floats) -> Floats:
+def monotone(shares: Floats, weights: Floats | None = None) -> Floats:
     """Return the rising values nearest to some shares, by their squares."""
     from scipy.optimize import isotonic_regression
 
-    return np.asarray(isotonic_regression(shares).x)
+    return np.asarray(isotonic_regression(shares, weights=weights).x)

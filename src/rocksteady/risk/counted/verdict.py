@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Final, Literal
 
+from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range, positive
 from rocksteady.results.numbers import number
 from rocksteady.risk.counted.count import Count
@@ -31,6 +32,7 @@ CODES: Final[dict[Verdict, int]] = {
 """Exit code of each verdict where it is checked; of a table the worst counts, 1 before 3."""
 
 
+@checked
 @dataclass(frozen=True)
 class Target:
     """Share that is accepted, of runs at the demand or as a probability in some years.
@@ -160,7 +162,7 @@ class RateEvidence:
     near
         Probability by the records that are stretched less than `NEAR`-fold; None of too few.
     is_known
-        Whether no more than a tenth of the rate rests on no run or lies above the hazard curve.
+        Whether no more than a tenth of the rate may lie above the runs or the hazard curve.
     friction_known, built_in
         As of `Evidence`.
     """

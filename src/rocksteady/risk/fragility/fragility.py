@@ -180,7 +180,11 @@ class Fragility(Result):
             )
             if math.isfinite(last.curve.lifts_at[0])
             else Stated(quantity="lifts at", text="no level: no record lifts it"),
-            Stated(quantity="counted", text=runs),
+            Stated(
+                quantity="counted",
+                text=runs,
+                condition="" if last.curve.is_monotone else "fewer fall at some higher level",
+            ),
             *([] if few else [self._summary(last)]),
         ]
         if self.friction_needed is not None:

@@ -17,8 +17,9 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
-from rocksteady.risk.hazard._fragile import Fragile, Given, fragile_of
 from rocksteady.risk.hazard._sum import mass_of
+from rocksteady.risk.hazard.failure_risk import known, risk_of
+from rocksteady.risk.hazard.fragile import Fragile, Given, fragile_of
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.hazard.hazard_measures import measure_fact, written
 from rocksteady.seismic.measures.scalar import Measure
@@ -199,6 +200,8 @@ def check_hazard_branches(
     """
     prior = _prior(branches)
     fragile = fragile_of(fragility, branches[0], measure, block)
+    for hazard in branches:
+        known(risk_of(fragile, hazard, age_years))
     factors, weights = lognormal_rule(alpha_cv)
     rates = np.array(
         [

@@ -18,15 +18,15 @@ from rocksteady.results.numbers import CONFIDENCE, chance, number, quantity
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.counted.band import TAIL
-from rocksteady.risk.hazard._fragile import Fragile, Given, fragile_of, resampled
 from rocksteady.risk.hazard._sum import Mass, mass_of
+from rocksteady.risk.hazard.fragile import Fragile, Given, fragile_of, resampled
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.hazard.hazard_measures import measure_fact
 from rocksteady.seismic.measures.scalar import Measure
 
 LONGEST_YEARS = 1e9
 MOST_OUTSIDE: Final = 0.1
-"""Part of a rate that may rest on no run, or lie above the hazard curve."""
+"""Part of a rate that may lie above the runs, or above the hazard curve."""
 LEAST_FOR_BAND: Final = 28
 """Records from which a rate has an interval."""
 RESAMPLES: Final = 400
@@ -57,7 +57,8 @@ class Risk(Result):
     band
         Its 90 % interval over the records; None of fewer than 28, and of a curve that is given.
     outside
-        Part of the rate from levels at which nothing was run; 0 of a curve that is given.
+        What levels above the last that was run could add at most, over the rate: no smaller share
+        falls there than at the last, and all at most.  0 of a curve that is given.
     unknown
         What shaking above the last level of the hazard could add at most, over the rate.
     contributing
@@ -68,12 +69,12 @@ class Risk(Result):
 
     fragile: Fragile
     hazard: HazardCurve
-    years: Annotated[float, Label(unit="years")]
+    years: Annotated[float, Label("Time", unit="years")]
     annual_rate: Annotated[float, Label("Annual rate of failure", number)]
     band: tuple[float, float] | None
-    outside: Annotated[float, Label("Part of it without runs", chance)]
+    outside: Annotated[float, Label("Above the runs, at most", chance)]
     unknown: Annotated[float, Label("Above the hazard curve, at most", chance)]
-    contributing: Annotated[tuple[float, float, float], Label()]
+    contributing: Annotated[tuple[float, float, float], Label("5, 50 and 95 % of it below")]
     contributions: Floats
 
     @property
@@ -91,7 +92,7 @@ class Risk(Result):
 
     @property
     def is_known(self) -> bool:
-        """Whether no more than a tenth rests on no run, or may lie above the hazard curve."""
+        """Whether no more than a tenth may lie above the runs, or above the hazard curve."""
         return max(self.outside, self.unknown) <= MOST_OUTSIDE
 
     def describe(self) -> Description:
@@ -187,7 +188,7 @@ def compute_risk(
     ------
     InputError
         If the measures do not fit, fewer than 11 records were counted, or more than a tenth of the
-        rate rests on no run or may lie above the hazard curve.
+        rate may lie above the runs or above the hazard curve.
 
     References
     ----------
@@ -201,16 +202,26 @@ def compute_risk(
     >>> hazard = HazardCurve(measure="pgv_m_s", levels=[0.001, 100.0], rates=[100.0, 1e-8])
     >>> risk = compute_risk((0.4653, 0.592), hazard)
     >>> print(f"{risk.annual_rate:.5f}, {risk.probability:.4f} in 50 years")
-    0.00093, 0.0454 in 50 years
+    0.00093, 0.0455 in 50 years
     """
-    risk = risk_of(fragile_of(fragility, hazard, measure, block), hazard, years)
+    return known(risk_of(fragile_of(fragility, hazard, measure, block), hazard, years))
+
+
+def known(risk: Risk) -> Risk:
+    """Return a risk that is known.
+
+    Raises
+    ------
+    InputError
+        If more than a tenth of it may lie above the runs or above the hazard curve.
+    """
     if risk.is_known:
         return risk
     hint = "give a hazard curve that reaches further"
     raise InputError(
         "hazard",
         Words(f"gives no rate: {why_unknown(risk)}"),
-        f"at most {MOST_OUTSIDE:.0%} of a rate may rest on no run, or lie above the hazard curve",
+        f"at most {MOST_OUTSIDE:.0%} of a rate may lie above the runs or above the hazard curve",
         "count up to higher levels" if risk.outside > MOST_OUTSIDE else hint,
     )
 
@@ -223,6 +234,7 @@ def risk_of(fragile: Fragile, hazard: HazardCurve, years: float) -> Risk:
     parts = shares * mass.rates
     total = math.fsum(parts.tolist())
     beyond = fragile.factor * mass.levels > fragile.last
+    open_rates = mass.rates if fragile.slides else (1.0 - shares) * mass.rates
     places = np.searchsorted(hazard.levels, mass.levels, side="right") - 1
     unknown = float((1.0 - shares[-1]) * mass.rates[-1])
     return Risk(
@@ -231,7 +243,7 @@ def risk_of(fragile: Fragile, hazard: HazardCurve, years: float) -> Risk:
         years=years,
         annual_rate=total,
         band=_band(fragile, mass),
-        outside=math.fsum(parts[beyond].tolist()) / total if total else 0.0,
+        outside=math.fsum(open_rates[beyond].tolist()) / total if total else 0.0,
         unknown=unknown / total if total else math.inf,
         contributing=_contributing(mass.levels, parts),
         contributions=np.asarray(
@@ -265,16 +277,23 @@ def _contributing(levels: Floats, parts: Floats) -> tuple[float, float, float]:
     return first, half, last
 
 
-def why_unknown(risk: Risk, *, above: str = "nothing is counted") -> str:
-    """Return why a rate is not known; `above` is what is above the last level of the runs."""
+def why_unknown(risk: Risk) -> str:
+    """Return why a rate is not known."""
     hazard = risk.hazard
     if risk.outside > MOST_OUTSIDE:
         last = quantity(risk.fragile.last / risk.fragile.factor, hazard.unit)
-        return f"{chance(risk.outside)} of it lies above {last}, where {above}"
+        if risk.fragile.slides:
+            return f"above {last} it slides"
+        return f"nothing is counted above {last}, where {chance(_share_at_last(risk))} fall"
     end = float(hazard.levels[-1])
     share = float(risk.fragile.at(end))
     where = f"{chance(share)} fall" if share else "none falls"
     return f"the hazard curve ends at {quantity(end, hazard.unit)}, where {where}"
+
+
+def _share_at_last(risk: Risk) -> float:
+    """Return the share at the last level that was run."""
+    return float(risk.fragile.shares(np.array(risk.fragile.last)))
 
 
 def in_years(rate: float, years: float) -> float:
@@ -286,13 +305,13 @@ def rate_words(risk: Risk) -> str:
     """Return a rate in words, as "once in 962 years (90 %: 862 to 1,130): 5.1 % in 50 years"."""
     band = ""
     if risk.band is not None:
-        longest, shortest = (_years(end) for end in risk.band)
+        longest, shortest = (years_words(end) for end in risk.band)
         band = f" ({100.0 * CONFIDENCE:g} %: {shortest} to {longest})"
     chances = f"{chance(risk.probability)} in {number(risk.years)} years"
-    return f"once in {_years(risk.annual_rate)} years{band}: {chances}"
+    return f"once in {years_words(risk.annual_rate)} years{band}: {chances}"
 
 
-def _years(rate: float) -> str:
+def years_words(rate: float) -> str:
     """Return the years between events of an annual rate, with three digits."""
     years = float(f"{1.0 / rate:.3g}") if rate > 0.0 else math.inf
     return f"{years:,.0f}" if 10.0 <= years < math.inf else number(years)

@@ -105,7 +105,7 @@ class Case:
         return alike and abs(share / RECTANGLE_SHARE - 1.0) < ALIKE
 
     @cached_property
-    def other(self) -> Side | None:
+    def second(self) -> Side | None:
         """The side that lifts last; None where it is as the first, or a wall stands there."""
         last = max(free_sides(self.block), key=lambda side: side.alpha)
         return None if self.block.symmetric or self.block.one_sided else last
@@ -132,7 +132,7 @@ class Case:
         if not self.rectangular:
             approximate = True
             remark += " Made for homogeneous rectangles"
-            if self.other is not None:
+            if self.second is not None:
                 remark += "; the side that lifts first is taken, as if both were like it"
             remark += "."
         if self.block.one_sided and fields.get("made_for") != WALLS:
@@ -166,9 +166,9 @@ def uplift_row(case: Case) -> Screen:
             verdict = f"lifts: {number(pga)} g is {number(pga / value)} times it"
     remark = "To its free side." if case.block.one_sided else ""
     details: tuple[Detail, ...] = ()
-    if case.other is not None:
-        other = value / tan(case.side.alpha) * tan(case.other.alpha)
-        details = (("other side", other, "g"),)
+    if case.second is not None:
+        uplift = value / tan(case.side.alpha) * tan(case.second.alpha)
+        details = (("other side", uplift, "g"),)
         remark = "Of the side that lifts first."
     remark += case.vertical("downwards, a_v of (g - a_v) tan(α)")
     return Screen(
@@ -207,7 +207,7 @@ def friction_row(case: Case) -> Screen:
             verdict = f"{words}{more} (μ {number(friction or 0.0)})"
     remark = "A friction above width/height alone does not ensure pure rocking: the need grows "
     remark += "with the PGA."
-    if case.other is not None:
+    if case.second is not None:
         remark += " The greater of both sides: shaking reverses."
     return Screen(
         name="friction to rock",

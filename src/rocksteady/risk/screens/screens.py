@@ -119,7 +119,6 @@ class Screens(Result):
         vertical = quantity(demand.vertical_g, "g")
         shaking += f" with a vertical peak of {vertical}" if self._counts_vertical else ""
         friction = "not known" if self.friction is None else number(self.friction)
-        shown = [row.values() for row in self.rows]
         words = [{**row.values(), "value": row.words} for row in self.rows]
         details = [
             {"screen": row.name, "quantity": name, "value": value, "unit": unit}
@@ -140,7 +139,7 @@ class Screens(Result):
                 Fact("motion", self.motion, "motion", self.motion or "needs PGA and friction"),
             ],
             tables=[
-                Table("screens", shown),
+                Table("screens", [row.values() for row in self.rows]),
                 Table("", words, RESULTS),
                 Table("", words, SOURCES, title="Sources"),
                 Table("left_out", left_out),

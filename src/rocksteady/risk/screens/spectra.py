@@ -271,12 +271,12 @@ def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
             continue
         if "." not in text and re.search(r"\d,\d", text) and re.search(r"\d[;\s]+\d", text):
             raise refusal(f"line {number} has decimal commas", "write points, as 0.5 for 0,5")
-        if row:
-            rows.append(row)
-        if len(row) not in (0, len(rows[0])):
+        if row and rows and len(row) != len(rows[0]):
             count = plural(len(row), "number")
             valid = f"line {number} has {count}, and the rows above {len(rows[0])}"
             raise refusal(valid, SHAPE_HINT)
+        if row:
+            rows.append(row)
     if not rows:
         raise refusal("it has no rows of numbers", SHAPE_HINT)
     if damping is None:

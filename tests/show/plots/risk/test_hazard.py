@@ -37,7 +37,7 @@ def test_hazard_and_fragility_are_those_of_the_risk() -> None:
     for each in (axes, beside):
         assert each.yaxis.label.get_color() == each.lines[0].get_color()
     assert axes.get_title("center") + axes.get_title("left") == (
-        f"falls once in {1.0 / risk().annual_rate:,.0f} years"
+        f"falls once in {float(f'{1.0 / risk().annual_rate:.3g}'):,.0f} years"
     )
 
 

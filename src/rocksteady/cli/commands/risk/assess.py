@@ -59,12 +59,12 @@ HELP = (
     "Exit code 3 where there is no answer; with --check 1 where an object is above its target or "
     "slides, and 3 where nothing is shown. A table has the code of its worst row, 1 before 3."
 )
-MAIN = "file records pga_g pgv_m_s width_m height_m friction target hazard out example"
+MAIN = "file records pga_g pgv_m_s width_m height_m friction target out example"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady assess --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4 --friction 0.5\n\n"
-    "rocksteady assess statue.toml --records suite --hazard site.csv --out answer\n\n"
+    "rocksteady assess statue.toml --records suite --hazard site.csv\n\n"
     "rocksteady assess objects.csv --pga-g 0.35 --pgv-m-s 0.4 --csv answers.csv"
     "\n\nrocksteady assess --example --out example\n\n"
     "Your files: statue.toml, an object; objects.csv, a table of objects; site.csv, a hazard "
@@ -249,9 +249,9 @@ class _Asked:
         self, objects: "Sequence[DescribedObject]", suite: Suite, run: "Execution"
     ) -> "ObjectsTable":
         """Return the answers of a table of objects."""
-        from rocksteady.risk.assess._rates import site_of
         from rocksteady.risk.assess.objects_table import MOST_HELPED, assess_placed
         from rocksteady.risk.assess.placed_objects import place_objects
+        from rocksteady.risk.assess.rates import site_of
         from rocksteady.risk.counted.reach import MOST
 
         hazard = self._site()

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.housner_forms import form_of_text
 from rocksteady.model.blocks.sizes import METRES, TALL
-from rocksteady.model.checks.bounds import MASS, Bounds, Whole
+from rocksteady.model.checks.bounds import MASS
+from rocksteady.model.checks.validation import in_range, whole_number
 from rocksteady.risk.assess.described.schema import (
     TABLES,
     ObjectInput,
@@ -21,40 +22,34 @@ from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.observations.files.toml_tables import TomlTables, named
 from rocksteady.risk.screens.demand import VERTICAL
 
-SIZE = Bounds(0.0, TALL, "(]", METRES)
-RULES: Mapping[str, Bounds | Whole] = {
-    "offset_m": Bounds(-TALL, TALL, "[]", "give how far right of the middle it is, in metres"),
-    "inertia_kg_m2": Bounds(0.0, 1e15, "(]", "give the moment of inertia about the mass centre"),
+BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
+    "offset_m": (-TALL, TALL, "[]", "give how far right of the middle it is, in metres"),
+    "inertia_kg_m2": (0.0, 1e15, "(]", "give the moment of inertia about the mass centre"),
     "mass_kg": MASS,
-    "alpha_rad": Bounds(
-        0.0, 0.5 * math.pi, "()", "give the angle in radians; alpha_deg takes degrees"
-    ),
-    "alpha_deg": Bounds(0.0, 90.0, "()", "give the angle in degrees; alpha_rad takes radians"),
-    "p_rad_s": Bounds(0.3, 100.0, "[]", "give the frequency parameter sqrt(M g R / I_0) in rad/s"),
-    "columns": Whole(1, 1000, "give the number of equal columns of a frame, as 4"),
-    "cap_mass_ratio": Bounds(
-        0.0, 1000.0, "[]", "give the mass of the cap over that of all columns"
-    ),
-    "floor": Whole(
-        0, 1000, "give the number of its floor, 0 for the ground, or the name of a room"
-    ),
-    "friction": Bounds(0.0, 3.0, "(]", "give the coefficient of friction, as 0.4"),
-    "restitution": Bounds(
-        0.0, 1.0, "(]", "give a ratio of angular velocities, or a form of 'housner'"
-    ),
-    "gravity_m_s2": Bounds(0.1, 100.0, "[]", "leave it out for 9.80665 m/s^2"),
-    "pga_g": Bounds(0.0, 10.0, "(]", "give the peak acceleration in g, as 0.35"),
-    "pgv_m_s": Bounds(0.0, 10.0, "(]", "give the peak velocity in m/s: write 0.4 for 40 cm/s"),
+    "alpha_rad": (0.0, 0.5 * math.pi, "()", "give the angle in radians; alpha_deg takes degrees"),
+    "alpha_deg": (0.0, 90.0, "()", "give the angle in degrees; alpha_rad takes radians"),
+    "p_rad_s": (0.3, 100.0, "[]", "give the frequency parameter sqrt(M g R / I_0) in rad/s"),
+    "cap_mass_ratio": (0.0, 1000.0, "[]", "give the mass of the cap over that of all columns"),
+    "friction": (0.0, 3.0, "(]", "give the coefficient of friction, as 0.4"),
+    "restitution": (0.0, 1.0, "(]", "give a ratio of angular velocities, or a form of 'housner'"),
+    "gravity_m_s2": (0.1, 100.0, "[]", "leave it out for 9.80665 m/s^2"),
+    "pga_g": (0.0, 10.0, "(]", "give the peak acceleration in g, as 0.35"),
+    "pgv_m_s": (0.0, 10.0, "(]", "give the peak velocity in m/s: write 0.4 for 40 cm/s"),
     **VERTICAL,
-    "period_s": Bounds(0.0, 60.0, "(]", "give a period in seconds"),
-    "sa_g": Bounds(0.0, 30.0, "(]", "give a spectral acceleration in g"),
-    "damping": Bounds(0.0, 1.0, "()", "give it over the critical one: 0.05 for 5 %"),
-    "peak": Bounds(0.0, 10.0, "[]", "give theta/alpha, as 0.3"),
-    "target_probability": Bounds(0.0, 1.0, "()", "give a probability, as 0.1"),
-    "target_50_years": Bounds(0.0, 1.0, "()", "give a probability, as 0.01"),
-    "draws": Whole(1, 1000, "give the number of restitutions, as 5"),
+    "period_s": (0.0, 60.0, "(]", "give a period in seconds"),
+    "sa_g": (0.0, 30.0, "(]", "give a spectral acceleration in g"),
+    "damping": (0.0, 1.0, "()", "give it over the critical one: 0.05 for 5 %"),
+    "peak": (0.0, 10.0, "[]", "give theta/alpha, as 0.3"),
+    "target_probability": (0.0, 1.0, "()", "give a probability, as 0.1"),
+    "target_50_years": (0.0, 1.0, "()", "give a probability, as 0.01"),
 }
-"""Rule of the numbers of each key that is no size."""
+"""Lowest and highest number of each key, whether they belong to it, and what to do."""
+
+WHOLE: Mapping[str, tuple[int, int, str]] = {
+    "floor": (0, 1000, "give the number of its floor, 0 for the ground, or the name of a room"),
+    "columns": (1, 1000, "give the number of equal columns of a frame, as 4"),
+    "draws": (1, 1000, "give the number of restitutions, as 5"),
+}
 
 FILE = TomlTables(kinds=TABLES, needs="an object has a name and a [geometry]", inline=inline_keys)
 
@@ -107,11 +102,16 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
 
 def _check(table: str, key: str, value: object, source: str, *, walled: bool) -> None:
     """Refuse a number outside its range, and a range upside down."""
-    name, rule = named(source, table, key), RULES.get(key, SIZE)
+    name = named(source, table, key)
+    if key in WHOLE:
+        least, most, hint = WHOLE[key]
+        whole_number(name, value, at_least=least, at_most=most, hint=hint)
+        return
+    low, high, ends, hint = BOUNDS.get(key, (0.0, TALL, "(]", METRES))
     if key == "restitution" and walled:
-        rule = Bounds(0.0, 1.0, "[]", rule.hint)
+        ends = "[]"
     for number in (value.low, value.high) if isinstance(value, Range) else (value,):
-        rule(name, number)
+        in_range(name, number, low, high, ends, hint=hint)  # type: ignore[arg-type]
     if isinstance(value, Range) and value.low > value.high:
         raise InputError(
             name, (value.low, value.high), "low must not be above high", "exchange the two"

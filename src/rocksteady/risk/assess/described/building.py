@@ -11,10 +11,8 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import DAMPING, LARGEST_SUM, SHAPE, Floor
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
-from rocksteady.model.motions.record import Record
 from rocksteady.risk.assess.described.objects import DescribedObject, floor_number
 from rocksteady.risk.observations.files.csv_table import refuse_doubled
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
@@ -24,8 +22,6 @@ from rocksteady.risk.screens.floors import PERIOD
 HINT = "name a file of buildings in TOML"
 STOREYS = Whole(1, 200, "give the number of floors above the ground")
 PARTICIPATION = Bounds(0.0, LARGEST_SUM, "(]", SHAPE.hint)
-
-Motions = Sequence[Record | BaseMotion]
 
 
 class BuildingTable(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -209,9 +205,8 @@ def read_buildings(path: Path | str) -> tuple[Building, ...]:
     """
     file = Path(path)
     source = file.name
-    given = FILE.convert(
-        toml_of(content_of(file, "buildings", HINT), source), BuildingsInput, source
-    )
+    values = toml_of(content_of(file, "buildings", HINT), source)
+    given = FILE.convert(values, BuildingsInput, source)
     if not given.buildings:
         raise InputError(source, Words("has no building"), FILE.needs, "add [[buildings]]")
     places: dict[str, str] = {}

@@ -4,6 +4,7 @@ import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Annotated
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Restitution, form_of_text
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
@@ -243,25 +245,31 @@ did you mean width_m?
             target_50_years=target.share if in_years else None,
         )
 
-    def wider(self, factor: float) -> "DescribedObject":
+    @checked
+    def wider(
+        self, factor: Annotated[float, Bounds(0.0, 100.0, "(]", "give a factor, as 1.1")]
+    ) -> "DescribedObject":
         """Return the object on a base that is wider by a factor.
 
         Raises
         ------
         InputError
-            If it is too stocky then.
+            If the factor is outside its range, or the object too stocky then.
         """
         sizes = self._sizes()
         changed = {key: _times(sizes[key], factor) for key in BASE if key in sizes}
         return self._reshaped(sizes | changed)
 
-    def lowered(self, by_m: float) -> "DescribedObject":
+    @checked
+    def lowered(
+        self, by_m: Annotated[float, Bounds(0.0, 100.0, "[]", "give metres, as 0.1")]
+    ) -> "DescribedObject":
         """Return the object with its own mass centre lower [m].
 
         Raises
         ------
         InputError, ModelError
-            If it is too stocky then, or a frame.
+            If it is lowered to the base or beyond, too stocky then, or a frame.
         """
         sizes = self._sizes()
         centre = sizes.get("mass_centre_height_m") or _times(sizes["height_m"], 0.5)

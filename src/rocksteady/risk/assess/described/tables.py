@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
@@ -90,7 +91,7 @@ def read_objects(path: Path | str) -> list[DescribedObject]:
 
 def _object(cells: Mapping[str, str], source: str, sha256: str) -> DescribedObject:
     """Return the object of a line."""
-    values: dict[str, object] = {}
+    values: dict[str, Any] = {"geometry": {}}
     extra: dict[str, str] = {}
     for column, cell in cells.items():
         if cell and (column in OF_FILES or (column == "place" and cell == "floor")):
@@ -104,11 +105,8 @@ def _object(cells: Mapping[str, str], source: str, sha256: str) -> DescribedObje
             extra[column] = cell
         elif cell:
             table, key = COLUMNS[column]
-            place = values
-            if table:
-                place = values.setdefault(table, {})  # type: ignore[assignment]
-            place[key] = _value(column, cell, f"{source}, {column}")
-    values.setdefault("geometry", {})
+            keys = values.setdefault(table, {}) if table else values
+            keys[key] = _value(column, cell, f"{source}, {column}")
     return DescribedObject(values=values, source=source, extra=extra, sha256=sha256)
 
 

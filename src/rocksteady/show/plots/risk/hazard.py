@@ -5,8 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.numbers import number
-from rocksteady.risk.hazard.failure_risk import Risk
+from rocksteady.risk.hazard.failure_risk import Risk, years_words
 from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style.layout import axes_or_new, percent_ticks, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
@@ -100,7 +99,7 @@ def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | Non
         xlim=(low, high),
         xlabel=greek(str(hazard.intensity)),
         ylabel="annual rate of exceedance",
-        title=_once(risk.annual_rate),
+        title=f"falls once in {years_words(risk.annual_rate)} years",
     )
     percent_ticks(beside, "y")
     beside.set(ylim=(0.0, 1.03), ylabel=str(fragility.get_label()))
@@ -112,14 +111,3 @@ def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | Non
     plain_ticks(axes)
     draw_legend(axes, place, handles=[curve, fragility, everywhere, shade], gap=44.0)
     return axes
-
-
-def _once(rate: float) -> str:
-    """Return how often something falls that does so at an annual rate.
-
-    Examples
-    --------
-    >>> _once(0.000506), _once(0.0)
-    ('falls once in 1,976 years', 'never falls')
-    """
-    return f"falls once in {float(number(1.0 / rate)):,g} years" if rate > 1e-12 else "never falls"

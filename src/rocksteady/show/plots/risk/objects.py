@@ -59,12 +59,14 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import assess_objects
     >>> from rocksteady.motions import make_synthetic_suite
-    >>> from rocksteady.risk import DescribedObject
+    >>> from rocksteady.risk import DescribedObject, Peaks
     >>> vases = [
     ...     DescribedObject(values={"name": name, "geometry": {"width_m": 0.12, "height_m": 0.5}})
     ...     for name in ("vase", "urn")
     ... ]
-    >>> table = assess_objects(vases, make_synthetic_suite(12), pga_g=0.4, pgv_m_s=0.5)
+    >>> table = assess_objects(
+    ...     vases, make_synthetic_suite(12), demand=Peaks(pga_g=0.4, pgv_m_s=0.5)
+    ... )
     >>> axes = plot_objects(table, Figure().add_subplot())
     >>> [name.get_text() for name in axes.get_yticklabels()]
     ['2 × vase']

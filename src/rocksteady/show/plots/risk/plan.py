@@ -78,12 +78,13 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import assess_objects
     >>> from rocksteady.motions import make_synthetic_suite
-    >>> from rocksteady.risk import Building, DescribedObject
+    >>> from rocksteady.risk import Building, DescribedObject, Peaks
     >>> house = Building.of_first_mode("house", storeys=2, period_s=0.3)
     >>> vase = DescribedObject(
     ...     values={"name": "vase", "floor": 2, "geometry": {"width_m": 0.12, "height_m": 0.5}}
     ... )
-    >>> table = assess_objects([vase], make_synthetic_suite(11), buildings=[house], pga_g=0.2)
+    >>> demand = Peaks(pga_g=0.2)
+    >>> table = assess_objects([vase], make_synthetic_suite(11), buildings=[house], demand=demand)
     >>> axes = plot_plan(table, Figure().add_subplot())
     >>> [name.get_text() for name in axes.get_yticklabels()]
     ['floor 2']

@@ -12,7 +12,7 @@ from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import non_negative, positive
-from rocksteady.risk.counted.curve import Curve, monotone
+from rocksteady.risk.counted.curve import Curve
 from rocksteady.risk.counted.verdict import LEAST
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fragility.fragility import Fragility
@@ -46,6 +46,8 @@ class Fragile:
         Levels of the fragility at which its shares jump or bend.
     last
         Level of the fragility above which nothing was counted; infinite without counts.
+    slides
+        Whether it slides there, so that not even the share at that level is a bound.
     counted
         The counts; None of a curve that is given.
     """
@@ -56,6 +58,7 @@ class Fragile:
     shares: Callable[[Floats], Floats]
     edges: Floats
     last: float = math.inf
+    slides: bool = False
     counted: Curve | None = None
 
     def at(self, level: ArrayLike) -> Floats:
@@ -145,7 +148,7 @@ def _known(name: str, asked: Measure | str | None, counted: Measure | None) -> M
             name,
             asked,
             "the shares are over " + ("factors" if counted is None else written(counted)),
-            "leave it out" if counted else "count them over a measure, as Levels('pga_g')",
+            "leave it out" if counted else "count them over a measure, as rs.risk.Levels('pga_g')",
         )
     return counted
 
@@ -193,5 +196,5 @@ def resampled(curve: Curve, draws: NDArray[np.int64], level: Floats) -> Floats:
     answered = np.stack([count.answered for count in curve.counts], axis=1)
     tried = np.maximum(draws @ answered, 1)  # whole numbers: the same on every machine
     at, places, lifting = np.log(level), np.log(curve.levels), curve.lifting(level)
-    rows = [np.interp(at, places, monotone(row), left=0.0) for row in (draws @ fell) / tried]
+    rows = [np.interp(at, places, curve.monotone(row), left=0.0) for row in (draws @ fell) / tried]
     return np.minimum(np.array(rows), lifting)

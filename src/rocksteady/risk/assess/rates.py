@@ -11,7 +11,6 @@ from rocksteady.results.numbers import number
 from rocksteady.risk.assess._judging import Judged, band_of
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import own_states
-from rocksteady.risk.counted.curve import Curve
 from rocksteady.risk.counted.reach import reaching_levels
 from rocksteady.risk.counted.sliding import friction_at, sliding_level
 from rocksteady.risk.counted.suite import PGA, PGV, Motion, Peaks, Shaking, across, folds
@@ -30,8 +29,8 @@ from rocksteady.risk.fragility.compute_fragility import count_fragility
 from rocksteady.risk.fragility.damage_states import DEFAULT_STATES, OVERTURNED, DamageState
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
-from rocksteady.risk.hazard._fragile import fragile_of
 from rocksteady.risk.hazard.failure_risk import Risk, in_years, risk_of, why_unknown
+from rocksteady.risk.hazard.fragile import fragile_of
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.hazard.hazard_measures import written
 from rocksteady.seismic.measures.scalar import compute_measure
@@ -56,6 +55,7 @@ def curve_of(
     except ModelError:
         return None
     block, band = described.block, band_of(described)
+    through = (shaking.level, MARGIN * shaking.level)
     motions: list[Motion] = list(shaking.motions)
     levels = reaching_levels(
         Levels(shaking.measure),
@@ -63,13 +63,17 @@ def curve_of(
         motions,
         restitution=band,
         ways=shaking.ways,
-        also=(shaking.level, MARGIN * shaking.level),
+        also=through,
         least=0.0 if hazard is None else float(hazard.levels[-1]),
     )
     ensemble = run_ensemble(
         block, motions, levels=levels, restitution=band, ways=shaking.ways, run=run
     )
     fragility = count_fragility(ensemble, states=_states(described))
+    states = [
+        replace(each, curve=replace(each.curve, through=through)) for each in fragility.states
+    ]
+    fragility = replace(fragility, states=tuple(states))
     if slides_above >= levels.values[-1]:
         return fragility
     words = f"Above {number(slides_above)} it slides under the strongest record: shares there are "
@@ -186,15 +190,14 @@ def with_rate(
     need = friction_at([block], risk.contributing[-1] / ones * peaks)
     judged = replace(judged, risk=risk, friction_of_rate=need)
     if not risk.is_known:
-        above = "it slides" if risk.fragile.last == last else "nothing is counted"
-        judged = replace(judged, no_rate=why_unknown(risk, above=above))
+        judged = replace(judged, no_rate=why_unknown(risk))
     if described.target.years is None:
         return judged
     near = None
     kept = folds(shaking.stretches) < NEAR
     if shaking.stretched and not built_in and kept.sum() >= LEAST:
         counts = [count.among(kept) for count in state.curve.counts]
-        curve = Curve(levels=state.curve.levels, counts=counts, lifts_at=state.curve.lifts_at)
+        curve = replace(state.curve, counts=counts)
         rate = _risk(replace(state, curve=curve), hazard, last).annual_rate
         near = in_years(rate, described.target.years)
     verdict, reason = decide_rate(
@@ -227,4 +230,6 @@ def without_rate(described: DescribedObject, judged: Judged) -> Judged:
 def _risk(state: StateFragility, hazard: HazardCurve, last: float) -> Risk:
     """Return the rate of a damage state of which nothing is counted above a level."""
     fragile = fragile_of(state, hazard, None, None)
-    return risk_of(replace(fragile, last=min(fragile.last, last)), hazard, YEARS)
+    if last < fragile.last:
+        fragile = replace(fragile, last=last, slides=True)
+    return risk_of(fragile, hazard, YEARS)
