@@ -54,6 +54,11 @@ def shares_of(judgement: Judged) -> tuple[float, float]:
     return at_demand, 0.0 if beyond is None else beyond.share
 
 
+def printed(value: float) -> float:
+    """Return a length with three digits."""
+    return float(f"{value:.3g}")
+
+
 def is_shown(judgement: Judged) -> bool:
     """Whether a verdict is safe, and the interval at 1.1 times the demand below the target."""
     beyond = judgement.beyond
@@ -62,17 +67,18 @@ def is_shown(judgement: Judged) -> bool:
 
 
 @every(
-    ("change", "edited", "values"),
+    ("change", "edited", "exact"),
     [
         (0, statue, WIDTH * WIDER ** np.arange(41)),
         (1, lambda by: statue(centre=0.5 * HEIGHT - by), 0.02 * np.arange(23)),
     ],
 )
 def test_a_remedy_is_that_of_a_slow_scan_of_edited_objects(
-    change: int, edited: Callable[[float], DescribedObject], values: Floats
+    change: int, edited: Callable[[float], DescribedObject], exact: Floats
 ) -> None:
     """From each value on all that are scanned pass, and the one a step of eight parts below not."""
     remedy = changes_of([statue()])[0][change]
+    values = np.array([printed(each) for each in exact])
     assert remedy.value is not None
     assert remedy.shown_at is not None
     assert values[0] < remedy.value < remedy.shown_at < values[-1]
@@ -83,7 +89,8 @@ def test_a_remedy_is_that_of_a_slow_scan_of_edited_objects(
         (remedy.shown_at, is_shown),
     ):
         above = int(np.searchsorted(values, value * (1.0 - 1e-12)))
-        before = value - (values[above] - values[above - 1]) / FINER
+        parts = np.linspace(values[above - 1], values[above], FINER + 1).tolist()
+        before = max(each for each in map(printed, parts) if each < value)
         scanned = [before, value, *values[above:]]
         placed = place_objects([edited(float(each)) for each in scanned], SUITE)
         assert [*map(passes, judge_objects(placed))] == [False] + [True] * (len(scanned) - 1)
@@ -102,10 +109,12 @@ def test_smaller_stretches_that_pass_are_islands() -> None:
     """Two were put in; the object as it is is none, nor what all larger ones pass with."""
     shares = [0.1, 0.4, 0.2, 0.1, 0.4, 0.4, 0.2, 0.4, 0.2, 0.0, 0.0]
     change = _Change(
-        name="base width", steps=np.arange(11.0), make=lambda _: statue(), value=lambda k: 1.0 + k
+        name="base width", values=[1.0 + k for k in range(11)], make=lambda _: statue()
     )
     tried = [
-        _Tried(step=k, share=0.5 * share, beyond=share, is_shown=share == 0.0, friction=0.1 * k)
+        _Tried(
+            value=1.0 + k, share=0.5 * share, beyond=share, is_shown=share == 0.0, friction=0.1 * k
+        )
         for k, share in enumerate(shares)
     ]
     remedy = _remedy(change, tried, [], TARGET)
@@ -117,7 +126,7 @@ def test_smaller_stretches_that_pass_are_islands() -> None:
         "base 9 m wide (20 % at 1.1 x); 10 m to be sure of 25 %"
     )
     # With the last of them above the target there is no remedy.
-    fails = [*tried, _Tried(step=11, share=0.3, beyond=0.3, is_shown=False, friction=1.0)]
+    fails = [*tried, _Tried(value=12.0, share=0.3, beyond=0.3, is_shown=False, friction=1.0)]
     none = _remedy(change, fails, [], TARGET)
     assert (none.value, none.shown_at, none.friction_needed) == (None, None, None)
     assert none.islands == ((3.0, 4.0), (7.0, 7.0), (9.0, 11.0))

@@ -70,7 +70,8 @@ def test_between_levels_shares_are_straight_over_the_logarithm_of_the_level() ->
     assert curve.at(math.sqrt(low * middle)) == pytest.approx(0.2)
     assert curve.at(low**0.25 * middle**0.75) == pytest.approx(0.25)
     assert curve.at(10.0 * high) == pytest.approx(0.5)
-    assert curve.at(0.999 * low) == 0.0
+    assert curve.at(math.sqrt(0.15 * low)) == pytest.approx(0.05)  # from none at the first uplift
+    assert curve.at(0.15) == 0.0
     assert isinstance(curve.at(0.3), np.ndarray)
 
 

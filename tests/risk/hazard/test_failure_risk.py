@@ -135,7 +135,7 @@ def test_what_lies_above_the_runs_is_stated_and_a_tenth_is_too_much() -> None:
     with pytest.raises(InputError) as refusal:
         compute_risk(counted(levels=[0.2, 0.3]), HAZARD)
     assert "nothing is counted above 0.3 g, where " in str(refusal.value)
-    assert str(refusal.value).endswith("count up to higher levels")
+    assert str(refusal.value).endswith("count at further levels")
 
 
 # -------------------------------------------------------------------------- sentences, refusals

@@ -32,6 +32,8 @@ from rocksteady.sweep.run import Execution
 if TYPE_CHECKING:
     import xarray
 
+ROUNDING = 1e-9
+"""Part of a peak that scaling may add to it."""
 NO_SLIDING = 100.0
 """Friction of an object whose own is not given: only uplift is judged."""
 
@@ -117,8 +119,8 @@ def onset_of(described: DescribedObject, shaking: Shaking) -> Onset:
     demand, friction = described.demand, described.given.friction
     peaks, vertical = shaking.floor_pga_g, demand.vertical_at_peak_g
     least = NO_SLIDING if friction is None else bounds_of(friction)[0]
-    blocks = [described.block, *(variant.block for variant in described.variants())]
-    worst = float(peaks.max())
+    blocks = [described.block, *described.corners()]
+    worst = float(peaks.max()) * (1.0 - ROUNDING)
     motions = [first_motion(block, worst, least, vertical) for block in blocks]
     slides = max(motions, key=MODES.index) in ("slides", "slides and rocks")
     by_statics = demand.pga_g is not None and not described.on_floor and not shaking.is_lifted

@@ -8,7 +8,6 @@ from typing import Final
 
 import numpy as np
 
-from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, ModelError
 from rocksteady.risk.assess._judging import (
     Judged,
@@ -42,19 +41,18 @@ HELPED: Final = ("band", "cliff", "stretched")
 
 @dataclass(frozen=True, kw_only=True)
 class _Change:
-    """A kind of change: its values, and the object that each makes."""
+    """A kind of change: its values, of which the first is the object as it is."""
 
     name: str
-    steps: Floats
+    values: Sequence[float]
     make: Callable[[float], DescribedObject]
-    value: Callable[[float], float]
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Tried:
     """An object that was changed, and what was counted of it."""
 
-    step: float
+    value: float
     share: float
     beyond: float
     is_shown: bool
@@ -80,15 +78,15 @@ def remedies_of(
 
     Values rise in steps from the object as it is: a base wider by 2 % each, to 2.2 times it, and a
     mass centre lower by 20 mm each.  Of all that pass the least counts from which all larger ones
-    pass too, refined by a step of eight parts: shares need not fall with the width.  Values that
-    slide are no remedies, nor are larger ones.
+    pass too, refined by a step of eight parts: shares need not fall with the width.  Values are run
+    as they are printed.  Those that slide are no remedies, nor are larger ones.
     """
     scans = [
         (place, shaking, change)
         for place, (described, shaking) in enumerate(asked)
         for change in _changes(described)
     ]
-    objects = [list(_feasible(change, change.steps, shaking)) for _, shaking, change in scans]
+    objects = [list(_feasible(change, change.values, shaking)) for _, shaking, change in scans]
     coarse = _tried(
         [(shaking, row) for (_, shaking, _), row in zip(scans, objects, strict=True)], run
     )
@@ -99,8 +97,8 @@ def remedies_of(
     ]
     fine = _tried(
         [
-            (shaking, list(_feasible(change, np.array(steps), shaking)))
-            for (_, shaking, change), steps in zip(scans, brackets, strict=True)
+            (shaking, list(_feasible(change, values, shaking)))
+            for (_, shaking, change), values in zip(scans, brackets, strict=True)
         ],
         run,
     )
@@ -115,44 +113,52 @@ def _changes(described: DescribedObject) -> Iterator[_Change]:
     """Yield the kinds of change of an object."""
     body = described.body
     width, centre = body.left + body.right, body.centre_height
-    factors = [1.0]
-    while factors[-1] < WIDEST:
-        factors.append(factors[-1] * WIDER)
+    widths = [width]
+    while widths[-1] < WIDEST * width:
+        widths.append(widths[-1] * WIDER)
     yield _Change(
         name=CHANGES[0],
-        steps=np.array(factors),
-        make=described.wider,
-        value=lambda factor: width * factor,
+        values=[width, *map(rounded, widths[1:])],
+        make=lambda value: described.wider(value / width),
     )
     least, most = (part * centre for part in STEPS)
     step = min(max(LOWER_M, least), most)
+    lower = step * np.arange(int(LOWEST * centre / step) + 1, dtype=np.float64)
     yield _Change(
-        name=CHANGES[1],
-        steps=step * np.arange(int(LOWEST * centre / step) + 1, dtype=np.float64),
-        make=described.lowered,
-        value=lambda by: by,
+        name=CHANGES[1], values=[0.0, *map(rounded, lower[1:].tolist())], make=described.lowered
     )
 
 
+def rounded(value: float) -> float:
+    """Return a length in metres with the three digits that are printed: what is said is run.
+
+    Examples
+    --------
+    >>> rounded(0.16644), rounded(1.0379)
+    (0.166, 1.04)
+    """
+    return float(f"{value:.3g}")
+
+
 def _feasible(
-    change: _Change, steps: Floats, shaking: Shaking
+    change: _Change, values: Sequence[float], shaking: Shaking
 ) -> Iterator[tuple[float, DescribedObject]]:
-    """Yield steps and changed objects up to one that cannot be, or slides."""
-    for step in steps.tolist():
+    """Yield values and changed objects up to one that cannot be, or slides."""
+    for value in values:
         try:
-            changed = change.make(step)
+            changed = change.make(value)
             slides = onset_of(changed, shaking).slides
         except (InputError, ModelError):
             return
         if slides:
             return
-        yield step, changed
+        yield value, changed
 
 
 def _can_be(change: _Change, place: int) -> bool:
-    """Return whether a step makes an object that rocks, if it does not slide."""
+    """Return whether a value makes an object that rocks, if it does not slide."""
     try:
-        change.make(float(change.steps[place]))
+        change.make(change.values[place])
     except (InputError, ModelError):
         return False
     return True
@@ -168,7 +174,7 @@ def _tried(
     tried = []
     for shaking, row in rows:
         made = []
-        for step, each in row:
+        for value, each in row:
             count, beyond = count_falls(next(ensembles))
             onset = onset_of(each, shaking)
             evidence = evidence_of(
@@ -184,7 +190,7 @@ def _tried(
             sure = rests or beyond.band[1] < evidence.target
             made.append(
                 _Tried(
-                    step=step,
+                    value=value,
                     share=0.0 if onset.stands else count.share,
                     beyond=beyond.share,
                     is_shown=sure and decide(evidence).verdict in ("green", "stands"),
@@ -206,24 +212,25 @@ def _first(tried: Sequence[_Tried], target: float | None) -> int:
 
 
 def _finer(tried: Sequence[_Tried], target: float | None) -> list[float]:
-    """Return steps between the last that does not pass and the first that does."""
+    """Return values between the last that does not pass and the first that does."""
     place = _first(tried, target)
     if not 0 < place < len(tried):
         return []
-    ends = tried[place - 1].step, tried[place].step
-    return np.linspace(*ends, FINER + 1)[1:-1].tolist()  # type: ignore[no-any-return]
+    low, high = tried[place - 1].value, tried[place].value
+    values = map(rounded, np.linspace(low, high, FINER + 1)[1:-1].tolist())
+    return [value for value in values if low < value < high]
 
 
 def _remedy(
     change: _Change, coarse: Sequence[_Tried], fine: Sequence[_Tried], target: float
 ) -> Remedy:
     """Return the least change of a kind."""
-    tried = sorted([*coarse, *fine], key=lambda each: each.step)
+    tried = sorted([*coarse, *fine], key=lambda each: each.value)
     place, shown = _first(tried, target), _first(tried, None)
     best = tried[place] if 0 < place < len(tried) else None
     proof = tried[shown] if 0 < shown < len(tried) else None
     below = [
-        (change.value(each.step), each.passes(target))
+        (each.value, each.passes(target))
         for each in coarse[1 : _first(coarse, target)]  # the object as it is, is no change
     ]
     islands = [
@@ -235,12 +242,12 @@ def _remedy(
     return Remedy(
         change=change.name,
         unit="m",
-        value=None if best is None else change.value(best.step),
+        value=None if best is None else best.value,
         share=None if best is None else best.share,
         share_1_1=None if best is None else best.beyond,
-        shown_at=None if proof is None else change.value(proof.step),
+        shown_at=None if proof is None else proof.value,
         islands=tuple(islands),
-        last=change.value(coarse[-1].step),
-        slides=len(coarse) < len(change.steps) and _can_be(change, len(coarse)),
+        last=coarse[-1].value,
+        slides=len(coarse) < len(change.values) and _can_be(change, len(coarse)),
         friction_needed=max(needs) if needs else None,
     )

@@ -147,7 +147,10 @@ class Screen:
 
     def _at_best(self, count: Count) -> str:
         """Return what records show at best, and how many the target takes."""
-        best = chance(upper_of_none(count.records))
+        least = upper_of_none(count.records)
+        best = chance(least)
+        if best == chance(self.target.share):
+            best = f"{number(100.0 * least)} %"
         takes = records_to_show(self.target.share)
         return (
             f"{plural(count.records, 'record')} show {best} at best, a target of "
@@ -166,7 +169,10 @@ class Screen:
         if judged.stands or count is None or beyond is None:
             return self._by_statics()
         words = f"{target}; at {MARGIN:g} x this demand {_fall(beyond)}"
-        if reason == "band" and not count.falls:
+        high = count.band[1]
+        if reason == "band" and count.falls and chance(high) == chance(self.target.share):
+            words = f"{target}; the interval ends at {number(100.0 * high)} %"
+        elif reason == "band" and not count.falls:
             words = self._at_best(count)
         elif reason == "stretched" and near is not None:
             words = f"{target}; of the {near.records} records stretched less than {NEAR:g}-fold "
@@ -291,20 +297,25 @@ class Screen:
         need, shaking, worst = number(self.judged.friction.largest), self.judged.shaking, ""
         if shaking is not None and float(np.ptp(shaking.floor_pga_g)) > SAME * shaking.level:
             worst = " in the worst record"
-        if self.friction is None:
-            more = [f"{what} {number(value)}" for what, value in self._more_friction()]
-            words = (
-                ", ".join([f"needs {need}", *more]) if more else f"must be at least {need}{worst}"
+        if self.judged.stands and self.decision.verdict == "slides" and self.friction is not None:
+            text = f"needs {number(self.judged.uplift_g)} to lift before it slides"
+            return Stated(quantity="friction", text=text, evidence=f"given {number(self.friction)}")
+        more = [f"{what} {number(value)}" for what, value in self._more_friction()]
+        words = ", ".join([f"needs {need}", *more]) if more else f"needs {need}{worst}"
+        if self.friction is not None:
+            return Stated(
+                quantity="friction", text=words, evidence=f"given {number(self.friction)}"
             )
-            known = "not given" if more else "it is not given"
-            return Stated(quantity="friction", text=words, condition=known)
-        known = f"given {number(self.friction)}"
-        return Stated(quantity="friction", text=f"needs {need}{worst}", evidence=known)
+        if more:
+            return Stated(quantity="friction", text=words, condition="not given")
+        words = f"must be at least {need}{worst}"
+        return Stated(quantity="friction", text=words, condition="it is not given")
 
     def _more_friction(self) -> list[tuple[str, float]]:
         """Return for what it needs more friction, and how much."""
         judged = self.judged
         changed = max((each.friction_needed or 0.0 for each in judged.remedies), default=0.0)
+        changed *= self.friction is None  # what would slide is no remedy
         rate = 0.0 if judged.friction_of_rate is None else judged.friction_of_rate.largest
         needs = [("once changed", changed), ("for the rate", rate)]
         return [(what, value) for what, value in needs if value > judged.friction.largest]

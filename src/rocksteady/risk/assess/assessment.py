@@ -100,14 +100,14 @@ class Assessment(Result):
     @property
     def share(self) -> float | None:
         """Share that falls at the demand: counted, 0 of what stands by statics; else None."""
-        if self.judged.stands:
+        if self.judged.stands and self.verdict != "slides":
             return 0.0
         return self.judged.count.share if self._is_counted and self.judged.count else None
 
     @property
     def band(self) -> tuple[float, float] | None:
         """The 90 % interval of the share; None without one."""
-        if self.judged.stands:
+        if self.judged.stands and self.verdict != "slides":
             return 0.0, 0.0
         return self.judged.count.band if self._is_counted and self.judged.count else None
 
@@ -259,6 +259,7 @@ class Assessment(Result):
                 f"{number(ratio)} m/s per g."
             )
         warnings += [each.warning for each in self.remedies if each.warning]
+        warnings += [] if self.risk is None else self.risk.hazard.remarks
         return list(dict.fromkeys(warnings))
 
 
@@ -267,7 +268,8 @@ def answer_facts(judged: Judged, target: Target, *, built_in: bool) -> list[Fact
     decision, shaking = judged.decision, judged.shaking
     counted = decision.verdict in ("green", "red", "not-shown") and not judged.stands
     count = judged.count if counted else None
-    low, high = (0.0, 0.0) if judged.stands else count.band if count else (None, None)
+    stands = judged.stands and decision.verdict != "slides"
+    low, high = (0.0, 0.0) if stands else count.band if count else (None, None)
     by, in_years = None, target.years is not None
     if decision.verdict == "slides" or (judged.stands and not in_years):
         by = "statics"
@@ -287,7 +289,7 @@ def answer_facts(judged: Judged, target: Target, *, built_in: bool) -> list[Fact
         Fact("doubts", list(decision.doubts)),
         Fact("conditions", conditions),
         Fact("by", by),
-        Fact("share", 0.0 if judged.stands else count and number_or_none(count.share)),
+        Fact("share", 0.0 if stands else count and number_or_none(count.share)),
         Fact("low", low),
         Fact("high", high),
         Fact("share_1_1", beyond and number_or_none(beyond.share)),
@@ -319,6 +321,7 @@ def _rate_facts(judged: Judged) -> list[Fact]:
         Fact("rate_low", low),
         Fact("rate_high", high),
         Fact("rate_outside", risk and risk.outside),
+        Fact("rate_unknown", risk and number_or_none(risk.unknown)),
         Fact("probability_50_years", known and known.probability),
         Fact("friction_needed_of_rate", need and need.largest),
     ]

@@ -122,6 +122,17 @@ class ObjectsTable(Result):
         pga, pgv = peaks.pop()
         return Peaks(pga_g=pga, pgv_m_s=pgv)
 
+    @property
+    def _demand_words(self) -> str:
+        """The demand in words, as far as the motions have it."""
+        demand = self.demand
+        if demand is None:
+            return EACH
+        shaken = [row["stretched"] for row in self.rows if row["median_scale"] is not None]
+        if None in (demand.pga_g, demand.pgv_m_s) or all(shaken):
+            return demand.words
+        return f"{Peaks(pga_g=demand.pga_g).words} with each record's own PGV"
+
     def sorted_by(self, column: str, *, descending: bool = True) -> tuple[dict[str, Any], ...]:
         """Return the rows in the order of a column; those without a value come last.
 
@@ -171,7 +182,7 @@ class ObjectsTable(Result):
             *[Column("probability_50_years", "in 50 years", share_of)] * self._has_rates,
             Column("verdict", "verdict", lambda verdict: WORDS[verdict], left=True),
         ]
-        demand = EACH if self.demand is None else self.demand.words
+        demand = self._demand_words
         words = verdict_words(self.verdicts)
         facts = [
             Fact("objects", len(self.rows), "objects"),
@@ -206,7 +217,7 @@ class ObjectsTable(Result):
     def _answer(self) -> Answer:
         """Return how many objects are above the target, and the worst kinds."""
         kinds, red = self.kinds, self.verdicts.get("red", 0)
-        demand = EACH if self.demand is None else self.demand.words
+        demand = self._demand_words
         several = len(kinds) < len(self.rows)
         objects = plural(len(self.rows), "object")
         place = "" if self.target.years else f" at {demand}"
@@ -252,8 +263,8 @@ def verdict_words(counts: Mapping[Verdict, int]) -> str:
 def _row_words(row: Mapping[str, Any], count: int, in_years: bool) -> str:
     """Return verdict and share of objects that are alike."""
     words, rate = WORDS[row["verdict"]], row["probability_50_years"]
-    if in_years and rate is not None:
-        words += f", {chance(rate)} in 50 years"
+    if in_years and (rate is not None or row["no_rate"]):
+        words += f", no rate: {row['no_rate']}" if rate is None else f", {chance(rate)} in 50 years"
     elif row["by"] == "statics" and row["verdict"] != "slides":
         words += ", by statics"
     elif row["share"] is not None:
@@ -261,6 +272,8 @@ def _row_words(row: Mapping[str, Any], count: int, in_years: bool) -> str:
         words += f", {share_words(row['fall'], row['runs'], band, row['share'])}"
     elif row["verdict"] == "no-answer":
         words += f", {row['records']} of {LEAST} records"
+    if rate is not None and not in_years:
+        words += f"; {chance(rate)} in 50 years"
     return f"{words}; {count:,} alike" if count > 1 else words
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import quantity
 from rocksteady.risk.assess._judging import Judged, band_of
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import own_states
@@ -18,6 +18,7 @@ from rocksteady.risk.counted.verdict import (
     LEAST,
     MARGIN,
     NEAR,
+    YEARS,
     Decision,
     RateEvidence,
     Reason,
@@ -35,9 +36,6 @@ from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.hazard.hazard_measures import written
 from rocksteady.seismic.measures.scalar import compute_measure
 from rocksteady.sweep.run import Execution
-
-YEARS = 50.0
-"""Time of the probability beside a rate."""
 
 
 def curve_of(
@@ -76,9 +74,14 @@ def curve_of(
     fragility = replace(fragility, states=tuple(states))
     if slides_above >= levels.values[-1]:
         return fragility
-    words = f"Above {number(slides_above)} it slides under the strongest record: shares there are "
-    warnings = (*fragility.warnings, f"{words}of rocking alone.")
+    words = sliding_words(quantity(slides_above, shaking.measure.unit))
+    warnings = (*fragility.warnings, words)
     return replace(fragility, slides_above=slides_above, warnings=warnings)
+
+
+def sliding_words(level: str) -> str:
+    """Return what shares above a level are, at which it slides."""
+    return f"Above {level} it slides under the strongest record: shares there are of rocking alone."
 
 
 def _sliding(described: DescribedObject, shaking: Shaking) -> float:

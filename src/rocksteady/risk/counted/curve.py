@@ -72,8 +72,14 @@ class Curve:
         the last level it is that of the last.
         """
         at = np.asarray(level, dtype=np.float64)
-        flat = np.interp(np.log(at), np.log(self.levels), self.steps, left=0.0)
-        return np.asarray(np.minimum(flat, self.lifting(at)))
+        return np.asarray(np.minimum(self.between(at, self.steps), self.lifting(at)))
+
+    def between(self, level: Floats, shares: Floats) -> Floats:
+        """Return what lies between monotone shares of the levels, from none at the first uplift."""
+        levels, values, first = self.levels, shares, float(self.lifts_at[0])
+        if first < levels[0]:
+            levels, values = np.append(first, levels), np.append(0.0, shares)
+        return np.interp(np.log(level), np.log(levels), values, left=0.0)
 
 
 def monotone(shares: Floats, weights: Floats | None = None) -> Floats:

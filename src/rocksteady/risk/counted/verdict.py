@@ -3,8 +3,9 @@
 from dataclasses import dataclass, field
 from typing import Final, Literal
 
+from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range, positive
+from rocksteady.model.checks.validation import in_range
 from rocksteady.results.numbers import number
 from rocksteady.risk.counted.count import Count
 
@@ -18,6 +19,8 @@ Reason = Literal[
     "stretched", "built-in", "friction", "without-answer", "rate-unknown", "rate-records",
 ]  # fmt: skip
 """Why nothing is shown, or there is no answer; empty of another verdict."""
+YEARS: Final = 50.0
+"""Time of a probability beside a rate [years]."""
 LEAST: Final = 11
 """Records below which a share is no answer."""
 MARGIN: Final = 1.1
@@ -35,14 +38,14 @@ CODES: Final[dict[Verdict, int]] = {
 @checked
 @dataclass(frozen=True)
 class Target:
-    """Share that is accepted, of runs at the demand or as a probability in some years.
+    """Share that is accepted, of runs at the demand or as a probability in 50 years.
 
     Parameters
     ----------
     share
         In (0, 1).
     years
-        Time of the probability [years]; None (default) of runs at the demand.
+        50 of a probability in 50 years; None (default) of runs at the demand.
 
     Raises
     ------
@@ -62,8 +65,9 @@ class Target:
         """Validate."""
         share = in_range("target", self.share, 0.0, 1.0, "()", hint="give a share, as 0.1")
         object.__setattr__(self, "share", share)
-        if self.years is not None:
-            object.__setattr__(self, "years", positive("years", self.years, hint="give 50"))
+        if self.years not in (None, YEARS):
+            valid = f"a target is at the demand or in {YEARS:g} years"
+            raise InputError("years", self.years, valid, "give 50, or leave it out")
 
     @property
     def words(self) -> str:

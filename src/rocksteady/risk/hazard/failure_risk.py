@@ -26,7 +26,7 @@ from rocksteady.seismic.measures.scalar import Measure
 
 LONGEST_YEARS = 1e9
 MOST_OUTSIDE: Final = 0.1
-"""Part of a rate that may lie above the runs, or above the hazard curve."""
+"""Part of a rate that may lie beyond the runs, or beyond the hazard curve."""
 LEAST_FOR_BAND: Final = 28
 """Records from which a rate has an interval."""
 RESAMPLES: Final = 400
@@ -57,10 +57,11 @@ class Risk(Result):
     band
         Its 90 % interval over the records; None of fewer than 28, and of a curve that is given.
     outside
-        What levels above the last that was run could add at most, over the rate: no smaller share
-        falls there than at the last, and all at most.  0 of a curve that is given.
+        What levels beyond those that were run could add at most, over the rate: shares lie between
+        that of the nearest one and none below, or all above.  0 of a curve that is given.
     unknown
-        What shaking above the last level of the hazard could add at most, over the rate.
+        What shaking beyond the hazard curve could add, over the rate: above its last level at most,
+        below its first one as much as falls there.
     contributing
         Levels below which 5, 50 and 95 % of the rate lie.
     contributions
@@ -72,8 +73,8 @@ class Risk(Result):
     years: Annotated[float, Label("Time", unit="years")]
     annual_rate: Annotated[float, Label("Annual rate of failure", number)]
     band: tuple[float, float] | None
-    outside: Annotated[float, Label("Above the runs, at most", chance)]
-    unknown: Annotated[float, Label("Above the hazard curve, at most", chance)]
+    outside: Annotated[float, Label("Beyond the runs, at most", chance)]
+    unknown: Annotated[float, Label("Beyond the hazard curve", chance)]
     contributing: Annotated[tuple[float, float, float], Label("5, 50 and 95 % of it below")]
     contributions: Floats
 
@@ -92,7 +93,7 @@ class Risk(Result):
 
     @property
     def is_known(self) -> bool:
-        """Whether no more than a tenth may lie above the runs, or above the hazard curve."""
+        """Whether no more than a tenth may lie beyond the runs, or beyond the hazard curve."""
         return max(self.outside, self.unknown) <= MOST_OUTSIDE
 
     def describe(self) -> Description:
@@ -188,7 +189,7 @@ def compute_risk(
     ------
     InputError
         If the measures do not fit, fewer than 11 records were counted, or more than a tenth of the
-        rate may lie above the runs or above the hazard curve.
+        rate may lie beyond the runs or beyond the hazard curve.
 
     References
     ----------
@@ -213,7 +214,7 @@ def known(risk: Risk) -> Risk:
     Raises
     ------
     InputError
-        If more than a tenth of it may lie above the runs or above the hazard curve.
+        If more than a tenth of it may lie beyond the runs or beyond the hazard curve.
     """
     if risk.is_known:
         return risk
@@ -221,8 +222,8 @@ def known(risk: Risk) -> Risk:
     raise InputError(
         "hazard",
         Words(f"gives no rate: {why_unknown(risk)}"),
-        f"at most {MOST_OUTSIDE:.0%} of a rate may lie above the runs or above the hazard curve",
-        "count up to higher levels" if risk.outside > MOST_OUTSIDE else hint,
+        f"at most {MOST_OUTSIDE:.0%} of a rate may lie beyond the runs or beyond the hazard curve",
+        "count at further levels" if risk.outside > MOST_OUTSIDE else hint,
     )
 
 
@@ -233,17 +234,21 @@ def risk_of(fragile: Fragile, hazard: HazardCurve, years: float) -> Risk:
     shares = fragile.at(mass.levels)
     parts = shares * mass.rates
     total = math.fsum(parts.tolist())
-    beyond = fragile.factor * mass.levels > fragile.last
-    open_rates = mass.rates if fragile.slides else (1.0 - shares) * mass.rates
+    levels = fragile.factor * mass.levels
+    below, above = levels < fragile.first, levels > fragile.last
+    spread = np.where(above, 1.0 if fragile.slides else 1.0 - shares, 0.0)
+    if below.any():
+        spread[below] = (shares[below] > 0.0) * fragile.shares(np.array(fragile.first))
     places = np.searchsorted(hazard.levels, mass.levels, side="right") - 1
     unknown = float((1.0 - shares[-1]) * mass.rates[-1])
+    unknown += float(fragile.at(hazard.levels[0]) * hazard.rates[0])
     return Risk(
         fragile=fragile,
         hazard=hazard,
         years=years,
         annual_rate=total,
         band=_band(fragile, mass),
-        outside=math.fsum(open_rates[beyond].tolist()) / total if total else 0.0,
+        outside=math.fsum((spread * mass.rates).tolist()) / total if total else 0.0,
         unknown=unknown / total if total else math.inf,
         contributing=_contributing(mass.levels, parts),
         contributions=np.asarray(
@@ -280,20 +285,24 @@ def _contributing(levels: Floats, parts: Floats) -> tuple[float, float, float]:
 def why_unknown(risk: Risk) -> str:
     """Return why a rate is not known."""
     hazard = risk.hazard
+    fragile = risk.fragile
+
+    def where(level: float) -> str:
+        share = float(fragile.at(level))
+        falls = f"{chance(share)} fall" if share else "none falls"
+        return f"{quantity(level, hazard.unit)}, where {falls}"
+
+    first, last = fragile.first / fragile.factor, fragile.last / fragile.factor
+    if risk.outside > MOST_OUTSIDE and fragile.slides:
+        return f"above {quantity(last, hazard.unit)} it slides"
     if risk.outside > MOST_OUTSIDE:
-        last = quantity(risk.fragile.last / risk.fragile.factor, hazard.unit)
-        if risk.fragile.slides:
-            return f"above {last} it slides"
-        return f"nothing is counted above {last}, where {chance(_share_at_last(risk))} fall"
-    end = float(hazard.levels[-1])
-    share = float(risk.fragile.at(end))
-    where = f"{chance(share)} fall" if share else "none falls"
-    return f"the hazard curve ends at {quantity(end, hazard.unit)}, where {where}"
-
-
-def _share_at_last(risk: Risk) -> float:
-    """Return the share at the last level that was run."""
-    return float(risk.fragile.shares(np.array(risk.fragile.last)))
+        low = float(fragile.at(first)) * float(hazard.levels[0] < first)
+        side, level = ("below", first) if low > 1.0 - float(fragile.at(last)) else ("above", last)
+        return f"nothing is counted {side} {where(level)}"
+    first, last = float(hazard.levels[0]), float(hazard.levels[-1])
+    if float(fragile.at(first)) * hazard.rates[0] > MOST_OUTSIDE * risk.annual_rate:
+        return f"the hazard curve begins at {where(first)}"
+    return f"the hazard curve ends at {where(last)}"
 
 
 def in_years(rate: float, years: float) -> float:

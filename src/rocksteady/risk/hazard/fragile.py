@@ -44,8 +44,8 @@ class Fragile:
         Shares at levels of the fragility, of their shape.
     edges
         Levels of the fragility at which its shares jump or bend.
-    last
-        Level of the fragility above which nothing was counted; infinite without counts.
+    first, last
+        Levels of the fragility between which it was counted; 0 and infinite without counts.
     slides
         Whether it slides there, so that not even the share at that level is a bound.
     counted
@@ -57,6 +57,7 @@ class Fragile:
     factor: float
     shares: Callable[[Floats], Floats]
     edges: Floats
+    first: float = 0.0
     last: float = math.inf
     slides: bool = False
     counted: Curve | None = None
@@ -77,15 +78,16 @@ def fragile_of(
         If it is none, is counted over too few records, does not rise, or the measures do not fit.
     """
     if isinstance(fragility, Fragility):
-        if fragility.records < LEAST:
+        fragility = fragility.states[-1]
+    if isinstance(fragility, StateFragility):
+        records = min(count.records for count in fragility.curve.counts)
+        if records < LEAST:
             raise InputError(
                 "fragility",
-                Words(f"is of {fragility.records} records"),
+                Words(f"is of {records} records"),
                 f"a rate is of shares over {LEAST} records or more",
                 "give more records",
             )
-        fragility = fragility.states[-1]
-    if isinstance(fragility, StateFragility):
         over = _known("measure", measure, fragility.measure)
         factor = fragility_factor(over, hazard.intensity, block)
         curve = fragility.curve
@@ -95,6 +97,7 @@ def fragile_of(
             factor=factor,
             shares=fragility.share,
             edges=np.concatenate([curve.levels, curve.lifts_at[np.isfinite(curve.lifts_at)]]),
+            first=float(curve.levels[0]),
             last=float(curve.levels[-1]),
             counted=curve,
         )
@@ -195,6 +198,5 @@ def resampled(curve: Curve, draws: NDArray[np.int64], level: Floats) -> Floats:
     fell = np.stack([count.fell for count in curve.counts], axis=1)
     answered = np.stack([count.answered for count in curve.counts], axis=1)
     tried = np.maximum(draws @ answered, 1)  # whole numbers: the same on every machine
-    at, places, lifting = np.log(level), np.log(curve.levels), curve.lifting(level)
-    rows = [np.interp(at, places, curve.monotone(row), left=0.0) for row in (draws @ fell) / tried]
-    return np.minimum(np.array(rows), lifting)
+    rows = [curve.between(level, curve.monotone(row)) for row in (draws @ fell) / tried]
+    return np.minimum(np.array(rows), curve.lifting(level))

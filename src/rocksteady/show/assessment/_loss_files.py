@@ -8,6 +8,7 @@ from rocksteady.errors import InputError
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.risk.assess.rates import sliding_words
 from rocksteady.risk.counted.suite import Peaks
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.export.components import LossComponent
@@ -23,7 +24,7 @@ def write_loss_files(
 ) -> list[str]:
     """Write a component for each kind of object, and return the names of those left out.
 
-    A kind of which no run falls has no component.
+    A kind that has no shares, as one that slides, or of which no run falls has no component.
 
     Raises
     ------
@@ -33,7 +34,7 @@ def write_loss_files(
     components: list[LossComponent] = []
     left_out = []
     for name, description, fragility, floor in _kinds(answer):
-        if not fragility.states[-1].curve.counts[-1].falls:
+        if fragility is None or not fragility.states[-1].curve.counts[-1].falls:
             left_out.append(name)
             continue
         taken = {each.identifier for each in components}
@@ -54,21 +55,43 @@ def write_loss_files(
     return left_out
 
 
-def _kinds(answer: Assessment | ObjectsTable) -> Iterator[tuple[str, str, Fragility, bool]]:
+def _kinds(
+    answer: Assessment | ObjectsTable,
+) -> Iterator[tuple[str, str, Fragility | None, bool]]:
     """Yield name, description, shares, and whether they are over motion of a floor."""
     if isinstance(answer, ObjectsTable):
         for row, count in answer.kinds:
-            if row["like"] in answer.curves:
-                peaks = Peaks(pga_g=row["pga_g"], pgv_m_s=row["pgv_m_s"])
-                words = f"{row['name']}, {plural(count, 'object')} alike. {_kept(peaks)}"
-                curve = answer.curves[row["like"]]
-                yield row["name"], words.strip(), curve, row["place"] == "floor"
+            curve = answer.curves.get(row["like"])
+            where = ", ".join(str(row[key]) for key in ("building", "floor") if row[key])
+            peaks = Peaks(pga_g=row["pga_g"], pgv_m_s=row["pgv_m_s"])
+            words = [f"{plural(count, 'object')} alike", where, _beside(curve)]
+            words.append(_kept(peaks) * row["stretched"])
+            on_floor = row["floor_pga_g"] is not None
+            yield (
+                row["name"],
+                _sentences(row["name"], words, on_floor),
+                curve,
+                (row["place"] == "floor"),
+            )
         return
     described, shaking = answer.described, answer.judged.shaking
-    if answer.fragility is not None and shaking is not None:
-        words = f"{described.describe().headline}. {_kept(shaking.demand) * shaking.stretched}"
-        floor = described.given.demand.place == "floor"
-        yield described.name, words.strip(), answer.fragility, floor
+    kept = _kept(shaking.demand) * shaking.stretched if shaking is not None else ""
+    words = [described.block.describe().headline, _beside(answer.fragility), kept]
+    text = _sentences(described.label, words, described.on_floor)
+    yield described.name, text, answer.fragility, described.given.demand.place == "floor"
+
+
+def _sentences(name: str, words: Sequence[str], on_floor: bool) -> str:
+    """Return the description of a component."""
+    ground = "The measure is that of the ground, below its floor." * on_floor
+    return f"{name}. " + " ".join(f"{each.rstrip('.')}." for each in (*words, ground) if each)
+
+
+def _beside(fragility: Fragility | None) -> str:
+    """Return from where on it slides; empty where it does not."""
+    if fragility is None or fragility.slides_above is None:
+        return ""
+    return sliding_words(f"{number(fragility.slides_above)} {fragility.unit}")
 
 
 def _kept(demand: Peaks) -> str:

@@ -72,7 +72,7 @@ EXAMPLES = (
 )
 TRIED = 75
 """Changed objects that a remedy takes, about."""
-MEANT = ("--hazard", "--out", "--runs", "--resume", "--workers")
+MEANT = ("--out", "--runs", "--resume", "--workers")
 """Flags that have a meaning beside --example."""
 file_flag = options.Panel("Object files")
 
@@ -517,7 +517,7 @@ def _refuse_idle(
         hint = "leave it out; sizes, friction and vertical motion are columns of the table"
     else:
         idle = [*columns, "--pga-g", "--pgv-m-s"]
-        reason, hint = "the object's file states it", "write it into the file, or leave it out"
+        reason, hint = "it belongs in the object's file", "write it there, or leave it out"
     refuse({flag: given[flag] for flag in idle}, reason, hint)
     if buildings is not None:
         floor = {"--floor-hz": reading.floor_hz}

@@ -1,14 +1,16 @@
 """One object as its owner describes it: a TOML file, checked, and the blocks that it can be."""
 
 import hashlib
+import itertools
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Annotated
 
 import numpy as np
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Restitution, form_of_text
 from rocksteady.model.checks.arguments import checked
@@ -319,6 +321,21 @@ did you mean width_m?
                     label = f"{key} {number(end)}"
                     variants.append(Variant(key=key, label=label, block=block))
         return tuple(variants)
+
+    def corners(self) -> tuple[Block, ...]:
+        """Return the object at all ends of the ranges of its geometry and content together.
+
+        One that is too stocky to rock is left out.
+        """
+        objects = [self]
+        for table, name, value in numbers_of(self.given):
+            if table in ("geometry", "content") and isinstance(value, Range):
+                changed = []
+                for each, end in itertools.product(objects, (value.low, value.high)):
+                    with suppress(InputError, ModelError):
+                        changed.append(each._changed(table, **{name: end}))
+                objects = changed
+        return tuple(each.block for each in objects)
 
     def describe(self) -> Description:
         """Return the description in the file."""
