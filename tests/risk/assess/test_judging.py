@@ -443,6 +443,18 @@ def test_records_that_are_hardly_stretched_are_counted_beside_the_answer() -> No
     assert judged(described(0.15, 0.45, pga_g=0.4), SUITE).near is None
 
 
+def test_what_stands_and_slides_is_decided_with_the_worst_ends_together() -> None:
+    """At .31 g neither end alone lifts the middle of the other, but both together: .15/.5 g."""
+    ranges: dict[str, Any] = {
+        "width_m": {"low": 0.15, "high": 0.18}, "mass_centre_height_m": {"low": 0.2, "high": 0.25},
+    }  # fmt: skip
+    found = judged(described(0.165, 0.5, pga_g=0.31, geometry=ranges), SUITE)
+    assert not found.stands
+    assert found.uplift_g == pytest.approx(0.3, rel=1e-12)
+    just = judged(described(0.5, 1.0, pga_g=0.4, friction=0.4), SUITE)
+    assert just.decision.verdict == "stands"  # a need of .4 to the last bit is met by .4
+
+
 def test_never_green_without_records_of_earthquakes_enough_of_them_or_friction() -> None:
     """Green on 56 records with a known friction, and not otherwise."""
     demand: dict[str, Any] = {"pga_g": 0.35, "pgv_m_s": 0.45}

@@ -158,6 +158,19 @@ def test_a_hazard_curve_that_ends_early_gives_no_rate(
     assert str(refusal.value).endswith("give a hazard curve that reaches further")
 
 
+def test_a_hazard_curve_or_counts_that_begin_late_give_no_rate() -> None:
+    """What falls at their first level falls below it too, at shaking that is more frequent."""
+    late = HazardCurve(
+        measure="pga_g", levels=np.array([0.8, 2.0]), rates=np.array([8.5e-5, 3.1e-6])
+    )
+    with pytest.raises(InputError, match=r"begins at 0\.8 g, where > 99 % fall"):
+        compute_risk((0.3, 0.3), late)
+    fragility = counted(levels=[0.5, 0.8, 2.0])
+    assert fragility.states[-1].curve.shares[0] > 0.1
+    with pytest.raises(InputError, match=r"nothing is counted below 0\.5 g, where"):
+        compute_risk(fragility, HAZARD)
+
+
 def test_separated_data_fail_at_the_rate_of_the_step() -> None:
     curve = fit_curve([0.2, 0.4, 0.8, 1.6], [0, 0, 40, 40], [40] * 4)
     risk = compute_risk(curve, HAZARD)

@@ -127,6 +127,8 @@ def test_what_does_not_fit_is_refused_with_the_way_out(
 def test_counts_of_too_few_records_or_over_another_measure_have_no_rate() -> None:
     with pytest.raises(InputError, match=r"fragility is of 10 records: .* 11 records or more"):
         fragile_of(counted(10), hazard("pga_g"), None, None)
+    with pytest.raises(InputError, match="fragility is of 10 records"):
+        fragile_of(counted(10).states[0], hazard("pga_g"), None, None)
     with pytest.raises(InputError, match="the hazard curve is over PGV"):
         fragile_of(counted(), hazard(), None, None)
     with pytest.raises(InputError, match="the shares are over pga_g"):

@@ -36,6 +36,16 @@ def test_slenderness_and_frequency_give_back_themselves() -> None:
     assert same == block
 
 
+def test_corners_have_the_ends_of_all_ranges_together_but_for_what_cannot_rock() -> None:
+    ranges = {"width_m": {"low": 0.3, "high": 0.4}, "height_m": {"low": 1.2, "high": 1.8}}
+    apart = [made({"width_m": w, "height_m": h}).block for w in (0.3, 0.4) for h in (1.2, 1.8)]
+    assert made(ranges).corners() == tuple(apart)
+    assert made().corners() == ()
+    stocky = {"width_m": {"low": 0.3, "high": 0.9}, "height_m": {"low": 0.6, "high": 1.8}}
+    widths = [each.width for each in made(stocky).corners()]
+    assert widths == pytest.approx([0.3, 0.3, 0.9])
+
+
 def test_three_ways_to_one_body() -> None:
     """An off-centre mass: by its offset, by its edges, and by inertia in place of gyration."""
     k = math.hypot(0.4, 1.2) / math.sqrt(12.0)

@@ -1,12 +1,13 @@
 """One object as its owner describes it: a TOML file, checked, and the blocks that it can be."""
 
+import copy
 import hashlib
 import itertools
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -325,17 +326,23 @@ did you mean width_m?
     def corners(self) -> tuple[Block, ...]:
         """Return the object at all ends of the ranges of its geometry and content together.
 
-        One that is too stocky to rock is left out.
+        One that is too stocky to rock is left out; without a range there is none.
         """
-        objects = [self]
-        for table, name, value in numbers_of(self.given):
-            if table in ("geometry", "content") and isinstance(value, Range):
-                changed = []
-                for each, end in itertools.product(objects, (value.low, value.high)):
-                    with suppress(InputError, ModelError):
-                        changed.append(each._changed(table, **{name: end}))
-                objects = changed
-        return tuple(each.block for each in objects)
+        ranges = [
+            (table, name, (value.low, value.high))
+            for table, name, value in numbers_of(self.given)
+            if table in ("geometry", "content") and isinstance(value, Range)
+        ]
+        if not ranges:
+            return ()
+        blocks = []
+        for ends in itertools.product(*(pair for _, _, pair in ranges)):
+            values: dict[str, Any] = copy.deepcopy(dict(self.values))
+            for (table, name, _), end in zip(ranges, ends, strict=True):
+                values[table][name] = end
+            with suppress(InputError, ModelError):
+                blocks.append(replace(self, values=values).block)
+        return tuple(blocks)
 
     def describe(self) -> Description:
         """Return the description in the file."""
