@@ -37,6 +37,7 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.risk.DescribedObject: {"values": t["object"].values},
         t["object"].describe: {},
         t["object"].block_of: {"body": t["object"].body},
+        t["object"].corners: {},
         t["object"].variants: {},
         rs.risk.Peaks: {"pga_g": 0.3, "pgv_m_s": 0.2},
         rs.risk.Target: {"share": 0.01, "years": 50.0},

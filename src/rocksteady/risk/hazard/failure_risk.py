@@ -57,7 +57,7 @@ class Risk(Result):
     band
         Its 90 % interval over the records; None of fewer than 28, and of a curve that is given.
     outside
-        What levels beyond those that were run could add at most, over the rate: shares lie between
+        What levels beyond the counted ones could add at most, over the rate: shares lie between
         that of the nearest one and none below, or all above.  0 of a curve that is given.
     unknown
         What shaking beyond the hazard curve could add, over the rate: above its last level at most,

@@ -47,7 +47,7 @@ def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | Non
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import compute_risk
     >>> from rocksteady.risk import HazardCurve
-    >>> hazard = HazardCurve(measure="pgv_m_s", levels=[0.1, 0.5, 2.0], rates=[1e-2, 1e-4, 1e-6])
+    >>> hazard = HazardCurve(measure="pgv_m_s", levels=[0.02, 0.5, 2.0], rates=[0.1, 1e-4, 1e-6])
     >>> axes = plot_risk(compute_risk((0.4653, 0.592), hazard), Figure().add_subplot())
     >>> axes.get_xlabel(), axes.get_ylabel()
     ('PGV [m/s]', 'annual rate of exceedance')
