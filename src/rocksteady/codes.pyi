@@ -4,7 +4,7 @@ from .risk.facades.actions import Load as Load
 from .risk.facades.actions import PushingMass as PushingMass
 from .risk.facades.actions import Thrust as Thrust
 from .risk.facades.actions import Tie as Tie
-from .risk.facades.elastic_spectrum import ElasticSpectrum as ElasticSpectrum
+from .risk.spectra.elastic_spectrum import ElasticSpectrum as ElasticSpectrum
 from .risk.facades.facade import Facade as Facade
 from .risk.facades.facade_check import FacadeCheck as FacadeCheck
 from .risk.facades.facade_check import LimitStateCheck as LimitStateCheck

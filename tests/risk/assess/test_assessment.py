@@ -16,7 +16,7 @@ from rocksteady.model.blocks.tops import top_displacement
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.risk import DescribedObject
 from rocksteady.risk.assess.assessment import Assessment
-from rocksteady.risk.counted.suite import Motion
+from rocksteady.risk.counted.motions import Motion
 from rocksteady.seismic.spectra.many import simulate_many
 from tests.every import every
 from tests.risk.assess.test_judging import KNOWN

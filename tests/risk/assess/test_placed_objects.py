@@ -10,7 +10,8 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.motions import Floor, make_synthetic_suite
 from rocksteady.risk import Building, DescribedObject
 from rocksteady.risk.assess.placed_objects import peaks_of, place_objects, with_demand
-from rocksteady.risk.counted.suite import Peaks, across, has_vertical
+from rocksteady.risk.counted.motions import across, has_vertical
+from rocksteady.risk.counted.suite import Peaks
 from tests.every import every
 from tests.risk.counted.recorded import described
 from tests.risk.counted.test_suite import peaks_of as measured

@@ -9,7 +9,8 @@ import pytest
 
 from rocksteady import Record
 from rocksteady.risk.counted.built_in import ACCURACY, make_built_in_suite
-from rocksteady.risk.counted.suite import Peaks, Suite, across
+from rocksteady.risk.counted.motions import across
+from rocksteady.risk.counted.suite import Peaks, Suite
 from tests.risk.counted.recorded import Floats, G, described, judged, real_suite
 from tests.risk.counted.test_suite import peaks_of
 

@@ -11,7 +11,8 @@ from rocksteady.errors import InputError
 from rocksteady.motions import Floor, make_synthetic_suite
 from rocksteady.risk import Levels, RestitutionBand, Ways
 from rocksteady.risk.counted.reach import lifting_levels, reaching_levels
-from rocksteady.risk.counted.suite import Motion, Suite
+from rocksteady.risk.counted.motions import Motion
+from rocksteady.risk.counted.suite import Suite
 from tests.risk.counted.recorded import RACKS, real_pairs, real_suite
 
 SUITE = make_synthetic_suite(6, seed=2)

@@ -10,10 +10,8 @@ from rocksteady import BaseMotion, Record
 from rocksteady.errors import InputError
 from rocksteady.measures import Measure, compute_measure
 from rocksteady.motions import Floor, make_synthetic_suite
-from rocksteady.risk.counted.suite import (
+from rocksteady.risk.counted.motions import (
     Motion,
-    Peaks,
-    Suite,
     across,
     changed,
     distinct,
@@ -21,6 +19,7 @@ from rocksteady.risk.counted.suite import (
     has_vertical,
     median_fold,
 )
+from rocksteady.risk.counted.suite import Peaks, Suite
 from tests.every import every
 from tests.risk.counted.recorded import RACKS, Floats, G, real_suite
 

@@ -7,7 +7,7 @@ import pytest
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.risk.facades.actions import Load, PushingMass, Thrust, Tie
-from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
+from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.risk.facades.read_facade import EXAMPLE, DescribedFacade, read_facade

@@ -21,10 +21,14 @@ if TYPE_CHECKING:
     from rocksteady.risk.assess.described.objects import DescribedObject
     from rocksteady.risk.counted.suite import Peaks
     from rocksteady.risk.screens.demand import Demand
+    from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
+    from rocksteady.risk.spectra.tables import TabulatedSpectrum
 
 demand_flag = options.Panel("Demand")
 SOURCE = "block"
 """What an object of flags is called in messages, which then name the flags."""
+OF_SPECTRUM = {"spectrum": "--spectrum", "spectrum_damping": "--damping", "pga_g": "--pga-g"}
+"""Flags of what a design spectrum is made of."""
 LENGTHS = ("offset", "mass_centre_height", "left", "right", "gyration")
 """Measures of a block with one number each, in metres."""
 UNITS = {"width": "_m", "height": "_m", "alpha": "_rad", "p": "_rad_s"}
@@ -115,18 +119,79 @@ class PeakFlags:
 
 
 @dataclass(frozen=True, kw_only=True)
-class SpectrumFlags:
-    """A spectrum or a record, and the ratio of vertical to horizontal spectra."""
+class DesignFlags:
+    """A spectrum and its damping."""
 
     spectrum: Path | None = demand_flag(
-        "--spectrum FILE",
+        "--spectrum FILE|CODE",
         "Take a response spectrum: rows of period \\[s] and Sa \\[g], one column of Sa for "
-        "each damping; a comment '# 5 % damping' states it.",
+        "each damping; a comment '# 5 % damping' states it. Or one by a formula, as "
+        "en1998-1:2004:type1:A:ag=0.25, asce7-16:sds=1.0:sd1=0.6:tl=8 or "
+        "ntc2018:A:T1:ag=0.2:f0=2.5:tc=0.35.",
     )
     damping: str | None = demand_flag(
         "--damping X",
         "Set the damping of --spectrum, 0.05 being 5 % of critical; several with commas.",
     )
+
+    @property
+    def file(self) -> list[Path]:
+        """The file of the spectrum; none of a formula."""
+        from rocksteady.risk.spectra.code_spectra import formula_of
+
+        given = self.spectrum
+        return [] if given is None or formula_of(str(given)) is not None else [given]
+
+    @property
+    def dampings(self) -> list[float] | None:
+        """The dampings of --damping; None without.
+
+        Raises
+        ------
+        FlagError
+            If there is no spectrum, or one is no number.
+        """
+        needs("--damping", self.damping, "--spectrum", "FILE", beside=self.spectrum)
+        if self.damping is None:
+            return None
+        return [number("--damping", text) for text in self.damping.split(",")]
+
+    def design(self, pga_g: float | None) -> "DesignSpectrum | None":
+        """Return the spectrum that motions are placed on; None without one.
+
+        Raises
+        ------
+        InputError, FlagError
+            If it cannot be read, or motions cannot be placed on it.
+        """
+        needs("--damping", self.damping, "--spectrum", "FILE", beside=self.spectrum)
+        if self.spectrum is None:
+            return None
+        from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
+
+        with flags_of(OF_SPECTRUM, InputError):
+            return DesignSpectrum(table=self.table, pga_g=pga_g)
+
+    @property
+    def table(self) -> "TabulatedSpectrum":
+        """The table of the spectrum, which is given.
+
+        Raises
+        ------
+        InputError, FlagError
+            If it cannot be read.
+        """
+        from rocksteady.risk.spectra.tables import spectrum_from
+
+        assert self.spectrum is not None
+        with flags_of(OF_SPECTRUM, InputError):
+            return spectrum_from(self.spectrum, self.dampings)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SpectrumFlags(DesignFlags):
+    """A spectrum or a record, and the ratio of vertical to horizontal spectra."""
+
     record: Path | None = demand_flag(
         "--record FILE", "Measure PGA, PGV and spectrum of a ground-motion file."
     )
@@ -139,7 +204,7 @@ class SpectrumFlags:
     @property
     def files(self) -> list[Path]:
         """The files that are read."""
-        return [file for file in (self.spectrum, self.record) if file is not None]
+        return [*self.file, *([] if self.record is None else [self.record])]
 
     def demand(self, peaks: PeakFlags, reading: ReadingFlags) -> "Demand":
         """Return the demand of all flags.
@@ -152,14 +217,14 @@ class SpectrumFlags:
         from rocksteady.risk.screens.demand import Demand
 
         vertical: dict[str, Any] = {"sa_v_per_sa_h": self.vertical_per_horizontal, **peaks.vertical}
-        needs("--damping", self.damping, "--spectrum", "FILE", beside=self.spectrum)
+        dampings = self.dampings
         if self.record is None:
             RecordFlags().given(reading)  # how no record is read
             return Demand(
                 pga_g=peaks.pga_g,
                 pgv_m_s=peaks.pgv_m_s,
                 spectrum=self.spectrum,
-                spectrum_damping=self._dampings(),
+                spectrum_damping=dampings,
                 **vertical,
             )
         for flag, value in (("--pgv-m-s", peaks.pgv_m_s), ("--spectrum", self.spectrum)):
@@ -167,12 +232,6 @@ class SpectrumFlags:
                 raise both("--record", flag, valid="the record has its own")
         recorded = RecordFlags(record=[self.record], pga_g=peaks.pga_g)
         return Demand.from_record(recorded.recording(reading).record, **vertical)
-
-    def _dampings(self) -> list[float] | None:
-        """Return the dampings of --damping; None without."""
-        if self.damping is None:
-            return None
-        return [number("--damping", text) for text in self.damping.split(",")]
 
 
 @dataclass(frozen=True, kw_only=True)

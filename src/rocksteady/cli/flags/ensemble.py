@@ -225,8 +225,7 @@ class SuiteFlags:
         from rocksteady.records.suite import kind_of, select
         from rocksteady.seismic.measures.time_course import refuse_extreme
 
-        ground = replace(reading, floor_hz=None, floor_damping=None, participation=None)
-        recordings = (ground if self.pair else reading).recordings(file, warned=False)
+        recordings = (reading.on_ground if self.pair else reading).recordings(file, warned=False)
         across, others = select(recordings, kinds)
         for recording in across:
             refuse_extreme(recording.record)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, needs, refuse
@@ -163,6 +163,11 @@ class FloorFlags:
             wave = {name: getattr(motion, name) for name in ("amplitude", "frequency_ratio")}
             motion = FourierSeries(**wave, harmonics=((1, 1.0, 0.0),), phase=motion.phase)
         return self.on_floor(motion, body)
+
+    @property
+    def on_ground(self) -> Self:
+        """The same without the floor."""
+        return replace(self, floor_hz=None, floor_damping=None, participation=None)
 
     def on_floor(self, motion: Any, body: Any = None) -> Any:
         """Return the motion of the floor; on the ground the motion itself.

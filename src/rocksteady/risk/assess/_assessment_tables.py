@@ -8,7 +8,8 @@ from rocksteady.results.description import Column, Table
 from rocksteady.results.numbers import number, share_of
 from rocksteady.risk.assess._remedy import Remedy
 from rocksteady.risk.assess._sensitivity import Case, bars_of
-from rocksteady.risk.counted.suite import Shaking, Suite, across, has_vertical
+from rocksteady.risk.counted.motions import across, has_vertical
+from rocksteady.risk.counted.suite import Shaking, Suite
 from rocksteady.risk.screens.screens import Screens
 
 REMEDIES = (

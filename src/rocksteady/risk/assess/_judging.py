@@ -12,9 +12,10 @@ from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import Range
 from rocksteady.risk.assess.placed_objects import PlacedObjects
 from rocksteady.risk.counted.count import Count, count_falls
+from rocksteady.risk.counted.motions import folds, median_fold
 from rocksteady.risk.counted.sliding import friction_at
-from rocksteady.risk.counted.suite import Shaking, folds, median_fold
-from rocksteady.risk.counted.verdict import MARGIN, NEAR, Decision, Evidence, decide
+from rocksteady.risk.counted.suite import Shaking
+from rocksteady.risk.counted.verdict import MARGIN, NEAR, Decision, Evidence, Reason, decide
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
@@ -254,7 +255,19 @@ def evidence_of(
         built_in=built_in,
         for_vertical=vertical,
         fold=fold,
+        unfit=unfit_of(described, shaking),
     )
+
+
+def unfit_of(described: DescribedObject, shaking: Shaking | None) -> Reason:
+    """Return why motions on a spectrum are never green; empty of none, and of peaks."""
+    if shaking is None or shaking.placing is None:
+        return ""
+    if shaking.placing.spectrum.is_divided:
+        return "divided"
+    if described.given.demand.place == "floor":
+        return "floor-spectrum"
+    return "far-off" if shaking.placing.is_far_off else ""
 
 
 def _lifting(runs: "xarray.Dataset") -> np.ndarray:

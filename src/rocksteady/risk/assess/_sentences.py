@@ -9,12 +9,25 @@ from rocksteady.results.stated import Stated, band_words, runs_that, share_words
 from rocksteady.risk.assess._judging import Judged
 from rocksteady.risk.assess._remedy import change_words
 from rocksteady.risk.counted.band import records_to_show, upper_of_none
-from rocksteady.risk.counted.built_in import ACCURACY
+from rocksteady.risk.counted.built_in import ACCURACY, ACCURACY_ON_SPECTRUM
 from rocksteady.risk.counted.count import Count
-from rocksteady.risk.counted.suite import Shaking, Suite, folds, median_fold
-from rocksteady.risk.counted.verdict import LEAST, MARGIN, NEAR, TOO_FAR, VERDICTS, Target, Verdict
+from rocksteady.risk.counted.motions import folds, median_fold
+from rocksteady.risk.counted.placing import DOUBTFUL_STRETCH
+from rocksteady.risk.counted.suite import Shaking, Suite
+from rocksteady.risk.counted.verdict import (
+    LEAST,
+    MARGIN,
+    NEAR,
+    TOO_FAR,
+    VERDICTS,
+    Reason,
+    Target,
+    Verdict,
+)
 from rocksteady.risk.hazard.failure_risk import LEAST_FOR_BAND, rate_words
+from rocksteady.risk.spectra.design_spectrum import PLACED_S
 
+PEAKS: Final = "with your two peaks"
 SAME: Final = 1e-6
 """Part of a level by which peaks differ that are the same but for rounding."""
 WORDS: Final[dict[Verdict, str]] = {verdict: verdict.replace("-", " ") for verdict in VERDICTS}
@@ -32,12 +45,14 @@ class Screen:
         Share that is accepted, at the demand or in some years.
     friction
         Lowest friction that is given; None where it is not.
-    demand
-        The demand in words.
+    where
+        The demand in words after a verb, as "at 0.40 g".
     suite
         Motions of the ground.
     on_floor, of_floor
         Whether they reach it through a floor, and whether they are taken as those of one.
+    idle_spectrum
+        Whether a spectrum is stated beside both peaks, which decide.
     """
 
     def __init__(
@@ -46,34 +61,38 @@ class Screen:
         *,
         target: Target,
         friction: float | None,
-        demand: str,
+        where: str,
         suite: Suite,
         on_floor: bool,
         of_floor: bool,
+        idle_spectrum: bool,
     ) -> None:
         """Keep the fields."""
         self.judged, self.decision = judged, judged.decision
-        self.target, self.friction, self.demand = target, friction, demand
+        self.target, self.friction, self.where = target, friction, where
         self.built_in, self.copies = suite.built_in, suite.copies
         self.on_floor, self.of_floor = on_floor, of_floor
+        self.idle_spectrum = idle_spectrum
+        self.placing = None if judged.shaking is None else judged.shaking.placing
+        self.this = "on this spectrum" if self.placing else "at this demand"
 
     @property
     def sentence(self) -> str:
         """The first line."""
         judged, decision = self.judged, self.decision
         if decision.verdict == "slides":
-            when = "before it lifts" if judged.stands else f"at {self.demand}"
+            when = "before it lifts" if judged.stands else self.where
             return f"It slides {when}: rocking alone is no answer."
         on = " on built-in motions" * self.built_in
         if self.target.years is not None and decision.verdict != "no-answer":
             words = self._rate()
             return f"{words[:1].upper()}{words[1:]}{on}."
         if decision.verdict == "no-answer":
-            return f"No answer at {self.demand}: {self._no_answer()}."
+            return f"No answer {self.where}: {self._no_answer()}."
         if judged.stands:
             lifts = quantity(judged.uplift_g, "g")
-            return f"It stands at {self.demand}: nothing below {lifts} can lift it."
-        return f"{self._counted()[0]} at {self.demand}{on}: {self._counted()[1]}."
+            return f"It stands {self.where}: nothing below {lifts} can lift it."
+        return f"{self._counted()[0]} {self.where}{on}: {self._counted()[1]}."
 
     def _counted(self) -> tuple[str, str]:
         """Return how many runs fall, and the share."""
@@ -117,8 +136,27 @@ class Screen:
         if judged.stands:
             return [*lines, *self._beside_rate(), *self._change(), self._friction()]
         lines += self._beside_rate()
-        lines += [self._friction(), *self._change(), self._lifts(), *self._records()]
-        return lines
+        lines += [self._friction(), *self._change(), *self._spectrum()]
+        return [*lines, self._lifts(), *self._records()]
+
+    def _spectrum(self) -> list[Stated]:
+        """Return how the motions lie on a spectrum, or that one is not used."""
+        if self.placing is None:
+            words = "both peaks decide; it serves the published formulas alone"
+            return [Stated(quantity="spectrum", text=words * self.idle_spectrum)]
+        first, last = self.placing.spectrum.range_s
+        median, low, high = self.placing.pgv_range_m_s
+        span = f"{number(first)} to {number(last)} s" + ", its end" * (last < PLACED_S[1])
+        pgv = f"PGV {quantity(median, 'm/s', 2)} ({number(low, 2)} to {number(high, 2)})"
+        words = f"{span}, met to {number(100.0 * self.placing.misfit, 2)} %; {pgv}"
+        limited = self.placing.at_limit
+        doubts = [
+            f"{limited} at the limit of the stretch" * bool(limited),
+            f"half are stretched over {DOUBTFUL_STRETCH:g}-fold: doubtful"
+            * self.placing.is_doubtful,
+        ]
+        condition = "; ".join(filter(None, doubts))
+        return [Stated(quantity="spectrum", text=words, condition=condition)]
 
     def _beside_rate(self) -> list[Stated]:
         """Return the rate, or of a target in years what is counted at the demand."""
@@ -129,9 +167,9 @@ class Screen:
             words = "" if judged.risk is None else rate_words(judged.risk)
             return [Stated(quantity="rate", text=words)]
         if self.judged.stands or self.judged.count is None:
-            return [Stated(quantity="at the demand", text=f"it stands at {self.demand}")]
+            return [Stated(quantity="at the demand", text=f"it stands {self.where}")]
         runs, share = self._counted()
-        return [Stated(quantity="at the demand", text=f"{runs.lower()} at {self.demand}: {share}")]
+        return [Stated(quantity="at the demand", text=f"{runs.lower()} {self.where}: {share}")]
 
     def _change(self) -> list[Stated]:
         """Return the least change that is a remedy."""
@@ -168,7 +206,7 @@ class Screen:
             return self._why_rate(target)
         if judged.stands or count is None or beyond is None:
             return self._by_statics()
-        words = f"{target}; at {MARGIN:g} x this demand {_fall(beyond)}"
+        words = f"{target}; at {MARGIN:g} x {self.this[3:]} {_fall(beyond)}"
         high = count.band[1]
         if reason == "band" and count.falls and chance(high) == chance(self.target.share):
             words = f"{target}; the interval ends at {number(100.0 * high)} %"
@@ -179,8 +217,8 @@ class Screen:
             words += _fall(near)
         elif reason == "without-answer":
             words = f"{target}; {plural(count.without, 'run')} without an answer could turn it"
-        elif reason == "built-in":
-            words = "built-in motions are noise with your two peaks"
+        elif reason in ("built-in", "far-off", "floor-spectrum", "divided"):
+            words = self._unfit(reason)
         elif reason == "friction":
             words = f"green if the friction is at least {number(judged.friction.largest)}"
         return words
@@ -195,17 +233,32 @@ class Screen:
             "rate-unknown": target,
             "rate-records": f"{target}; a rate has an interval from {LEAST_FOR_BAND} records on",
             "stretched": f"{target}; records stretched less than {NEAR:g}-fold say otherwise",
-            "built-in": "built-in motions are noise with your two peaks",
             "friction": f"green if the friction is at least {number(need.largest)}",
-        }.get(self.decision.reason, f"{target}; {band_words((low, high)).strip(' ()')}")
+            "": f"{target}; {band_words((low, high)).strip(' ()')}",
+            "band": f"{target}; {band_words((low, high)).strip(' ()')}",
+        }.get(self.decision.reason) or self._unfit(self.decision.reason)
+
+    def _unfit(self, reason: Reason) -> str:
+        """Return why its motions are never green."""
+        if reason == "built-in" or self.placing is None:
+            return f"built-in motions are noise {'on your spectrum' if self.placing else PEAKS}"
+        spectrum = self.placing.spectrum
+        if reason == "divided":
+            return (
+                f"its largest Sa is {number(spectrum.plateau, 2)} times the PGA: divided by q or "
+                "R? give the elastic spectrum"
+            )
+        if reason == "floor-spectrum":
+            return "of a floor spectrum alone: give that of the ground, the building and the floor"
+        return f"half of the records miss the spectrum by {number(100.0 * self.placing.misfit)} %"
 
     def _by_statics(self) -> str:
         """Return what statics says, and what of 1.1 times the demand."""
         beyond, margin = self.judged.beyond, f"{MARGIN:g} x"
         if self.decision.reason == "cliff-unjudged":
-            return f"stands at this demand, {margin} cannot be judged"
+            return f"stands {self.this}, {margin} cannot be judged"
         if self.decision.reason == "cliff" and beyond is not None:
-            return f"stands at this demand, {_fall(beyond)} at {margin}"
+            return f"stands {self.this}, {_fall(beyond)} at {margin}"
         return "by statics, without a run"
 
     def _of_no_answer(self) -> list[Stated]:
@@ -229,7 +282,7 @@ class Screen:
             scales = judged.runs["uplift_scale"].values
             ratio = scales.reshape(scales.shape[0], scales.shape[1], -1).min(axis=2)
             at = float((ratio / judged.runs["scale"].values).min()) * shaking.level
-            some = f"{judged.lifted} of {len(shaking.motions)} lift it at this demand"
+            some = f"{judged.lifted} of {len(shaking.motions)} lift it {self.this}"
             return Stated(
                 quantity="lifts at",
                 value=at,
@@ -239,7 +292,7 @@ class Screen:
             )
         pga, evidence = None if shaking is None else shaking.demand.pga_g, ""
         if pga is not None and not self.on_floor:
-            evidence = f"{number(judged.uplift_g / pga, 2)} of this demand"
+            evidence = f"{number(judged.uplift_g / pga, 2)} of {self.this[3:]}"
         elif shaking is not None and judged.lifted is not None:
             evidence = f"{judged.lifted} of {len(shaking.motions)} records lift it"
         unit = "g" + " of motion of its floor" * self.on_floor
@@ -251,8 +304,11 @@ class Screen:
         if self.built_in and self.decision.verdict == "no-answer":
             return []
         if self.built_in:
-            usual, worst = (number(100.0 * each) for each in ACCURACY)
+            pair = ACCURACY_ON_SPECTRUM if self.placing else ACCURACY
+            usual, worst = (number(100.0 * each) for each in pair)
             words = f"real records differed by {usual} points on average, {worst} at most"
+            if self.placing:
+                words = f"closest real records differed by {usual} points rms, {worst} at most"
             return [Stated(quantity="accuracy", text=words)]
         if shaking is None or judged.count is None:
             return []

@@ -26,9 +26,10 @@ from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.facts import ObjectFacts, compute_object_facts
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
-from rocksteady.risk.assess.placed_objects import peaks_of, place_objects
+from rocksteady.risk.assess.placed_objects import demand_of, place_objects
 from rocksteady.risk.assess.rates import curve_of, is_curved, site_of, with_rate, without_rate
-from rocksteady.risk.counted.suite import Peaks, Shaking, Suite, folds, median_fold
+from rocksteady.risk.counted.motions import folds, median_fold
+from rocksteady.risk.counted.suite import Demanded, Peaks, Shaking, Suite
 from rocksteady.risk.counted.verdict import CODES, LEAST, Decision, Target
 from rocksteady.risk.ensemble.qualification import (
     OF_ROCKING,
@@ -41,6 +42,7 @@ from rocksteady.risk.hazard.failure_risk import Risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.screens.screen import KINDS
 from rocksteady.risk.screens.screens import Screens, screen_block
+from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
 from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
@@ -139,7 +141,7 @@ class Assessment(Result):
     @property
     def demand(self) -> str:
         """The demand in words."""
-        return demand_words(self.described, self.judged.shaking)
+        return where_words(self.described, self.judged.shaking).partition(" ")[2]
 
     @cached_property
     def screen(self) -> Screen:
@@ -237,7 +239,7 @@ class Assessment(Result):
             *answer_facts(judged, target, built_in=self.suite.built_in),
             Fact("copies", self.suite.copies),
             *target_facts(target),
-            Fact("demand", self.demand, "demand"),
+            *demand_facts(self.judged.shaking, demand_of(self.described), self.demand),
             Fact("vertical_g", self.described.demand.vertical_g),
             Fact("vertical_share", self.described.demand.vertical_share),
             Fact("model", self.model.name, "model"),
@@ -251,13 +253,12 @@ class Assessment(Result):
         warnings = [] if self.fragility is None else list(self.fragility.warnings)
         shaking = self.judged.shaking
         if shaking is not None and shaking.stretched and self.fragility is not None:
-            assert shaking.demand.pga_g is not None
-            assert shaking.demand.pgv_m_s is not None
-            ratio = shaking.demand.pgv_m_s / shaking.demand.pga_g
-            warnings.append(
-                "The curve is over multiples of the demand: PGV over PGA is kept at "
-                f"{number(ratio)} m/s per g."
-            )
+            words = f"The curve is over multiples of the demand: {shaking.demand.kept}."
+            warnings.append(words)
+        demand = demand_of(self.described)
+        warnings += demand.remarks if isinstance(demand, DesignSpectrum) else []
+        if shaking is not None and shaking.placing is not None:
+            warnings.append(shaking.placing.remark)
         warnings += [each.warning for each in self.remedies if each.warning]
         warnings += [] if self.risk is None else self.risk.hazard.remarks
         return list(dict.fromkeys(warnings))
@@ -327,6 +328,23 @@ def _rate_facts(judged: Judged) -> list[Fact]:
     ]
 
 
+def demand_facts(shaking: Shaking | None, demand: Demanded, words: str) -> list[Fact]:
+    """Return a demand in JSON and in words, and how motions lie on its spectrum."""
+    on_spectrum = isinstance(demand, DesignSpectrum)
+    values = demand.values if isinstance(demand, DesignSpectrum) else None
+    if shaking is not None and shaking.placing is not None:
+        values = shaking.placing.values
+    return [
+        Fact(
+            "demand",
+            {"kind": "spectrum" if on_spectrum else "peaks", "words": words},
+            "demand",
+            words,
+        ),
+        Fact("spectrum", values),
+    ]
+
+
 def target_facts(target: Target) -> list[Fact]:
     """Return a target in JSON and in words."""
     at_demand = target.years is None
@@ -336,12 +354,12 @@ def target_facts(target: Target) -> list[Fact]:
     ]
 
 
-def demand_words(described: DescribedObject, shaking: Shaking | None) -> str:
-    """Return the demand of an object in words, as far as its motions have it."""
-    peaks = peaks_of(described)
-    words = peaks.words
-    if shaking is not None and not shaking.stretched and None not in (peaks.pga_g, peaks.pgv_m_s):
-        words = f"{Peaks(pga_g=peaks.pga_g).words} with each record's own PGV"
+def where_words(described: DescribedObject, shaking: Shaking | None) -> str:
+    """Return the demand of an object in words after a verb, as far as its motions have it."""
+    demand = demand_of(described)
+    words = demand.where
+    if shaking is not None and not shaking.stretched and demand.kept:
+        words = f"{Peaks(pga_g=demand.pga_g).where} with each record's own PGV"
     if described.on_floor:
         words += " of ground motion"
     if vertical := described.demand.vertical_words:
@@ -356,17 +374,18 @@ def screen_of(described: DescribedObject, judged: Judged, suite: Suite) -> Scree
         judged,
         target=described.target,
         friction=None if friction is None else bounds_of(friction)[0],
-        demand=demand_words(described, judged.shaking),
+        where=where_words(described, judged.shaking),
         suite=suite,
         on_floor=described.on_floor,
         of_floor=described.given.demand.place == "floor",
+        idle_spectrum=described.spectrum is not None and not described.is_on_spectrum,
     )
 
 
 @checked
 def assess_object(
     described: DescribedObject,
-    motions: Sequence[Record | BaseMotion] | None = None,
+    motions: Sequence[Record | BaseMotion] | Suite | None = None,
     *,
     buildings: Sequence[Building] = (),
     floor: Floor | None = None,
@@ -376,17 +395,17 @@ def assess_object(
 ) -> Assessment:
     """Count the runs in which an object falls at its demand, and judge what that shows.
 
-    Every motion is given both peaks of the demand: its accelerations are multiplied, its time axis
-    is stretched.  All are run by the full equations, with restitutions of a band; the answer is the
-    share that falls, with its 90 % interval.
+    Every motion is given both peaks of the demand, or placed on its design spectrum: its
+    accelerations are multiplied, its time axis is stretched.  All are run by the full equations,
+    with restitutions of a band; the answer is the share that falls, with its 90 % interval.
 
     Parameters
     ----------
     described
-        The object, with one peak of its demand at least.
+        The object, with a spectrum or one peak of its demand at least.
     motions
-        Records of the ground, with a vertical one beside them as `BaseMotion`; 56 built-in motions
-        by default, which no earthquake made and which are never green.
+        Records of the ground, with a vertical one beside them as `BaseMotion`; by default those of
+        `make_built_in_suite`, which no earthquake made and which are never green.
     buildings
         Building of the object, whose floor it then stands on; the motions and its demand are those
         of the ground.  None by default.

@@ -20,19 +20,19 @@ from rocksteady.risk.assess._judging import Judged, band_of, judge_objects
 from rocksteady.risk.assess._remedies import is_helped, remedies_of
 from rocksteady.risk.assess._remedy import CHANGES, Remedy, change_words
 from rocksteady.risk.assess._sentences import WORDS
-from rocksteady.risk.assess.assessment import answer_facts, screen_of, target_facts
+from rocksteady.risk.assess.assessment import answer_facts, demand_facts, screen_of, target_facts
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import Value
 from rocksteady.risk.assess.placed_objects import (
     PlacedObjects,
-    peaks_of,
+    demand_of,
     place_objects,
     with_demand,
 )
 from rocksteady.risk.assess.rates import curve_of, is_curved, site_of, with_rate, without_rate
-from rocksteady.risk.counted.suite import Peaks, Shaking, Suite
+from rocksteady.risk.counted.suite import Demanded, Peaks, Shaking, Suite
 from rocksteady.risk.counted.verdict import CODES, LEAST, VERDICTS, Target, Verdict
 from rocksteady.risk.ensemble.qualification import (
     FORCES,
@@ -43,6 +43,7 @@ from rocksteady.risk.ensemble.qualification import (
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.screens.friction import uplift_acceleration_g
+from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.sweep.run import Execution
 
@@ -77,6 +78,10 @@ class ObjectsTable(Result):
         Share that is accepted, at the demand or in some years.
     suite
         Motions of the ground.
+    demands
+        The demand of each kind, by its ``like``.
+    shaking
+        Motions of the first object that was counted; None where none was.
     curves
         Counted shares of each kind over levels, by its ``like``; empty where none were counted.
     seconds
@@ -88,6 +93,8 @@ class ObjectsTable(Result):
     pgv_m_s: float | None
     target: Target
     suite: Suite
+    demands: Mapping[int, Demanded]
+    shaking: Shaking | None
     curves: Mapping[int, Fragility]
     seconds: float
 
@@ -114,24 +121,21 @@ class ObjectsTable(Result):
         return {verdict: counts[verdict] for verdict in VERDICTS if counts[verdict]}
 
     @property
-    def demand(self) -> Peaks | None:
+    def demand(self) -> Demanded | None:
         """The demand of all objects; None where these differ."""
-        peaks = {(row["pga_g"], row["pgv_m_s"]) for row in self.rows}
-        if len(peaks) > 1:
-            return None
-        pga, pgv = peaks.pop()
-        return Peaks(pga_g=pga, pgv_m_s=pgv)
+        several = set(self.demands.values())
+        return several.pop() if len(several) == 1 else None
 
     @property
-    def _demand_words(self) -> str:
-        """The demand in words, as far as the motions have it."""
+    def _where(self) -> str:
+        """The demand in words after a verb, as far as the motions have it."""
         demand = self.demand
         if demand is None:
-            return EACH
+            return f"at {EACH}"
         shaken = [row["stretched"] for row in self.rows if row["median_scale"] is not None]
-        if None in (demand.pga_g, demand.pgv_m_s) or all(shaken):
-            return demand.words
-        return f"{Peaks(pga_g=demand.pga_g).words} with each record's own PGV"
+        if not demand.kept or all(shaken):
+            return demand.where
+        return f"{Peaks(pga_g=demand.pga_g).where} with each record's own PGV"
 
     def sorted_by(self, column: str, *, descending: bool = True) -> tuple[dict[str, Any], ...]:
         """Return the rows in the order of a column; those without a value come last.
@@ -182,7 +186,7 @@ class ObjectsTable(Result):
             *[Column("probability_50_years", "in 50 years", share_of)] * self._has_rates,
             Column("verdict", "verdict", lambda verdict: WORDS[verdict], left=True),
         ]
-        demand = self._demand_words
+        where, demand = self._where, self.demand
         words = verdict_words(self.verdicts)
         facts = [
             Fact("objects", len(self.rows), "objects"),
@@ -193,13 +197,13 @@ class ObjectsTable(Result):
             Fact("model", self.model.name, "model"),
             Fact("pga_g", self.pga_g),
             Fact("pgv_m_s", self.pgv_m_s),
-            Fact("demand", demand, "demand"),
+            *self._demand_facts(),
             *target_facts(self.target),
             Fact("verdicts", self.verdicts, "verdicts", words),
             Fact("seconds", self.seconds),
         ]
         return Description(
-            headline=f"{plural(len(self.rows), 'object')} at {demand}: {words}",
+            headline=f"{plural(len(self.rows), 'object')} {where}: {words}",
             facts=facts,
             tables=[
                 Table(
@@ -210,17 +214,16 @@ class ObjectsTable(Result):
                     alarm=WORDS["red"],
                 )
             ],
-            notes=CAVEATS,
+            notes=[*CAVEATS, *(demand.remarks if isinstance(demand, DesignSpectrum) else [])],
             answer=self._answer(),
         )
 
     def _answer(self) -> Answer:
         """Return how many objects are above the target, and the worst kinds."""
         kinds, red = self.kinds, self.verdicts.get("red", 0)
-        demand = self._demand_words
         several = len(kinds) < len(self.rows)
         objects = plural(len(self.rows), "object")
-        place = "" if self.target.years else f" at {demand}"
+        place = "" if self.target.years else f" {self._where}"
         at = f"{place}{' on built-in motions' * self.suite.built_in}"
         target = f"the target of {self.target.words}"
         count = sum(row["verdict"] == "red" for row, _ in kinds) if several else red
@@ -246,6 +249,13 @@ class ObjectsTable(Result):
         in_years = self.target.years is not None
         rows = [(row["name"], _row_words(row, count, in_years)) for row, count in kinds[:MOST_ROWS]]
         return Answer(sentence, facts, rows)
+
+    def _demand_facts(self) -> list[Fact]:
+        """Return the demand in JSON and in words, with the motions of the first object on it."""
+        words, demand = self._where.partition(" ")[2], self.demand
+        if demand is None:
+            return [Fact("demand", {"kind": None, "words": words}, "demand", words)]
+        return demand_facts(self.shaking, demand, words)
 
     @property
     def _has_rates(self) -> bool:
@@ -280,10 +290,10 @@ def _row_words(row: Mapping[str, Any], count: int, in_years: bool) -> str:
 @checked
 def assess_objects(
     objects: Sequence[DescribedObject],
-    motions: Sequence[Record | BaseMotion] | None = None,
+    motions: Sequence[Record | BaseMotion] | Suite | None = None,
     *,
     buildings: Sequence[Building] = (),
-    demand: Peaks | None = None,
+    demand: Demanded | None = None,
     target: Target | float = 0.1,
     hazard: HazardCurve | None = None,
     stretch: bool = True,
@@ -302,7 +312,7 @@ def assess_objects(
     motions, buildings, hazard, stretch
         As for `assess_object`.
     demand
-        Peaks that the objects are to stand which state none of their own.
+        Peaks, or a `DesignSpectrum`, that objects are to stand which state none of their own.
     target
         Share that is accepted of the runs at the demand, default 0.1; or a `Target` in 50 years.
     run
@@ -342,7 +352,7 @@ def assess_objects(
 
 def assess_placed(
     placed: PlacedObjects,
-    demand: Peaks | None,
+    demand: Demanded | None,
     sites: Sequence[HazardCurve | None],
     *,
     curves: bool = False,
@@ -402,6 +412,8 @@ def assess_placed(
         pgv_m_s=None if demand is None else demand.pgv_m_s,
         target=objects[0].target,
         suite=placed.suite,
+        demands={kind: demand_of(each) for kind, each in enumerate(alike.objects)},
+        shaking=next((each.shaking for each in kinds if each.shaking is not None), None),
         curves=fragilities,
         seconds=placed.seconds + time.perf_counter() - began,
     )
@@ -415,7 +427,7 @@ def _key(described: DescribedObject, shaking: Shaking | None, plain: Shaking | N
         tuple(variant.block for variant in described.variants()),
         id(shaking),
         id(plain),
-        peaks_of(described),
+        demand_of(described),
         given.demand.place,
         described.demand.vertical_at_peak_g,
         band_of(described),
@@ -480,7 +492,7 @@ def _row(described: DescribedObject, judged: Judged, suite: Suite) -> dict[str, 
         "floor": given.floor,
         "storey": described.storey,
         "place": given.demand.place,
-        "pga_g": given.demand.pga_g,
+        "pga_g": described.pga_g,
         "pgv_m_s": given.demand.pgv_m_s,
         "floor_pga_g": demand.pga_g if described.on_floor else None,
         **{fact.key: fact.value for fact in answer if fact.key not in ("doubts", "conditions")},

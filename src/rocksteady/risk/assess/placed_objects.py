@@ -9,8 +9,10 @@ from rocksteady.model.motions.floor import Floor
 from rocksteady.risk.assess.described.building import Building, floor_of
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.counted.built_in import make_built_in_suite
-from rocksteady.risk.counted.suite import Motion, Peaks, Shaking, Suite, distinct, has_vertical
-from rocksteady.risk.observations.files.toml_tables import named
+from rocksteady.risk.counted.motions import Motion, distinct, has_vertical
+from rocksteady.risk.counted.suite import Demanded, Peaks, Shaking, Suite
+from rocksteady.risk.observations.files.toml_tables import in_file, named
+from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
 from rocksteady.seismic.spectra.grounds import grounds_of
 
 
@@ -42,7 +44,7 @@ class PlacedObjects:
 
 def place_objects(
     objects: Sequence[DescribedObject],
-    motions: Sequence[Motion] | None,
+    motions: Sequence[Motion] | Suite | None,
     buildings: Sequence[Building] = (),
     *,
     floor: Floor | None = None,
@@ -62,32 +64,38 @@ def place_objects(
     """
     began = time.perf_counter()
     for name, things in (("objects", objects), ("motions", motions)):
-        if things is not None and not len(things):
+        if isinstance(things, Sequence) and not len(things):
             raise InputError(name, [], "there must be one or more", "give a list")
-    if motions is not None:
+    suite = motions if isinstance(motions, Suite) else make_built_in_suite()
+    if motions is not None and not isinstance(motions, Suite):
         grounds_of(list(motions))  # refused where one is no record
-    suite = make_built_in_suite()
-    if motions is not None:
         kept = distinct(motions)
         suite = Suite(motions=kept, copies=len(motions) - len(kept))
-    made: dict[tuple[Floor | None, Peaks, bool], Shaking | None] = {}
+    made: dict[tuple[Floor | None, Demanded, float], Shaking | None] = {}
     standing, shakings, plain = [], [], []
 
-    def shaken(stood: Floor | None, demand: Peaks, *, lifted: bool) -> Shaking | None:
-        key = (stood, demand, lifted)
+    def shaken(stood: Floor | None, demand: Demanded, vertical_g: float) -> Shaking | None:
+        key, lifted = (stood, demand, vertical_g), vertical_g > 0.0
         if key not in made:
-            kept = [each for each in suite.motions if has_vertical(each) or not lifted]
-            whole = replace(suite, motions=kept, floor=stood)
-            made[key] = whole.at(demand, stretch=stretch) if kept else None
+            there = not lifted or any(map(has_vertical, suite.motions))
+            made[key] = (
+                suite.at(demand, floor=stood, lifted=lifted, vertical_g=vertical_g, stretch=stretch)
+                if there
+                else None
+            )
         return made[key]
 
     for each in objects:
-        demand = peaks_of(each, built_in=suite.built_in)
+        demand = demand_of(each, built_in=suite.built_in)
+        if isinstance(demand, DesignSpectrum) and not stretch:
+            raise ModelError(
+                "stretch", stretch, "records are placed on a spectrum by a stretch", "leave it out"
+            )
         storey, stated = floor_of(each, buildings)
         stood = stated if stated is not None or each.given.floor is not None else floor
-        vertical = each.given.demand.vertical_g > 0.0
-        shaking = shaken(stood, demand, lifted=vertical)
-        beside = shaken(stood, demand, lifted=False) if vertical else None
+        vertical_g = each.given.demand.vertical_g
+        shaking = shaken(stood, demand, vertical_g)
+        beside = shaken(stood, demand, 0.0) if vertical_g else None
         either = shaking or beside
         amplified = (1.0, 1.0) if either is None else either.amplified
         standing.append(replace(each, amplified=amplified, storey=storey))
@@ -102,16 +110,20 @@ def place_objects(
     )
 
 
-def peaks_of(described: DescribedObject, *, built_in: bool = False) -> Peaks:
-    """Return the peaks of an object's demand.
+def demand_of(described: DescribedObject, *, built_in: bool = False) -> Demanded:
+    """Return the demand of an object: its spectrum, or its peaks where both are stated.
 
     Raises
     ------
-    ModelError
-        If it states none, or one alone and there are no records.
+    InputError, ModelError
+        If it states none, one peak alone and there are no records, or a spectrum that motions
+        cannot be placed on.
     """
-    demand = described.given.demand
-    missing = [key for key in ("pga_g", "pgv_m_s") if getattr(demand, key) is None]
+    if described.is_on_spectrum and described.spectrum is not None:
+        with in_file(described.source, "demand"):
+            return DesignSpectrum(table=described.spectrum, pga_g=described.given.demand.pga_g)
+    peaks = {"pga_g": described.pga_g, "pgv_m_s": described.given.demand.pgv_m_s}
+    missing = [key for key, value in peaks.items() if value is None]
     if len(missing) == 2:
         raise ModelError(
             named(described.source, "demand", "pga_g"),
@@ -126,10 +138,10 @@ def peaks_of(described: DescribedObject, *, built_in: bool = False) -> Peaks:
             "built-in motions are made of both peaks",
             "give both peaks, or records",
         )
-    return Peaks(pga_g=demand.pga_g, pgv_m_s=demand.pgv_m_s)
+    return Peaks(**peaks)
 
 
-def with_demand(described: DescribedObject, demand: Peaks | None) -> DescribedObject:
+def with_demand(described: DescribedObject, demand: Demanded | None) -> DescribedObject:
     """Return an object with the demand of all where it states none of its own.
 
     Raises
@@ -138,13 +150,16 @@ def with_demand(described: DescribedObject, demand: Peaks | None) -> DescribedOb
         If there is none at all.
     """
     given = described.given.demand
-    if given.pga_g is not None or given.pgv_m_s is not None:
+    stated = (given.pga_g, given.pgv_m_s, described.spectrum)
+    if any(each is not None for each in stated):
         return described
     if demand is None:
         raise ModelError(
             "demand",
             Words(f"is missing of {described.name}"),
-            "objects are assessed at a peak velocity, a peak acceleration or both",
+            "objects are assessed at peaks of the ground, or on a spectrum",
             "give rs.risk.Peaks(pga_g=0.3)",
         )
+    if isinstance(demand, DesignSpectrum):
+        return described.on_spectrum(demand.table, pga_g=demand.pga_g)
     return described.with_peaks(pga_g=demand.pga_g, pgv_m_s=demand.pgv_m_s)

@@ -8,12 +8,14 @@ import numpy as np
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.results.numbers import quantity
-from rocksteady.risk.assess._judging import Judged, band_of
+from rocksteady.risk.assess._judging import Judged, band_of, unfit_of
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import own_states
+from rocksteady.risk.assess.placed_objects import demand_of
+from rocksteady.risk.counted.motions import Motion, across, folds
 from rocksteady.risk.counted.reach import reaching_levels
 from rocksteady.risk.counted.sliding import friction_at, sliding_level
-from rocksteady.risk.counted.suite import PGA, PGV, Motion, Peaks, Shaking, across, folds
+from rocksteady.risk.counted.suite import PGA, PGV, Shaking
 from rocksteady.risk.counted.verdict import (
     LEAST,
     MARGIN,
@@ -130,7 +132,7 @@ def site_of(
         If the two are of different measures, the demand is that of a floor, or there is none for a
         target in 50 years.
     """
-    given = described.given.demand
+    demand = demand_of(described)
     if hazard is None:
         if described.target.years is not None:
             raise InputError(
@@ -140,24 +142,23 @@ def site_of(
                 "give the hazard curve of the site, or a target at the demand",
             )
         return None
-    if given.place == "floor":
+    if described.given.demand.place == "floor":
         raise InputError(
             "hazard",
             Words("is that of the ground"),
             f"the demand of {described.name} is that of its floor",
             "give the demand of the ground and the floor, or leave the hazard curve out",
         )
-    measure = PGV if given.pga_g is None else PGA
+    measure = PGV if demand.pga_g is None else PGA
     if hazard.intensity == measure:
         return hazard
-    if hazard.intensity == PGV and given.pga_g and given.pgv_m_s and stretch:
-        factor = given.pga_g / given.pgv_m_s
+    if hazard.intensity == PGV and demand.pga_g and demand.pgv_m_s and stretch:
+        factor = demand.pga_g / demand.pgv_m_s
         return replace(hazard, measure=PGA, levels=np.asarray(hazard.levels) * factor)
-    peaks = Peaks(pga_g=given.pga_g, pgv_m_s=given.pgv_m_s)
     raise InputError(
         "hazard",
         Words(f"is over {written(hazard.intensity)}"),
-        f"the demand of {described.name} is {peaks.words}",
+        f"the demand of {described.name} is {demand.words}",
         f"give a hazard curve over {written(measure)}"
         + ", or both peaks of the demand" * (hazard.intensity in (PGA, PGV) and stretch),
     )
@@ -211,6 +212,7 @@ def with_rate(
             is_known=risk.is_known,
             friction_known=given is not None and need.largest <= bounds_of(given)[0],
             built_in=built_in,
+            unfit=unfit_of(described, shaking),
         )
     )
     decision = judged.decision

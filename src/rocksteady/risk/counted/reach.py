@@ -10,7 +10,7 @@ from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.risk.counted.count import count_falls
-from rocksteady.risk.counted.suite import Motion
+from rocksteady.risk.counted.motions import Motion
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble

@@ -9,7 +9,8 @@ from rocksteady.arrays import Floats
 from rocksteady.errors import ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.results.numbers import number
-from rocksteady.risk.counted.suite import PGA, Motion, across
+from rocksteady.risk.counted.motions import Motion, across
+from rocksteady.risk.counted.suite import PGA
 from rocksteady.risk.screens.friction import FrictionNeed, needed_friction, uplift_acceleration_g
 from rocksteady.seismic.measures.scalar import compute_measure
 

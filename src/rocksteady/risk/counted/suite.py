@@ -1,9 +1,9 @@
 """Motions of the ground as a demand wants them: each with its peaks, led to a floor."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Annotated, Final
+from typing import Annotated, Any, Final
 
 import numpy as np
 
@@ -14,15 +14,16 @@ from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.record import Record
-from rocksteady.results.numbers import quantity
+from rocksteady.results.numbers import number, quantity
+from rocksteady.risk.counted.motions import Motion, across, changed, has_vertical, lift
+from rocksteady.risk.counted.placing import Placing, fit_stretches, shapes_of
 from rocksteady.risk.ensemble.ways import Ways
+from rocksteady.risk.spectra.design_spectrum import DesignSpectrum, make_design_spectrum
 from rocksteady.seismic.measures.scalar import Measure, compute_measure
+from rocksteady.seismic.spectra.grounds import grounds_of
 
-Motion = Record | BaseMotion
 PGA: Final = Measure("pga_g")
 PGV: Final = Measure("pgv_m_s")
-DIGITS: Final = 9
-"""Decimals over the peak to which the samples of copies agree."""
 MIDDLE: Final = (0.1, 0.9)
 """Quantiles of the peak that is not given, between which its range is stated."""
 
@@ -69,17 +70,31 @@ class Peaks:
         pairs = ((self.pga_g, "g"), (self.pgv_m_s, "m/s"))
         return " and ".join(quantity(value, unit) for value, unit in pairs if value is not None)
 
+    @property
+    def where(self) -> str:
+        """The same after a verb, as "at 0.40 g"."""
+        return f"at {self.words}"
+
+    @property
+    def kept(self) -> str:
+        """What is the same at all multiples of it; empty of one peak."""
+        if self.pga_g is None or self.pgv_m_s is None:
+            return ""
+        return f"PGV over PGA is kept at {number(self.pgv_m_s / self.pga_g)} m/s per g"
+
+
+Demanded = Peaks | DesignSpectrum
+"""What motions are to have."""
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Suite:
-    """Motions of the ground, and the floor that they reach an object through.
+    """Motions of the ground, each once.
 
     Attributes
     ----------
     motions
         Records, or motions of two components.
-    floor
-        None of the ground.
     built_in
         Whether no earthquake made them.
     copies
@@ -87,7 +102,6 @@ class Suite:
     """
 
     motions: Sequence[Motion]
-    floor: Floor | None = None
     built_in: bool = False
     copies: int = 0
 
@@ -100,16 +114,36 @@ class Suite:
         )
         return pga, pgv
 
-    def at(self, demand: Peaks, *, stretch: bool = True) -> "Shaking":
-        """Return the motions with the peaks of a demand.
+    @cached_property
+    def shapes(self) -> Floats:
+        """Spectra of the motions over their PGA, as `shapes_of` returns them."""
+        return shapes_of(self.motions)
 
-        Both given, accelerations are multiplied and the time axis is stretched, so that every
-        motion has both.  One given, accelerations alone are multiplied to it.
+    def at(
+        self,
+        demand: Demanded,
+        *,
+        floor: Floor | None = None,
+        lifted: bool = False,
+        vertical_g: float = 0.0,
+        stretch: bool = True,
+    ) -> "Shaking":
+        """Return the motions as a demand wants them, where an object stands.
+
+        Of both peaks, or of a design spectrum, accelerations are multiplied and the time axis is
+        stretched: every motion has both peaks, or the PGA and the spectrum as nearly as it can.  Of
+        one peak accelerations alone are multiplied to it.
 
         Parameters
         ----------
         demand
-            One peak at least.
+            Peaks or a design spectrum.
+        floor
+            Floor that the motions reach the object through; None of the ground.
+        lifted
+            Whether motions with a vertical component alone are taken.
+        vertical_g
+            Peak that their verticals get [g]; 0 for the factors of the horizontal motion.
         stretch
             Whether time is stretched; else motions are scaled to the PGA, and keep their own PGV.
 
@@ -118,32 +152,46 @@ class Suite:
         InputError
             If a motion that is to be stretched is that of a floor already.
         """
-        (pga, pgv), motions = self.peaks, list(self.motions)
-        stretches, beside = np.ones(len(pga)), None
-        stretched = stretch and demand.pga_g is not None and demand.pgv_m_s is not None
+        kept = [n for n, each in enumerate(self.motions) if has_vertical(each) or not lifted]
+        motions, (pga, pgv) = [self.motions[n] for n in kept], (peak[kept] for peak in self.peaks)
+        stretches, beside, placing = np.ones(len(pga)), None, None
+        both = demand.pga_g is not None and demand.pgv_m_s is not None
+        stretched = isinstance(demand, DesignSpectrum) or (stretch and both)
         measure, value = (PGV, demand.pgv_m_s) if demand.pga_g is None else (PGA, demand.pga_g)
         assert value is not None
         levels, others = (pga, pgv) if measure is PGA else (pgv, pga)
         scales = value / levels
         felt = any(across(each).ground is not None for each in motions)
-        if felt and (stretched or self.floor is not None):
+        if felt and (stretched or floor is not None):
             raise InputError(
                 "motions",
                 Words("are those of a floor"),
                 "motions of the ground are stretched in time, and reach a floor then",
                 "give motions of the ground and the floor beside them, or one peak alone",
             )
-        if stretched:
+        if isinstance(demand, DesignSpectrum):
+            shapes = self.shapes[kept]
+            stretches, misfits = fit_stretches(shapes, demand)
+            placing = Placing(
+                spectrum=demand,
+                shapes=shapes,
+                stretches=stretches,
+                misfits=misfits,
+                pgv_m_s=pgv * scales * stretches,
+            )
+        elif stretched:
             stretches = np.asarray((demand.pgv_m_s or 0.0) / pgv / scales)
-            motions = [
-                changed(each, *pair)
-                for each, *pair in zip(motions, scales.tolist(), stretches.tolist(), strict=True)
-            ]
         else:
             low, high = np.quantile(scales * others, MIDDLE).tolist()
             beside = (PGV if measure is PGA else PGA, low, high)
-        if self.floor is not None:
-            motions = [self.floor.motion(each) for each in motions]
+        if stretched:
+            pairs = zip(motions, scales.tolist(), stretches.tolist(), strict=True)
+            motions = [changed(each, *factors) for each, *factors in pairs]
+        if vertical_g:
+            left = np.ones(len(pga)) if stretched else scales
+            motions = [lift(each, vertical_g / x) for each, x in zip(motions, left, strict=True)]
+        if floor is not None:
+            motions = [floor.motion(each) for each in motions]
         return Shaking(
             motions=motions,
             measure=measure,
@@ -153,6 +201,7 @@ class Suite:
             other=beside,
             stretched=stretched,
             demand=demand,
+            placing=placing,
         )
 
 
@@ -173,9 +222,11 @@ class Shaking:
         The peak that is not matched, with the 10 and the 90 % quantile over the motions at the
         demand; None where both are.
     stretched
-        Whether both peaks are matched.
+        Whether the factors are in the motions: both peaks are matched, or a spectrum is.
     demand
         The demand.
+    placing
+        How the motions lie on a design spectrum; None of peaks.
     """
 
     motions: Sequence[Motion]
@@ -185,7 +236,8 @@ class Shaking:
     stretches: Floats
     other: tuple[Measure, float, float] | None
     stretched: bool
-    demand: Peaks
+    demand: Demanded
+    placing: Placing | None = None
 
     @cached_property
     def floor_pga_g(self) -> Floats:
@@ -217,64 +269,40 @@ class Shaking:
         return Ways(vertical=True if self.is_lifted else "both")
 
 
-def has_vertical(motion: Motion) -> bool:
-    """Return whether a motion has a vertical component."""
-    return getattr(motion, "vertical", None) is not None
+@checked
+def place_on_spectrum(motions: Sequence[Record | BaseMotion], spectrum: Any) -> Shaking:
+    """Place motions on a design spectrum.
 
+    Each is scaled to the peak acceleration of the spectrum, and stretched in time until its own 5 %
+    spectrum lies there: least squares of ln Sa over ln T from 0.2 to 4 s.  Nothing is added to it.
 
-def distinct(motions: Sequence[Motion]) -> list[Motion]:
-    """Return motions without copies: those with the samples of another but for sign and scale."""
-    kept: dict[object, Motion] = {}
-    for motion in motions:
-        kept.setdefault(_shape(motion), motion)
-    return list(kept.values())
+    Parameters
+    ----------
+    motions
+        Records of the ground, with a vertical one beside them as `BaseMotion`; one or more.
+    spectrum
+        A `DesignSpectrum`, or what `make_design_spectrum` takes: a file, a formula, rows.
 
+    Returns
+    -------
+    Shaking
+        Its ``motions`` as placed, their ``scales`` and ``stretches``, and ``placing`` with the
+        ``misfits`` and ``pgv_m_s``.
 
-def _shape(motion: Motion) -> object:
-    """Return what motions share that differ by sign and scale alone."""
-    record = across(motion)
-    samples = record.acceleration_m_s2
-    peak = samples[np.argmax(np.abs(samples))]
-    up = motion.vertical if isinstance(motion, BaseMotion) else None
-    parts = [samples, *([up.acceleration_m_s2] if isinstance(up, Record) else [])]
-    signs = [peak, *([abs(peak)] if len(parts) > 1 else [])]
-    shapes = [np.round(part / sign, DIGITS) + 0.0 for part, sign in zip(parts, signs, strict=True)]
-    return record.dt_s, record.ground, *(shape.tobytes() for shape in shapes)
-
-
-def folds(factors: Floats) -> Floats:
-    """Return factors as folds of 1 or more: 2 of a half, and of two.
+    Raises
+    ------
+    InputError
+        If there is no motion, one is that of a floor, or as for `make_design_spectrum`.
 
     Examples
     --------
-    >>> folds(np.array([0.5, 4.0])).tolist()
-    [2.0, 4.0]
+    >>> from rocksteady.motions import make_synthetic_suite, place_on_spectrum
+    >>> suite = make_synthetic_suite(3)
+    >>> placed = place_on_spectrum(suite, "en1998-1:2004:type1:A:ag=0.25")
+    >>> [f"{each.peak_acceleration_m_s2 / 9.80665:.3f}" for each in placed.motions]
+    ['0.250', '0.250', '0.250']
     """
-    return np.maximum(factors, 1.0 / factors)
-
-
-def median_fold(factors: Floats) -> float:
-    """Return the median of the folds of some factors."""
-    return float(np.median(folds(factors)))
-
-
-def across(motion: Motion) -> Record:
-    """Return the horizontal record of a motion."""
-    record = motion.horizontal if isinstance(motion, BaseMotion) else motion
-    assert isinstance(record, Record)
-    return record
-
-
-def changed(motion: Motion, scale: float, stretch: float) -> Motion:
-    """Return a motion with its accelerations multiplied and its time axis stretched."""
-    if isinstance(motion, BaseMotion):
-        up = motion.vertical
-        across_it = _changed(motion.horizontal, scale, stretch)
-        return BaseMotion(across_it, None if up is None else _changed(up, scale, stretch))
-    return _changed(motion, scale, stretch)
-
-
-def _changed(record: object, scale: float, stretch: float) -> Record:
-    """Return a record changed likewise."""
-    assert isinstance(record, Record)
-    return replace(record.scaled(scale), dt_s=stretch * record.dt_s)
+    if not motions:
+        raise InputError("motions", motions, "there must be one or more", "give records")
+    grounds_of(list(motions))  # refused where one is no record
+    return Suite(motions=motions).at(make_design_spectrum(spectrum))

@@ -17,6 +17,7 @@ VERDICTS: Final[tuple[Verdict, ...]] = (
 Reason = Literal[
     "", "few-records", "few-vertical", "too-far", "band", "cliff", "cliff-unjudged",
     "stretched", "built-in", "friction", "without-answer", "rate-unknown", "rate-records",
+    "far-off", "floor-spectrum", "divided",
 ]  # fmt: skip
 """Why nothing is shown, or there is no answer; empty of another verdict."""
 YEARS: Final = 50.0
@@ -94,6 +95,8 @@ class Evidence:
         motion, which records without one cannot answer.
     fold
         Median fold of the records' scales or stretches, the larger.
+    unfit
+        Why motions on its spectrum are never green; empty of none.
     """
 
     target: float
@@ -106,6 +109,7 @@ class Evidence:
     built_in: bool = False
     for_vertical: bool = False
     fold: float = 1.0
+    unfit: Reason = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -167,7 +171,7 @@ class RateEvidence:
         Probability by the records that are stretched less than `NEAR`-fold; None of too few.
     is_known
         Whether no more than a tenth of the rate may lie above the runs or the hazard curve.
-    friction_known, built_in
+    friction_known, built_in, unfit
         As of `Evidence`.
     """
 
@@ -177,6 +181,7 @@ class RateEvidence:
     is_known: bool
     friction_known: bool
     built_in: bool
+    unfit: Reason = ""
 
 
 def decide_rate(evidence: RateEvidence) -> tuple[Verdict, Reason]:
@@ -197,6 +202,7 @@ def decide_rate(evidence: RateEvidence) -> tuple[Verdict, Reason]:
         [
             ("band", high >= target),
             ("stretched", near is not None and near > target),
+            (evidence.unfit, bool(evidence.unfit)),
             ("built-in", evidence.built_in),
             ("friction", not evidence.friction_known),
         ],
@@ -227,6 +233,7 @@ def _judged(evidence: Evidence, count: Count, beyond: Count) -> tuple[Verdict, R
             ("cliff", beyond.share > target or beyond.records < LEAST),
             ("stretched", near is not None and near.share > min(target, high)),
             ("without-answer", count.if_they_fell(fell=True).band[1] >= target),
+            (evidence.unfit, bool(evidence.unfit)),
             ("built-in", evidence.built_in),
             ("friction", not evidence.friction_known),
         ]

@@ -8,7 +8,6 @@ from typing import Final
 from rocksteady.errors import InputError, ModelError, RocksteadyError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
-from rocksteady.risk.facades.elastic_spectrum import LONGEST_NTC_S, ElasticSpectrum
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_check import FacadeCheck, LimitStateCheck, Method
 from rocksteady.risk.facades.facade_demand import DemandSpectrum, FacadeDemand, LimitState
@@ -17,7 +16,8 @@ from rocksteady.risk.facades.mechanism import Mechanism
 from rocksteady.risk.facades.record_demand import FEWEST
 from rocksteady.risk.facades.remark import Remark
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
-from rocksteady.risk.screens.spectra import damping_factor
+from rocksteady.risk.spectra.damping import damping_factor
+from rocksteady.risk.spectra.elastic_spectrum import LONGEST_NTC_S, ElasticSpectrum
 
 LEAST_PGA = 0.9
 """Mean PGA of records over that of the demand, below which their runs are no answer."""

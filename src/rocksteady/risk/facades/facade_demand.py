@@ -6,7 +6,7 @@ from typing import Literal, Protocol
 
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
+from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 
 LimitState = Literal["SLD", "SLV", "SLC"]
 

@@ -12,15 +12,22 @@ from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.results.numbers import number
-from rocksteady.risk.facades.elastic_spectrum import (
+from rocksteady.risk.facades.remark import Remark
+from rocksteady.risk.observations.files.csv_table import Columns, number_in, read_csv_table
+from rocksteady.risk.spectra.damping import damping_factor
+from rocksteady.risk.spectra.elastic_spectrum import (
     DAMPING,
     LONGEST_S,
     PERIOD,
     displacement_of,
 )
-from rocksteady.risk.facades.remark import Remark
-from rocksteady.risk.observations.files.csv_table import Columns, number_in, read_csv_table
-from rocksteady.risk.screens.spectra import RIGID_S, TabulatedSpectrum, damping_factor, tabulated
+from rocksteady.risk.spectra.tables import (
+    IN_G,
+    MOST_DESIGN_G,
+    RIGID_S,
+    TabulatedSpectrum,
+    tabulated,
+)
 
 HINT: Final = "write period_s,sa_g and a line for each period, the first one 0"
 COLUMNS: Final = Columns(
@@ -32,8 +39,6 @@ COLUMNS: Final = Columns(
     things="points",
     example="period_s,sa_g",
 )
-MOST_G: Final = 10.0
-"""Spectral acceleration [g] above which a table is taken for one in m/s^2 or in per cent."""
 
 
 @checked
@@ -225,9 +230,9 @@ def _tabulated(periods: Any, values: Any, damping: Any) -> TabulatedSpectrum:
         raise InputError("values_g", values, "there is one for each period", hint) from None
     if first_column.ndim != 1 or second_column.ndim not in (1, 2) or not rows.size:
         raise InputError("values_g", values, "there is one for each period", hint)
-    if rows[:, 1:].max() > MOST_G:
-        hint = "give values in g: divide m/s^2 by 9.81 and per cent by 100"
-        raise InputError("values_g", float(rows[:, 1:].max()), f"it is at most {MOST_G:g} g", hint)
+    if rows[:, 1:].max() > MOST_DESIGN_G:
+        valid = f"it is at most {MOST_DESIGN_G:g} g"
+        raise InputError("values_g", float(rows[:, 1:].max()), valid, IN_G)
     if first_column.max() > LONGEST_S:
         hint = "give periods in seconds, as 0.5"
         raise InputError(

@@ -19,9 +19,10 @@ from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number
 from rocksteady.risk.counted.count import counts_of, outcomes_of, without_mirrors
 from rocksteady.risk.counted.curve import Curve
+from rocksteady.risk.counted.motions import across, distinct, has_vertical
 from rocksteady.risk.counted.reach import MOST_WITHOUT, RATIO, reaching_levels
 from rocksteady.risk.counted.sliding import friction_at, sliding_level
-from rocksteady.risk.counted.suite import PGA, across, distinct, has_vertical
+from rocksteady.risk.counted.suite import PGA
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble

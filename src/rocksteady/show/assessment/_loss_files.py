@@ -9,7 +9,7 @@ from rocksteady.results.numbers import number, plural
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.risk.assess.rates import sliding_words
-from rocksteady.risk.counted.suite import Peaks
+from rocksteady.risk.counted.suite import Demanded
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.export.components import LossComponent
 from rocksteady.show.export.openquake import write_openquake
@@ -63,9 +63,8 @@ def _kinds(
         for row, count in answer.kinds:
             curve = answer.curves.get(row["like"])
             where = ", ".join(str(row[key]) for key in ("building", "floor") if row[key])
-            peaks = Peaks(pga_g=row["pga_g"], pgv_m_s=row["pgv_m_s"])
             words = [f"{plural(count, 'object')} alike", where, _beside(curve)]
-            words.append(_kept(peaks) * row["stretched"])
+            words.append(_kept(answer.demands[row["like"]]) * row["stretched"])
             on_floor = row["floor_pga_g"] is not None
             yield (
                 row["name"],
@@ -94,11 +93,9 @@ def _beside(fragility: Fragility | None) -> str:
     return sliding_words(f"{number(fragility.slides_above)} {fragility.unit}")
 
 
-def _kept(demand: Peaks) -> str:
-    """Return what is kept over the levels of a demand with both peaks."""
-    if demand.pga_g is None or demand.pgv_m_s is None:
-        return ""
-    return f"PGV over PGA is {number(demand.pgv_m_s / demand.pga_g)} m/s per g at all levels."
+def _kept(demand: Demanded) -> str:
+    """Return what is kept over the levels of a demand, as a sentence."""
+    return f"{demand.kept[:1].upper()}{demand.kept[1:]} at all levels." * bool(demand.kept)
 
 
 def _identifier(name: str, taken: Sequence[str] | set[str]) -> str:

@@ -8,12 +8,12 @@ from typing import Any
 from rocksteady.errors import InputError
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import number
-from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_check import FacadeCheck, LimitStateCheck
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.remark import Remark
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
+from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 from rocksteady.show.plots.facades.headline import LOOKS
 from rocksteady.show.plots.facades.languages import Language
 from rocksteady.show.report import indexed, prose

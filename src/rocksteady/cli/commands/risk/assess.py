@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -22,13 +23,14 @@ from rocksteady.cli.console.shell import command_of
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.demand import (
+    DesignFlags,
     PeakFlags,
     RowFlags,
     demand_flag,
     described_block,
     share,
 )
-from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
+from rocksteady.cli.flags.ensemble import Suite, SuiteFlags, ensemble_flag
 from rocksteady.cli.flags.groups import grouped
 from rocksteady.cli.flags.record_files import FLOOR_FLAGS, ReadingFlags
 from rocksteady.cli.flags.sweep import RunsFlags
@@ -41,6 +43,8 @@ if TYPE_CHECKING:
     from rocksteady.risk.assess.described.building import Building
     from rocksteady.risk.assess.described.objects import DescribedObject
     from rocksteady.risk.assess.objects_table import ObjectsTable
+    from rocksteady.risk.counted.suite import Demanded
+    from rocksteady.risk.counted.suite import Suite as Motions
     from rocksteady.risk.counted.verdict import Target
     from rocksteady.risk.hazard.hazard_curve import HazardCurve
     from rocksteady.sweep.run import Execution
@@ -53,9 +57,10 @@ HELP = (
     "is a table of objects, under --pga-g and --pgv-m-s where they state no demand of their own. "
     "Without FILE the object is the block of the flags. --example needs no file.\n\n"
     "Every record of --records is given both peaks of the demand: its accelerations are "
-    "multiplied, its time axis is stretched. Without records 56 built-in motions are run, which "
-    "no earthquake made: no verdict is then green. --hazard adds the annual rate; --out keeps all "
-    "in a folder.\n\n"
+    "multiplied, its time axis is stretched; with --spectrum it is scaled to the PGA and stretched "
+    "until its own spectrum lies on the design spectrum. Without records 59 built-in motions are "
+    "run, which no earthquake made: no verdict is then green. --hazard adds the annual rate; --out "
+    "keeps all in a folder.\n\n"
     "Exit code 3 where there is no answer; with --check 1 where an object is above its target or "
     "slides, and 3 where nothing is shown. A table has the code of its worst row, 1 before 3."
 )
@@ -64,6 +69,8 @@ MAIN = "file records pga_g pgv_m_s width_m height_m friction target out example"
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady assess --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4 --friction 0.5\n\n"
+    "rocksteady assess --width-m 0.32 --height-m 1.8 --spectrum en1998-1:2004:type1:A:ag=0.25 "
+    "--friction 0.5\n\n"
     "rocksteady assess statue.toml --records suite --hazard site.csv\n\n"
     "rocksteady assess objects.csv --pga-g 0.35 --pgv-m-s 0.4 --csv answers.csv"
     "\n\nrocksteady assess --example --out example\n\n"
@@ -84,11 +91,13 @@ class _Asked:
     context: typer.Context
     block: BlockFlags
     peaks: PeakFlags
+    designs: DesignFlags
     recorded: SuiteFlags
     reading: ReadingFlags
     kept: RunsFlags
     output: RowFlags
     file: Path | None
+    built_in: tuple[int | None, int | None]
     buildings: Path | None
     hazard: Path | None
     out: Path | None
@@ -107,13 +116,41 @@ class _Asked:
         """
         from rocksteady.risk.assess.described.objects import EXAMPLE, read_object
 
-        if self.file is None and not self.example:
-            described = described_block(self.block, self.peaks)
-            return [described if self.target is None else described.with_target(self.target)]
         if self.file is not None and self.is_table:
             return self._table_of(self.file)
-        described = read_object(self.file or EXAMPLE)
+        if self.file is None and not self.example:
+            described = described_block(self.block, self.peaks)
+        else:
+            described = read_object(self.file or EXAMPLE)
+        described = self._on_spectrum(described)
         return [described if self.target is None else described.with_target(self.target)]
+
+    def _on_spectrum(self, described: "DescribedObject") -> "DescribedObject":
+        """Return an object with the spectrum of --spectrum, where its file states no other demand.
+
+        Raises
+        ------
+        InputError, FlagError
+            If it states one, or the spectrum cannot be read.
+        """
+        given, flag = described.given.demand, self.peaks.pga_g
+        if self.designs.spectrum is None:
+            return described
+        if self.file is not None:
+            stated = {"spectrum": described.spectrum, "pgv_m_s": given.pgv_m_s}
+            stated |= {"pga_g": given.pga_g} if flag is not None else {}
+            key = next((key for key, value in stated.items() if value is not None), None)
+            if key is not None:
+                raise FlagError(
+                    "--spectrum",
+                    self.designs.spectrum,
+                    f"{self.file} states its own {key}",
+                    "leave one of the two out",
+                )
+        pga = given.pga_g if flag is None else flag
+        if given.pgv_m_s is None:
+            self.designs.design(pga)  # refused by its flags
+        return described.on_spectrum(self.designs.table, pga_g=pga)
 
     def _table_of(self, file: Path) -> "list[DescribedObject]":
         """Return the objects of a table, each with its demand or that of the flags."""
@@ -123,15 +160,29 @@ class _Asked:
 
         objects = read_objects(file)
         stated = all(each.demand.pga_g or each.demand.pgv_m_s for each in objects)
-        if self.peaks.pga_g is None and self.peaks.pgv_m_s is None and not stated:
+        demand = self.demand
+        if demand is None and not stated:
             raise missing(
                 "--pgv-m-s",
                 valid="objects that state no peak of their own are assessed under one demand",
-                hint="add --pga-g 0.35 and --pgv-m-s 0.4",
+                hint="add --pga-g 0.35 and --pgv-m-s 0.4, or --spectrum design.csv",
             )
-        asked = [with_demand(each, self.peaks.demand) for each in objects]
+        asked = [with_demand(each, demand) for each in objects]
         target = USUAL if self.target is None else self.target
         return [each.with_target(target) for each in asked]
+
+    @cached_property
+    def demand(self) -> "Demanded | None":
+        """The demand of objects that state none: a spectrum or peaks; None without.
+
+        Raises
+        ------
+        InputError, FlagError
+            If one is not valid, or both are given.
+        """
+        if self.designs.spectrum is not None and self.peaks.pgv_m_s is not None:
+            raise both("--spectrum", "--pgv-m-s", valid="both peaks decide where they are given")
+        return self.designs.design(self.peaks.pga_g) or self.peaks.demand
 
     @property
     def is_table(self) -> bool:
@@ -159,8 +210,7 @@ class _Asked:
         if recorded.records is None:
             self._refuse_without_records(objects)
             return Suite()
-        ground = replace(self.reading, floor_hz=None, floor_damping=None, participation=None)
-        return recorded.suite(ground)
+        return recorded.suite(self.reading.on_ground)
 
     def _refuse_without_records(self, objects: "Sequence[DescribedObject]") -> None:
         """Refuse what built-in motions have no use for, and a demand of one peak."""
@@ -174,17 +224,17 @@ class _Asked:
             "without --records it has no meaning",
             "add --records with your folder, or leave it out",
         )
-        if self.file is None and not self.example:
+        if self.file is None and not self.example and self.designs.spectrum is None:
             self.peaks.need_both_peaks()
         for each in objects:
-            demand = each.given.demand
-            absent = [key for key in ("pga_g", "pgv_m_s") if getattr(demand, key) is None]
-            if absent:
+            peaks = {"pga_g": each.pga_g, "pgv_m_s": each.given.demand.pgv_m_s}
+            absent = [key for key, value in peaks.items() if value is None]
+            if absent and not each.is_on_spectrum:
                 raise missing(
                     "--records",
                     valid=f"{each.name} states no {absent[0]}, and built-in motions are made of "
                     "both peaks",
-                    hint="add --records with your folder, or state both peaks",
+                    hint="add --records with your folder, or state both peaks or a spectrum",
                 )
 
     def run(self) -> "Execution":
@@ -202,7 +252,8 @@ class _Asked:
         """
         objects = self.objects()
         suite = self.suite(objects)
-        files = (self.file, self.buildings, self.hazard)
+        tables = [*self.designs.file, *_spectra_of(objects)]
+        files = (self.file, self.buildings, self.hazard, *dict.fromkeys(tables))
         described = [each for each in files if each is not None]
         self.output.files.check_folder(ASSESSMENT, self.out, [*described, *suite.read])
         whole = self._table if self.is_table else self._object
@@ -227,15 +278,15 @@ class _Asked:
     ) -> "Assessment":
         """Return the assessment of one object."""
         from rocksteady.risk.assess.assessment import assess_object
-        from rocksteady.risk.counted.built_in import COUNT
         from rocksteady.risk.counted.reach import MOST
 
         (described,) = objects
-        cells = (MOST + 1) * _runs(described, len(suite.motions) or COUNT)
+        motions = suite.motions or self._stand_ins
+        cells = (MOST + 1) * _runs(described, len(suite.motions or self._stand_ins.motions))
         with sweeping("running the object", cells) as meter:
             assessment = assess_object(
                 described,
-                suite.motions or None,
+                motions,
                 buildings=self._known_buildings(),
                 floor=self.reading.floor,
                 stretch=self.stretch,
@@ -258,7 +309,7 @@ class _Asked:
         sites = [site_of(each, hazard, stretch=self.stretch) for each in objects]
         placed = place_objects(
             objects,
-            suite.motions or None,
+            suite.motions or self._stand_ins,
             self._known_buildings(),
             floor=self.reading.floor,
             stretch=self.stretch,
@@ -274,13 +325,24 @@ class _Asked:
         with sweeping("running objects", cells) as meter:
             table = assess_placed(
                 placed,
-                self.peaks.demand,
+                self.demand,
                 sites,
                 curves=curves,
                 run=replace(run, progress=meter),
             )
             meter.end()
         return table
+
+    @cached_property
+    def _stand_ins(self) -> "Motions":
+        """The built-in motions, as many as --motions asks for."""
+        from rocksteady.risk.counted.built_in import COUNT, SEED, make_built_in_suite
+
+        count, seed = self.built_in
+        with flags_of({"count": "--motions", "seed": "--seed"}, InputError):
+            return make_built_in_suite(
+                COUNT if count is None else count, seed=SEED if seed is None else seed
+            )
 
     def _site(self) -> "HazardCurve | None":
         """Return the hazard curve of --hazard.
@@ -323,6 +385,7 @@ def assess(
     context: typer.Context,
     block: BlockFlags,
     peaks: PeakFlags,
+    designs: DesignFlags,
     recorded: SuiteFlags,
     reading: ReadingFlags,
     kept: RunsFlags,
@@ -369,6 +432,10 @@ def assess(
         "PGV is then their own.",
         default=False,
     ),
+    motions: int | None = ensemble_flag(
+        "--motions N", "Set the number of built-in motions where there are no records; default 59."
+    ),
+    seed: int | None = ensemble_flag("--seed N", "Set the seed of built-in motions; default 1."),
     target: float | None = demand_flag(
         "--target P",
         "Set the share of the runs that may fall at the demand; default 0.1, or that of FILE.",
@@ -380,15 +447,26 @@ def assess(
     ),
 ) -> None:
     """Run `rocksteady assess`; `HELP` is what its users read."""
-    kept.sweep.check(output.files, [each for each in (file, hazard) if each is not None], out=out)
-    _refuse_idle(block, peaks, recorded, reading, kept, file, buildings, out, example=example)
+    read = [each for each in (file, hazard, *designs.file) if each is not None]
+    kept.sweep.check(output.files, read, out=out)
+    _refuse_idle(
+        block, peaks, designs, recorded, reading, kept, file, buildings, out, example=example
+    )
+    built_in = {"--motions": motions, "--seed": seed}
+    if recorded.records:
+        refuse(built_in, "there are records, and built-in motions stand in for them")
+    if designs.spectrum is not None and no_stretch:
+        raise both("--spectrum", "--no-stretch", valid="records are placed by a stretch")
     needs("--lognormal", lognormal or None, "--out", "answer", beside=out)
     goal = _target(target, target_50_years)
     needs("--target-50-years", target_50_years, "--hazard", "site.csv", beside=hazard)
     if file is None and not example:
         require(
             "assess",
-            {"block": block.given, "demand": (peaks.pga_g, peaks.pgv_m_s) != (None, None)},
+            {
+                "block": block.given,
+                "demand": any((peaks.pga_g, peaks.pgv_m_s, designs.spectrum)),
+            },
             "--width-m 0.6 --height-m 2 --pga-g 0.35 --pgv-m-s 0.4",
             "--example",
         )
@@ -396,6 +474,8 @@ def assess(
         context=context,
         block=block,
         peaks=peaks,
+        designs=designs,
+        built_in=(motions, seed),
         recorded=recorded,
         reading=reading,
         kept=kept,
@@ -451,6 +531,14 @@ def _lacks_answer(answer: "Assessment | ObjectsTable") -> bool:
     return "no-answer" in verdicts
 
 
+def _spectra_of(objects: "Sequence[DescribedObject]") -> list[Path]:
+    """Return the files of the spectra that objects state."""
+    from rocksteady.risk.spectra.code_spectra import formula_of
+
+    sources = {each.spectrum.source for each in objects if each.spectrum is not None}
+    return [Path(each) for each in sorted(sources) if each and formula_of(each) is None]
+
+
 def _runs(described: "DescribedObject", motions: int) -> int:
     """Return how many runs an object has at one level at most."""
     return motions * (1 if described.block.symmetric else 2) * described.given.assessment.draws
@@ -469,6 +557,7 @@ def _notes(notes: Sequence[str], out: Path | None) -> list[str]:
 def _refuse_idle(
     block: BlockFlags,
     peaks: PeakFlags,
+    designs: DesignFlags,
     recorded: SuiteFlags,
     reading: ReadingFlags,
     kept: RunsFlags,
@@ -494,6 +583,7 @@ def _refuse_idle(
         **peaks.vertical_flags,
         "--pga-g": peaks.pga_g,
         "--pgv-m-s": peaks.pgv_m_s,
+        "--spectrum": designs.spectrum,
         **recorded.given,
         "--buildings": buildings,
         "--out": out,
@@ -516,7 +606,7 @@ def _refuse_idle(
         reason = "a table of objects does not take it"
         hint = "leave it out; sizes, friction and vertical motion are columns of the table"
     else:
-        idle = [*columns, "--pga-g", "--pgv-m-s"]
+        idle = [*columns, *["--pga-g"] * (designs.spectrum is None), "--pgv-m-s"]
         reason, hint = "it belongs in the object's file", "write it there, or leave it out"
     refuse({flag: given[flag] for flag in idle}, reason, hint)
     if buildings is not None:

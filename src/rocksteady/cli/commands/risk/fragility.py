@@ -1,12 +1,14 @@
 """`rocksteady fragility`: from records and a block to fragility curves."""
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import typer
 
 from rocksteady.cli.console.outputs import again
-from rocksteady.cli.console.refusals import flags_of, refuse, require
+from rocksteady.cli.console.refusals import both, flags_of, refuse, require
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
+from rocksteady.cli.flags.demand import DesignFlags
 from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags, ensemble_flag
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import Panel, block_flag
@@ -14,13 +16,17 @@ from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.model.blocks.block import Block
 
+if TYPE_CHECKING:
+    from rocksteady.risk.ensemble.levels import Levels
+
 HELP = (
     "Count how often a block falls, level by level.\n\n"
     "Fragility: the share of the runs in which a block lifts, tilts beyond a part of alpha, or "
     "overturns, over the intensity of the ground motion.\n\n"
     "Every record is scaled to every level and run for a band of restitutions by the full "
     "equations, in both directions where they differ; every share is a count, with its 90 % "
-    "interval. Median and beta are a summary of the counts. --out keeps the runs and --resume "
+    "interval. Median and beta are a summary of the counts. With --spectrum records are placed on "
+    "a design spectrum first: levels are multiples of it. --out keeps the runs and --resume "
     "continues them. Fewer than 11 records give no answer: exit code 3."
 )
 MAIN = "width_m height_m restitution records measure levels friction out plot example"
@@ -49,6 +55,7 @@ def fragility(
     recorded: SuiteFlags,
     reading: ReadingFlags,
     ensemble: EnsembleFlags,
+    designs: DesignFlags,
     sweep: SweepFlags,
     output: OutputFlags,
     friction: float | None = block_flag(
@@ -70,6 +77,7 @@ def fragility(
 ) -> None:
     """Run `rocksteady fragility`; `HELP` is what its users read."""
     from rocksteady.model.checks.bounds import FRICTION
+    from rocksteady.risk.counted.suite import Suite as Motions
     from rocksteady.risk.counted.verdict import LEAST
     from rocksteady.risk.fragility.compute_fragility import damage_states, plan_fragility
 
@@ -83,14 +91,20 @@ def fragility(
     width, height = EXAMPLE_SIZE
     default = Block.rectangle(width=width, height=height) if example else None
     body, band = ensemble.block_and_band(block, default)
-    levels = ensemble.levels_asked()
+    levels = _levels(ensemble, designs)
     with flags_of(dict.fromkeys(("peak", "name", "states"), "--states")):
         asked = damage_states([part.strip() for part in states.split(",")])
     if friction is not None:
         FRICTION("--friction", friction)
     run = sweep.run(force=output.force)
-    suite = _suite(recorded, reading, example=example)
-    sweep.check(output, suite.read)
+    ground = reading if designs.spectrum is None else reading.on_ground
+    suite = _suite(recorded, ground, example=example)
+    sweep.check(output, [*suite.read, *designs.file])
+    placed = None
+    if (design := designs.design(None)) is not None:
+        placed = Motions(motions=suite.motions).at(design, floor=reading.floor)
+        suite = replace(suite, motions=[*placed.motions])
+    placing = None if placed is None else placed.placing
     planned = plan_fragility(
         body,
         suite.motions,
@@ -107,6 +121,7 @@ def fragility(
     after = {
         "block": body.describe().to_dict(),
         "synthetic": example,
+        "spectrum": placing and placing.values,
         "files": [
             {"name": str(name), "file": str(files[id(motion)])}
             for name, motion in zip(names, planned.motions, strict=True)
@@ -122,7 +137,8 @@ def fragility(
 
         output.write_plot(lambda page: fragility_figure(result, headline, page))
     kept = f", kept in {after['store']}" if after["store"] else ""
-    notes = [*description.notes, f"{result.runs:,} runs in {result.seconds:.1f} s{kept}"]
+    said = [] if placing is None else [*placing.spectrum.remarks, placing.remark]
+    notes = [*description.notes, *said, f"{result.runs:,} runs in {result.seconds:.1f} s{kept}"]
     output.leave(
         "fragility",
         replace(description, headline=headline, notes=notes),
@@ -131,6 +147,21 @@ def fragility(
         decided=result.records >= LEAST,
         follow_up="" if output.plot else again(context, "--plot fragility.png", but=STORED),
     )
+
+
+def _levels(ensemble: EnsembleFlags, designs: DesignFlags) -> "Levels":
+    """Return the levels; of motions on a spectrum those of the PGA, which all share.
+
+    Raises
+    ------
+    InputError, FlagError
+        As for `EnsembleFlags.levels_asked`, and if they are of another measure.
+    """
+    if designs.spectrum is None or ensemble.scale is not None:
+        return ensemble.levels_asked()
+    if ensemble.measure not in (None, "pga_g"):
+        raise both("--spectrum", "--measure", valid="motions on a spectrum share their PGA alone")
+    return replace(ensemble, measure="pga_g").levels_asked()
 
 
 def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Suite:

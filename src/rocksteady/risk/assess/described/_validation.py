@@ -36,7 +36,7 @@ BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
     "pga_g": (0.0, 10.0, "(]", "give the peak acceleration in g, as 0.35"),
     "pgv_m_s": (0.0, 10.0, "(]", "give the peak velocity in m/s: write 0.4 for 40 cm/s"),
     **VERTICAL,
-    "period_s": (0.0, 60.0, "(]", "give a period in seconds"),
+    "period_s": (0.0, 60.0, "[]", "give a period in seconds, 0 of the peak acceleration"),
     "sa_g": (0.0, 30.0, "(]", "give a spectral acceleration in g"),
     "damping": (0.0, 1.0, "()", "give it over the critical one: 0.05 for 5 %"),
     "peak": (0.0, 10.0, "[]", "give theta/alpha, as 0.3"),
@@ -159,7 +159,7 @@ def _check_states(options: Options, source: str) -> None:
 def _check_spectrum(given: ObjectInput, source: str) -> None:
     """Refuse a spectrum whose lists do not go together."""
     spectrum = given.demand.spectrum
-    if spectrum is None:
+    if spectrum is None or isinstance(spectrum, str):
         return
     periods = spectrum.period_s
     rises = all(after > before for before, after in itertools.pairwise(periods))

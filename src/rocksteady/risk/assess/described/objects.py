@@ -33,6 +33,8 @@ from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import least_gravity_g
+from rocksteady.risk.spectra.code_spectra import formula_of
+from rocksteady.risk.spectra.tables import TabulatedSpectrum, spectrum_from, tabulated
 
 GROUND = ("", "0", "ground")
 """Floors that are the ground."""
@@ -121,6 +123,8 @@ class DescribedObject(Result):
         By how much its floor multiplies PGA and PGV; 1 on the ground.
     storey
         Number of its floor; 0 is the ground.
+    spectrum
+        Design spectrum; that of ``[demand] spectrum`` by default.
 
     Attributes
     ----------
@@ -155,11 +159,14 @@ did you mean width_m?
     sha256: str | None = None
     amplified: tuple[float, float] = (1.0, 1.0)
     storey: int = 0
+    spectrum: TabulatedSpectrum | None = None
     given: ObjectInput = field(init=False)
 
     def __post_init__(self) -> None:
         """Validate everything, the ends of every range too."""
         object.__setattr__(self, "given", validated(self.values, self.source))
+        if self.spectrum is None:
+            object.__setattr__(self, "spectrum", self._own_spectrum())
         block = self.block
         self.variants()
         with in_file(self.source, "demand"):
@@ -174,6 +181,17 @@ did you mean width_m?
     def on_floor(self) -> bool:
         """Whether its demand is that of the ground below a floor."""
         return self.amplified != (1.0, 1.0)
+
+    @property
+    def is_on_spectrum(self) -> bool:
+        """Whether its demand is a spectrum: where no peak velocity is stated beside it."""
+        return self.spectrum is not None and self.given.demand.pgv_m_s is None
+
+    @property
+    def pga_g(self) -> float | None:
+        """Peak acceleration of its demand [g], that of its spectrum where none is stated."""
+        stated, table = self.given.demand.pga_g, self.spectrum
+        return table.peak_g if stated is None and table is not None else stated
 
     @property
     def label(self) -> str:
@@ -207,20 +225,29 @@ did you mean width_m?
     @property
     def demand(self) -> Demand:
         """The demand where it stands, as the published formulas take it."""
-        given, spectrum = self.given.demand, self.given.demand.spectrum
+        given, table = self.given.demand, None if self.on_floor else self.spectrum
         pga, pgv = (
             None if peak is None else peak * factor
-            for peak, factor in zip((given.pga_g, given.pgv_m_s), self.amplified, strict=True)
+            for peak, factor in zip((self.pga_g, given.pgv_m_s), self.amplified, strict=True)
         )
-        table = None if spectrum is None else np.column_stack([spectrum.period_s, spectrum.sa_g])
         return Demand(
             pga_g=pga,
             pgv_m_s=pgv,
-            spectrum=table,
-            spectrum_damping=None if spectrum is None else spectrum.damping,
+            spectrum=table and np.column_stack([table.periods_s, table.values_g]),
+            spectrum_damping=table and table.dampings,
             vertical_g=given.vertical_g,
             vertical_share=given.vertical_share,
         )
+
+    def _own_spectrum(self) -> TabulatedSpectrum | None:
+        """Return the spectrum that its values state: a file or a formula, or rows."""
+        given = self.given.demand.spectrum
+        if given is None:
+            return None
+        with in_file(self.source, "demand"):
+            if isinstance(given, str):
+                return spectrum_from(given)
+            return tabulated(np.column_stack([given.period_s, given.sa_g]), given.damping)
 
     def block_of(self, body: Body) -> Block:
         """Return the block of a changed body, with the object's restitution and gravity.
@@ -302,6 +329,12 @@ did you mean width_m?
             If one is outside its range.
         """
         return self._changed("demand", pga_g=pga_g, pgv_m_s=pgv_m_s)
+
+    def on_spectrum(
+        self, spectrum: TabulatedSpectrum, *, pga_g: float | None = None
+    ) -> "DescribedObject":
+        """Return the object with a design spectrum as its demand."""
+        return replace(self._changed("demand", spectrum=None, pga_g=pga_g), spectrum=spectrum)
 
     def _changed(self, table: str, **keys: object) -> "DescribedObject":
         """Return the object with other values of some keys of a table; None takes a key out."""
@@ -417,6 +450,14 @@ def read_object(path: Path | str) -> DescribedObject:
     file = Path(path)
     content = content_of(file, "object", FILE_HINT)
     values = toml_of(content, file.name)
+    demand, spectrum = values.get("demand"), None
+    stated = demand.get("spectrum") if isinstance(demand, dict) else None
+    if isinstance(stated, str):
+        with in_file(file.name, "demand"):
+            spectrum = spectrum_from(stated if formula_of(stated) else file.parent / stated)
     return DescribedObject(
-        values=values, source=file.name, sha256=hashlib.sha256(content).hexdigest()
+        values=values,
+        source=file.name,
+        sha256=hashlib.sha256(content).hexdigest(),
+        spectrum=spectrum,
     )

@@ -70,7 +70,7 @@ class ObjectDemand(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     place: Literal["ground", "floor"] = "ground"
     vertical_g: float = 0.0
     vertical_share: float = 1.0
-    spectrum: ObjectSpectrum | None = None
+    spectrum: str | ObjectSpectrum | None = None
 
 
 class OwnState(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

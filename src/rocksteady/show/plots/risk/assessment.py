@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.numbers import number, quantity
+from rocksteady.results.numbers import quantity
 from rocksteady.results.stated import share_words
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.counted.count import Count
@@ -131,6 +131,4 @@ def _level_label(assessment: Assessment, shaking: Shaking) -> str:
     """Return the label of the levels."""
     measure, demand = shaking.measure, shaking.demand
     label = f"{measure.label}{' of the ground' * assessment.described.on_floor} [{measure.unit}]"
-    if shaking.stretched and demand.pga_g and demand.pgv_m_s:
-        label += f", with PGV/PGA kept at {number(demand.pgv_m_s / demand.pga_g)} m/s per g"
-    return label
+    return f"{label}: {demand.kept}" if shaking.stretched else label

@@ -5,7 +5,7 @@ import math
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,10 +14,17 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
-from rocksteady.model.checks.arrays import UnfitError, numeric_array
+from rocksteady.model.checks.arrays import UnfitError, compare_by_value, numeric_array
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import plural
+from rocksteady.risk.spectra.code_spectra import (
+    SPECTRUM_DAMPING,
+    CodeSpectrum,
+    formula_of,
+    formulas_words,
+)
+from rocksteady.risk.spectra.damping import damping_factor
 from rocksteady.seismic.measures.response_spectrum import (
     LONGEST_S,
     SHORTEST,
@@ -27,12 +34,17 @@ from rocksteady.seismic.measures.response_spectrum import (
 
 RIGID_S = 0.01
 """Period [s] up to which a spectrum has the value of its row at zero."""
+FIRST_S = 0.03
+"""Period of a first row [s] up to which its value is taken for the peak acceleration."""
 RECORD_PERIODS = 200
 """Periods at which the spectrum of a record is computed."""
 SHORTEST_S = 1e-6
 """Shortest period above 0 of a table [s]."""
 LEAST_G, MOST_G = 1e-12, 1e12
 """Spectral accelerations of a table [g]."""
+MOST_DESIGN_G = 10.0
+"""Spectral acceleration [g] above which a spectrum is taken for one in m/s^2 or in per cent."""
+IN_G = "give values in g: divide m/s^2 by 9.81 and per cent by 100"
 MOST_BYTES = 10_000_000
 """Of a file with a spectrum."""
 SHAPE_HINT = "give rows of period [s] and Sa [g], one column of Sa for each damping"
@@ -89,13 +101,23 @@ class RecordSpectrum:
         return Chain(tuple(periods.tolist()), tuple(values.tolist())), how
 
 
+@compare_by_value
 @dataclass(frozen=True)
 class TabulatedSpectrum:
-    """A table: periods [s], dampings and Sa [g] of shape (periods, dampings), both ascending."""
+    """A table: periods [s], dampings and Sa [g] of shape (periods, dampings), both ascending.
+
+    `source` is the file or the formula that it comes from; empty of none.
+    """
 
     periods_s: Floats
     dampings: tuple[float, ...]
     values_g: Floats
+    source: str = ""
+
+    @property
+    def peak_g(self) -> float | None:
+        """Value of a row at period 0, or up to `FIRST_S` [g]; None without one."""
+        return float(self.values_g[0].max()) if self.periods_s[0] <= FIRST_S else None
 
     def at_damping(self, damping: float, longest_s: float) -> tuple[Chain, str]:  # noqa: ARG002
         """Return the table at a damping.
@@ -134,17 +156,6 @@ class TabulatedSpectrum:
         if by == "1":  # near a given damping, or where eta is at its least
             words = f"as given at {start}" + f", for {percent}" * (start != percent) + " damping"
         return values, f"spectrum {words}"
-
-
-def damping_factor(damping: float) -> float:
-    """Return eta = sqrt(10/(5 + xi)), xi in per cent, at least 0.55 (EN 1998-1:2004 eq. 3.6).
-
-    Examples
-    --------
-    >>> print(f"{damping_factor(0.05)} {damping_factor(0.02):.4f} {damping_factor(0.5)}")
-    1.0 1.1952 0.55
-    """
-    return max(0.55, math.sqrt(10.0 / (5.0 + 100.0 * damping)))
 
 
 def tabulated(table: object, damping: Any, *, shown: object = None) -> TabulatedSpectrum | None:
@@ -205,6 +216,22 @@ def tabulated(table: object, damping: Any, *, shown: object = None) -> Tabulated
     return TabulatedSpectrum(rows[:, 0], tuple(sorted(values)), rows[:, 1:][:, order])
 
 
+def spectrum_from(source: Path | str, damping: Any = None) -> TabulatedSpectrum:
+    """Return the table of a file or of a formula, whose damping must be known.
+
+    Raises
+    ------
+    InputError
+        As for `read_table` and `tabulated`, and if no damping is stated.
+    """
+    rows, stated = read_table(Path(source), damping)
+    table = tabulated(rows, stated, shown=source)
+    if table is None:
+        hint = "write # damping 0.05 into it, or state it apart from the file"
+        raise InputError("spectrum", source, "it states no damping", hint)
+    return replace(table, source=str(source))
+
+
 def spectrum_of(spectrum: object, damping: object) -> RecordSpectrum | TabulatedSpectrum | None:
     """Return a demand's spectrum for any damping; None without one or without its damping."""
     if isinstance(spectrum, ResponseSpectrum | Record):
@@ -222,6 +249,8 @@ STATEMENTS = (
     rf"(?<![a-z\d.])(?:{_NUMBER}\s*%|0?\.\d+)-?(?:{_KIND})*{_WORD}",
 )
 """A comment's dampings with numbers beside the word: ``damping 2 %, 5 %``, or ``5 %-damped``."""
+IN_METRES = r"m/s(?:ec)?\s*(?:\^|\*\*)?\s*(?:2|²)|m\s?s-2|m/s/s|(?<![a-z])gals?(?![a-z])"
+"""Units in a comment that are not g."""
 WHOLE_NUMBERS = re.compile(r"\d+(,\d+){2,},?")
 """A row whose commas may separate numbers, or be decimal ones."""
 
@@ -235,6 +264,7 @@ class HeaderDamping(tuple[float, ...]):
 def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
     """Read a spectrum from a text file: rows of period [s] and Sa [g], and its damping.
 
+    A name such as ``en1998-1:2004:type1:A:ag=0.25`` is a formula of `formula_of`.
     Lines that begin with # and lines of names at the top are comments.  A number beside the word
     in one of them, as ``damping 0.05``, ``zeta = 5 %`` or ``5 %-damped``, is the damping; several
     after the word are those of the columns in turn.  1 and above are per cent.
@@ -247,13 +277,16 @@ def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
     InputError
         If the file cannot be read, holds no such table, or its header is not clear.
     """
+    if (formula := formula_of(str(path))) is not None:
+        return _by_formula(formula, damping)
     refusal = functools.partial(InputError, "spectrum", path)
     try:
         size = path.stat().st_size
         lines = path.read_text(encoding="utf-8").splitlines() if size <= MOST_BYTES else []
     except (OSError, ValueError) as error:  # a name with a zero byte too
         reason = getattr(error, "strerror", None) or "it is no text"
-        raise refusal(f"it cannot be read ({reason})", SHAPE_HINT) from error
+        hint = f"formulas are {formulas_words()}" if ":" in str(path) else SHAPE_HINT
+        raise refusal(f"it cannot be read ({reason})", hint) from error
     if size > MOST_BYTES:
         raise refusal("it is too large for a spectrum", SHAPE_HINT)
     _refuse_commas(path, lines)
@@ -279,9 +312,28 @@ def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
             rows.append(row)
     if not rows:
         raise refusal("it has no rows of numbers", SHAPE_HINT)
+    _refuse_metres(path, comments)
     if damping is None:
         damping = _header_damping(path, comments, len(rows[0]) - 1)
     return np.array(rows), damping
+
+
+def _by_formula(formula: CodeSpectrum, damping: Any) -> tuple[Floats, HeaderDamping]:
+    """Return rows and damping of a formula, which has its own."""
+    if damping is not None:
+        valid = f"a formula is of {SPECTRUM_DAMPING:g}"
+        raise InputError("spectrum_damping", damping, valid, "leave it out")
+    return formula.rows, HeaderDamping((SPECTRUM_DAMPING,))
+
+
+def _refuse_metres(path: Path, comments: dict[int, str]) -> None:
+    """Refuse a file whose comments name another unit of Sa than g."""
+    if any(re.search(r"(?<![a-z\d])g(?![a-z])", text) for text in comments.values()):
+        return
+    for number, text in comments.items():
+        if re.search(IN_METRES, text):
+            valid = f"line {number} names m/s^2, cm/s^2 or gal, and Sa is in g"
+            raise InputError("spectrum", path, valid, IN_G)
 
 
 def _refuse_commas(path: Path, lines: list[str]) -> None:

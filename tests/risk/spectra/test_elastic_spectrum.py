@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady.errors import InputError, RocksteadyError
-from rocksteady.risk.facades.elastic_spectrum import SOIL_FACTORS, ElasticSpectrum, Soil
+from rocksteady.risk.spectra.elastic_spectrum import SOIL_FACTORS, ElasticSpectrum, Soil
 from tests.every import every
 
 SITE: dict[str, Any] = {"ag_g": 0.2, "f0": 2.5, "tc_star_s": 0.3}

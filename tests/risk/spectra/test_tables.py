@@ -12,7 +12,7 @@ from rocksteady import Record
 from rocksteady.errors import InputError
 from rocksteady.measures import compute_response_spectrum
 from rocksteady.risk.screens import spectra
-from rocksteady.risk.screens.spectra import (
+from rocksteady.risk.spectra.tables import (
     Chain,
     RecordSpectrum,
     read_table,

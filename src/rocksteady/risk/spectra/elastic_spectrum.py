@@ -10,7 +10,7 @@ from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
-from rocksteady.risk.screens.spectra import damping_factor
+from rocksteady.risk.spectra.damping import damping_factor
 
 Soil = Literal["A", "B", "C", "D", "E"]
 Topography = Literal["T1", "T2", "T3", "T4"]

@@ -1,0 +1,1 @@
+"""Design spectra: tables of files, and the formulas of codes."""

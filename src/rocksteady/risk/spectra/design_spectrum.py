@@ -1,0 +1,201 @@
+"""Design spectra that motions are placed on: 5 % damping, with the peak acceleration."""
+
+from dataclasses import dataclass
+from os import PathLike
+from typing import Annotated, Any, Final, Protocol, runtime_checkable
+
+import numpy as np
+
+from rocksteady.arrays import Floats
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
+from rocksteady.results.numbers import number, quantity
+from rocksteady.risk.spectra.code_spectra import PERIODS_S, SPECTRUM_DAMPING, formula_of
+from rocksteady.risk.spectra.tables import (
+    IN_G,
+    MOST_DESIGN_G,
+    TabulatedSpectrum,
+    spectrum_from,
+    tabulated,
+)
+
+PLACED_S: Final = (0.2, 4.0)
+"""Periods over which a motion is placed on a spectrum [s]."""
+LEAST_END_S: Final = 2.0
+"""Period that a spectrum reaches at least [s]."""
+SAME_PEAK: Final = 0.02
+"""Part by which a peak may differ from that of the row at period 0."""
+LEAST_PLATEAU: Final = 1.8
+"""Largest Sa over the PGA below which a spectrum may be one that was divided by q or R."""
+PGA: Final = Bounds(0.0, MOST_DESIGN_G, "(]", "give the peak in g; 0.3 is usual")
+
+
+@runtime_checkable
+class HasAcceleration(Protocol):
+    """A spectrum that answers period by period, as `ElasticSpectrum` and `SpectrumTable`."""
+
+    def sa_g(self, period_s: float, damping: float) -> float:
+        """Return the spectral acceleration [g] at a period [s]."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class DesignSpectrum:
+    """A design spectrum that records are placed on.
+
+    Parameters
+    ----------
+    table
+        Periods and accelerations, from `make_design_spectrum`.
+    pga_g
+        Peak acceleration [g]; by default that of the row at period 0.
+
+    Raises
+    ------
+    InputError
+        If no peak is known, two differ, Sa is above 10 g or it ends below 2 s.
+    """
+
+    table: TabulatedSpectrum
+    pga_g: Annotated[float | None, PGA] = None
+
+    def __post_init__(self) -> None:
+        """Validate, and take the peak from the table."""
+        periods, values = self.table.periods_s, self.table.scaled(SPECTRUM_DAMPING)[0]
+        first, last = float(periods[0]), float(periods[-1])
+        if values.max() > MOST_DESIGN_G:
+            most = f"Sa is at most {MOST_DESIGN_G:g} g"
+            raise InputError("spectrum", float(values.max()), most, IN_G)
+        if last < LEAST_END_S:
+            valid = f"it ends at {number(last)} s, and motions are placed up to {LEAST_END_S:g} s"
+            raise InputError("spectrum", self.words_of_source, valid, "add rows")
+        peak = self.table.peak_g
+        if self.pga_g is None:
+            if peak is None:
+                valid = f"it begins at {number(first)} s"
+                hint = "add its row at period 0, or give the PGA"
+                raise InputError("spectrum", self.words_of_source, valid, hint)
+            object.__setattr__(self, "pga_g", PGA("spectrum", peak))
+        elif peak is not None and abs(self.pga_g - peak) > SAME_PEAK * peak:
+            valid = f"the spectrum has {number(peak)} g at period {number(first)} s"
+            raise InputError("pga_g", self.pga_g, valid, "leave it out, or correct the spectrum")
+
+    @property
+    def peak_g(self) -> float:
+        """Peak acceleration [g]."""
+        assert self.pga_g is not None
+        return self.pga_g
+
+    @property
+    def pgv_m_s(self) -> None:
+        """Peak velocity, which a spectrum leaves to the motions."""
+        return
+
+    @property
+    def words(self) -> str:
+        """The demand, as "the spectrum of 0.25 g"."""
+        return f"the spectrum of {quantity(self.peak_g, 'g')}"
+
+    @property
+    def where(self) -> str:
+        """The same after a verb."""
+        return f"on {self.words}"
+
+    @property
+    def kept(self) -> str:
+        """What is the same at all multiples of it."""
+        return "the spectrum keeps its shape"
+
+    @property
+    def words_of_source(self) -> str:
+        """Where it comes from: a file, a formula with its clause, or a table."""
+        formula = formula_of(self.table.source)
+        return formula.words if formula is not None else self.table.source or "a table"
+
+    @property
+    def range_s(self) -> tuple[float, float]:
+        """Periods over which motions are placed on it [s]."""
+        return PLACED_S[0], min(PLACED_S[1], float(self.table.periods_s[-1]))
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """What JSON says of it."""
+        return {
+            "file": self.table.source or None,
+            "damping": list(self.table.dampings),
+            "pga_g": self.pga_g,
+            "range_s": list(self.range_s),
+        }
+
+    @property
+    def plateau(self) -> float:
+        """Its largest acceleration over the PGA."""
+        return float(self.table.scaled(SPECTRUM_DAMPING)[0].max()) / self.peak_g
+
+    @property
+    def is_divided(self) -> bool:
+        """Whether its plateau is so low that it may have been divided by q or R."""
+        return self.plateau < LEAST_PLATEAU
+
+    @property
+    def remarks(self) -> list[str]:
+        """What was done to it, and what its source is, in words; empty of a plain table."""
+        said = []
+        if SPECTRUM_DAMPING not in self.table.dampings:
+            said.append(f"The {self.table.scaled(SPECTRUM_DAMPING)[1]}.")
+        if self.range_s[1] < PLACED_S[1]:
+            said.append(f"The spectrum ends at {number(self.range_s[1])} s: placed up to there.")
+        if formula_of(self.table.source) is not None:
+            words = f"The spectrum is that of {self.words_of_source}"
+            said.append(f"{words}, not checked against the printed standard.")
+        return said
+
+    def sa_g(self, period_s: Floats) -> Floats:
+        """Return its acceleration at periods [g]; at its end that of its last row."""
+        chain, _ = self.table.at_damping(SPECTRUM_DAMPING, PLACED_S[1])
+        return np.array([chain.at(t) for t in period_s.tolist()]) / STANDARD_GRAVITY
+
+
+@checked
+def make_design_spectrum(
+    source: Any, *, damping: float | None = None, pga_g: Annotated[float | None, PGA] = None
+) -> DesignSpectrum:
+    """Return a design spectrum of a file, a formula, rows, or another kind of spectrum.
+
+    Parameters
+    ----------
+    source
+        A file of rows of period [s] and Sa [g] that states its damping; a formula, as
+        ``en1998-1:2004:type1:A:ag=0.25``, ``asce7-16:sds=1.0:sd1=0.6:tl=8`` or
+        ``ntc2018:A:T1:ag=0.2:f0=2.5:tc=0.35``; rows, shape (periods, 2); an `ElasticSpectrum` or a
+        `SpectrumTable`.
+    damping
+        Damping of rows, 0.05 by default, or of a file that states none.
+    pga_g
+        Peak acceleration [g]; by default that of the row at period 0.
+
+    Raises
+    ------
+    InputError
+        If it is no such spectrum, ends below 2 s, is above 10 g, or has no peak or two.
+
+    Examples
+    --------
+    >>> rock = make_design_spectrum("en1998-1:2004:type1:A:ag=0.25")
+    >>> rock.words, rock.words_of_source
+    ('the spectrum of 0.25 g', 'EN 1998-1:2004, 3.2.2.2, type 1, ground A')
+    """
+    if isinstance(source, DesignSpectrum):
+        return source
+    if isinstance(source, str | PathLike):
+        return DesignSpectrum(table=spectrum_from(str(source), damping), pga_g=pga_g)
+    if isinstance(source, HasAcceleration):
+        usual = [*PERIODS_S[PLACED_S[1] > PERIODS_S].tolist(), PLACED_S[1]]
+        given = getattr(source, "periods_s", usual)
+        source = [[t, source.sa_g(t, SPECTRUM_DAMPING)] for t in given]
+        damping = SPECTRUM_DAMPING
+    table = tabulated(source, SPECTRUM_DAMPING if damping is None else damping)
+    assert table is not None
+    return DesignSpectrum(table=table, pga_g=pga_g)
