@@ -34,6 +34,7 @@ STATISTICS = (
     "risk/free_rocking/",
     "risk/hazard/",
     "risk/screens/",
+    "risk/spectra/",
 )
 """Folders without it: they count what was run, and all but the last digits of a curve agree."""
 
@@ -75,6 +76,7 @@ PYTHON = "SciPy's is Python code, and calls nothing but the function"
 PICTURES = "the last of a fall in a film, to a pixel"
 BUILT_IN = "built-in motions: seeded noise, whose last digits may differ"
 COUNTS = "the interval or the curve of what was counted"
+PLACED = "stretches to a spectrum, which are of a grid: the nearest one may be another"
 WORDS = "words of a screen, with three digits"
 ALLOWED = {
     ("dynamics/history/fall.py", "**"): PICTURES,
@@ -129,10 +131,16 @@ ALLOWED = {
     ("risk/counted/curve.py", "numpy.interp"): COUNTS,
     ("risk/counted/curve.py", "numpy.log"): COUNTS,
     ("risk/counted/curve.py", "scipy.optimize"): COUNTS,
+    ("risk/counted/placing.py", "numpy.exp"): PLACED,
+    ("risk/counted/placing.py", "numpy.geomspace"): PLACED,
+    ("risk/counted/placing.py", "numpy.interp"): PLACED,
+    ("risk/counted/placing.py", "numpy.log"): PLACED,
     ("risk/counted/reach.py", "**"): "the ratio of levels, a constant",
     ("risk/ensemble/uplift.py", "numpy.interp"): "vertical samples at times of horizontal ones",
     ("risk/facades/record_demand.py", "numpy.interp"): "a demand read from a spectrum",
     ("seismic/measures/intensity.py", "numpy.fft"): "the spectrum behind the mean period",
+    ("seismic/measures/sampled_spectrum.py", "numpy.interp"): PLACED,
+    ("seismic/measures/sampled_spectrum.py", "scipy.signal"): PLACED,
     ("seismic/measures/intensity.py", "scipy.fft"): "a whole number",
     ("studies/atlas/pages/pictures.py", "numpy.interp"): "where a drawn line ends",
     ("studies/facade_checks/_worked_walls.py", "numpy.log"): "which wall is shown",

@@ -4,7 +4,6 @@ from .risk.facades.actions import Load as Load
 from .risk.facades.actions import PushingMass as PushingMass
 from .risk.facades.actions import Thrust as Thrust
 from .risk.facades.actions import Tie as Tie
-from .risk.spectra.elastic_spectrum import ElasticSpectrum as ElasticSpectrum
 from .risk.facades.facade import Facade as Facade
 from .risk.facades.facade_check import FacadeCheck as FacadeCheck
 from .risk.facades.facade_check import LimitStateCheck as LimitStateCheck
@@ -19,5 +18,8 @@ from .risk.facades.spectrum_table import read_spectrum_table as read_spectrum_ta
 from .risk.screens.floors import floor_accelerations as floor_accelerations
 from .risk.screens.screen import Screen as Screen
 from .risk.screens.screens import Screens as Screens
+from .risk.spectra.design_spectrum import DesignSpectrum as DesignSpectrum
+from .risk.spectra.design_spectrum import make_design_spectrum as make_design_spectrum
+from .risk.spectra.elastic_spectrum import ElasticSpectrum as ElasticSpectrum
 
 __all__: list[str]

@@ -12,5 +12,6 @@ from .model.motions.fourier import FourierSeries as FourierSeries
 from .model.motions.impulses import Impulses as Impulses
 from .model.motions.segments import Segment as Segment
 from .model.motions.synthetic_suite import make_synthetic_suite as make_synthetic_suite
+from .risk.counted.suite import place_on_spectrum as place_on_spectrum
 
 __all__: list[str]

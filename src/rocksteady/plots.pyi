@@ -51,6 +51,7 @@ from .show.plots.risk.fragility import plot_fragility as fragility
 from .show.plots.risk.hazard import plot_risk as risk
 from .show.plots.risk.hazard_curve import plot_hazard_curve as hazard_curve
 from .show.plots.risk.objects import plot_objects as objects
+from .show.plots.risk.placed_spectra import plot_placed_spectra as placed_spectra
 from .show.plots.risk.plan import plot_plan as plan
 from .show.plots.risk.screens import plot_screens as screens
 from .show.plots.risk.tornado import plot_tornado as tornado
@@ -101,6 +102,7 @@ __all__ = [
     "overturning",
     "overturning_scales",
     "phase_portrait",
+    "placed_spectra",
     "plan",
     "poincare_section",
     "posterior",

@@ -23,9 +23,9 @@ from rocksteady.risk.assess.described.schema import TABLES as OBJECT_TABLES
 from rocksteady.risk.assess.described.tables import COLUMNS as OBJECT_COLUMNS
 from rocksteady.risk.facades._facade_schema import FILE as FACADE_FILE
 from rocksteady.risk.facades.actions import BOUNDS as FACADE_BOUNDS
-from rocksteady.risk.spectra.elastic_spectrum import LIMITS as SPECTRUM_LIMITS
 from rocksteady.risk.facades.spectrum_table import COLUMNS as SPECTRUM_COLUMNS
 from rocksteady.risk.observations import object_prior, prior, read_peaks, read_tests
+from rocksteady.risk.spectra.elastic_spectrum import LIMITS as SPECTRUM_LIMITS
 from rocksteady.show.export.ensemble_rows import HEAD as RUN_COLUMNS
 from tests.cli.program import rocksteady
 from tests.every import every

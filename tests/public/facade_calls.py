@@ -33,6 +33,12 @@ def facade_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.codes.ElasticSpectrum: fields(site),
         site.sa_g: point,
         site.displacement_m: point,
+        rs.codes.make_design_spectrum: {
+            "spectrum": [[0.0, 0.3], [0.3, 0.8], [4.0, 0.1]],
+            "spectrum_damping": 0.05,
+        },
+        rs.codes.DesignSpectrum: fields(t["design spectrum"]),
+        t["design spectrum"].accelerations_g: {"periods_s": [0.2, 1.0]},
         rs.codes.SpectrumTable: {
             "periods_s": [0.0, 0.5, 6.0],
             "values_g": [0.3, 0.9, 0.02],

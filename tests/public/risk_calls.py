@@ -45,6 +45,9 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         t["object"].wider: {"factor": 1.5},
         t["object"].lowered: {"by_m": 0.1},
         t["object"].with_peaks: {"pga_g": 0.3, "pgv_m_s": 0.2},
+        t["object"].on_spectrum: {"spectrum": t["design spectrum"]},
+        rs.risk.make_built_in_suite: {"count": 2, "seed": 3},
+        rs.motions.place_on_spectrum: {"motions": [record], "spectrum": t["design spectrum"]},
         rs.risk.Assessment: fields(t["assessment"]),
         t["assessment"].describe: {},
         rs.risk.ObjectsTable: fields(t["objects"]),
@@ -70,6 +73,7 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.codes.floor_accelerations: {
             "periods_s": [0.0, 0.5], "pga_g": 0.2, "building_period_s": 0.5, "height_ratio": 1.0,
         },
+        rs.plots.placed_spectra: {"shaking": t["placed"], "block": block},
         rs.plots.plan: {"table": t["on floors"]},
         rs.plots.floor_spectra: {
             "floors": [record], "building_period_s": 0.5, "height_ratio": 1.0,

@@ -177,6 +177,7 @@ def things() -> dict[str, Any]:
             [described], eleven, demand=rs.risk.Peaks(pga_g=0.3, pgv_m_s=0.3)
         ),
         **on_floors(described, eleven),
+        "placed": rs.motions.place_on_spectrum(eleven[:2], "en1998-1:2004:type1:A:ag=0.25"),
         "output": rs.sweeps.Output(name="value"),
         "map": maps,
         "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, max_cycles=20),
@@ -311,6 +312,7 @@ def facade_things(record: rs.Record) -> dict[str, Any]:
         "facade": front,
         "mechanism": front.mechanism,
         "elastic spectrum": site,
+        "design spectrum": rs.codes.make_design_spectrum(site),
         "spectrum table": floor,
         "record demand": seven,
         "facade demand": loads,

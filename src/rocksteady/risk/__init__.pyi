@@ -9,6 +9,7 @@ from .assess.described.objects import DescribedObject as DescribedObject
 from .assess.objects_table import ObjectsTable as ObjectsTable
 from .assess.two_numbers import FormulaAssessment as FormulaAssessment
 from .assess.two_numbers import assess_by_formula as assess_by_formula
+from .counted.built_in import make_built_in_suite as make_built_in_suite
 from .counted.suite import Peaks as Peaks
 from .counted.verdict import Target as Target
 from .ensemble.levels import Levels as Levels

@@ -313,7 +313,7 @@ def test_eleven_records_of_which_ten_have_an_answer_have_none() -> None:
     for count, verdict in ((10, "no-answer"), (11, "red")):
         pairs = [BaseMotion(each, each.scaled(0.2)) for each in SUITE[:count]]
         pairs.append(BaseMotion(SUITE[-1], lost))
-        found = assess_object(statue(demand={"vertical_g": 0.1}), pairs)
+        found = assess_object(statue(), pairs)
         assert found.judged.count is not None
         assert found.judged.count.records == count
         assert found.judged.count.without == 2

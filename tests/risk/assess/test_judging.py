@@ -15,8 +15,8 @@ from rocksteady.risk import DescribedObject, RestitutionBand
 from rocksteady.risk.assess import _judging
 from rocksteady.risk.assess._judging import Judged, band_of, judge_objects, onset_of, run_at_demand
 from rocksteady.risk.assess.placed_objects import place_objects
-from rocksteady.risk.counted.reach import lifting_levels
 from rocksteady.risk.counted.motions import Motion
+from rocksteady.risk.counted.reach import lifting_levels
 from rocksteady.risk.counted.suite import Peaks, Suite
 from rocksteady.risk.counted.verdict import Decision, Target
 from rocksteady.risk.ensemble.levels import Levels

@@ -244,7 +244,7 @@ def test_the_target_is_that_of_the_table() -> None:
 def test_without_records_motions_are_built_in_and_nothing_is_green() -> None:
     table = assess_objects([one("wide", 0.62, 1.6), one("slim", 0.2, 1.6)], demand=PEAKS)
     assert table.suite.built_in
-    assert table.records == 56
+    assert table.records == 59
     assert [row["by"] for row in table.rows] == ["built-in motions"] * 2
     assert "green" not in table.verdicts
     assert "on built-in motions" in table.summary().replace("\n", " ")

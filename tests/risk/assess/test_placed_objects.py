@@ -9,7 +9,7 @@ from rocksteady import BaseMotion
 from rocksteady.errors import InputError, ModelError
 from rocksteady.motions import Floor, make_synthetic_suite
 from rocksteady.risk import Building, DescribedObject
-from rocksteady.risk.assess.placed_objects import peaks_of, place_objects, with_demand
+from rocksteady.risk.assess.placed_objects import demand_of, place_objects, with_demand
 from rocksteady.risk.counted.motions import across, has_vertical
 from rocksteady.risk.counted.suite import Peaks
 from tests.every import every
@@ -101,7 +101,7 @@ def test_without_records_there_are_built_in_motions() -> None:
     assert placed.suite.built_in
     (shaking,) = placed.shakings
     assert shaking is not None
-    assert len(shaking.motions) == 56
+    assert len(shaking.motions) == 59
     assert measured(across(shaking.motions[0])) == pytest.approx((0.4, 0.45), rel=1e-9)
 
 
@@ -133,10 +133,10 @@ def test_peaks_that_are_missing_are_named(
     one = described(0.15, 0.45, **peaks)
     motions = None if built_in else SUITE
     if words is None:
-        assert peaks_of(one, built_in=built_in) == Peaks(**peaks)
+        assert demand_of(one, built_in=built_in) == Peaks(**peaks)
         assert place_objects([one], motions).objects[0].given.demand.pga_g == peaks.get("pga_g")
         return
-    for ask in (lambda: peaks_of(one, built_in=built_in), lambda: place_objects([one], motions)):
+    for ask in (lambda: demand_of(one, built_in=built_in), lambda: place_objects([one], motions)):
         with pytest.raises(ModelError) as error:
             ask()
         assert words in str(error.value)
@@ -146,11 +146,11 @@ def test_peaks_that_are_missing_are_named(
 def test_a_demand_of_all_is_that_of_objects_that_state_none() -> None:
     bare = described(0.15, 0.45)
     for peaks in (Peaks(pga_g=0.3), Peaks(pgv_m_s=0.2), Peaks(pga_g=0.3, pgv_m_s=0.2)):
-        assert peaks_of(with_demand(bare, peaks)) == peaks
+        assert demand_of(with_demand(bare, peaks)) == peaks
     # An object's own demand is whole: no peak is added to it.
     some: list[dict[str, Any]] = [{"pga_g": 0.5}, {"pgv_m_s": 0.5}, BOTH]
     for own in some:
-        assert peaks_of(with_demand(described(0.15, 0.45, **own), peaks)) == Peaks(**own)
+        assert demand_of(with_demand(described(0.15, 0.45, **own), peaks)) == Peaks(**own)
     lifted = described(0.15, 0.45, demand={"vertical_g": 0.1})
     assert with_demand(lifted, peaks).given.demand.vertical_g == 0.1
     with pytest.raises(ModelError, match="demand is missing of object"):

@@ -10,8 +10,8 @@ from rocksteady import BaseMotion, Block, Record, Status, compute_fragility, run
 from rocksteady.errors import InputError
 from rocksteady.motions import Floor, make_synthetic_suite
 from rocksteady.risk import Levels, RestitutionBand, Ways
-from rocksteady.risk.counted.reach import lifting_levels, reaching_levels
 from rocksteady.risk.counted.motions import Motion
+from rocksteady.risk.counted.reach import lifting_levels, reaching_levels
 from rocksteady.risk.counted.suite import Suite
 from tests.risk.counted.recorded import RACKS, real_pairs, real_suite
 
@@ -55,7 +55,7 @@ def lifted_beside(
         (ASIDE.against_wall(0.4), SUITE, None),
         (RACK, PAIRS, Ways(vertical=True)),
         (ASIDE, PAIRS, Ways(vertical="both")),
-        (RACK, Suite(motions=PAIRS, floor=Floor(**RACKS)), Ways(vertical=True)),
+        (RACK, Suite(motions=PAIRS), Ways(vertical=True)),
     ],
     ids=["ground", "aside", "wall", "vertical", "both", "floor"],
 )
@@ -63,8 +63,7 @@ def test_below_its_threshold_none_lifts_and_above_it_every_run_does(
     block: Block, motions: Sequence[Motion] | Suite, ways: Ways | None
 ) -> None:
     if isinstance(motions, Suite):
-        assert motions.floor is not None
-        motions = [motions.floor.motion(each) for each in motions.motions]
+        motions = [Floor(**RACKS).motion(each) for each in motions.motions]
     below, above = lifted_beside(block, motions, ways, 1e-7)
     assert not below.any()
     assert above.all()

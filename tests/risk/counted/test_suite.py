@@ -17,6 +17,7 @@ from rocksteady.risk.counted.motions import (
     distinct,
     folds,
     has_vertical,
+    lift,
     median_fold,
 )
 from rocksteady.risk.counted.suite import Peaks, Suite
@@ -108,13 +109,30 @@ def test_the_vertical_component_has_the_same_factors_of_size_and_time() -> None:
         )
         assert made.vertical.dt_s == pytest.approx(stretch * up.dt_s, rel=1e-14)
         assert peaks_of(across(made)) == pytest.approx((BOTH.pga_g, BOTH.pgv_m_s), rel=1e-9)
-    mixed = Suite(motions=[PAIRS[0], SUITE[1], BaseMotion(SUITE[2])]).at(BOTH)
-    assert [*map(has_vertical, mixed.motions)] == [True, False, False]
+    mixed = Suite(motions=[PAIRS[0], SUITE[1], BaseMotion(SUITE[2])])
+    assert [*map(has_vertical, mixed.at(BOTH).motions)] == [True, False, False]
+    assert [*map(has_vertical, mixed.at(BOTH, lifted=True).motions)] == [True]
+
+
+@every("demand", [BOTH, Peaks(pga_g=0.37), Peaks(pgv_m_s=0.44)])
+def test_a_stated_vertical_peak_is_that_of_every_vertical_component(demand: Peaks) -> None:
+    """At the demand, where motions that are not stretched are still to be scaled."""
+    shaking = Suite(motions=PAIRS).at(demand, vertical_g=0.2)
+    left = np.ones(len(PAIRS)) if shaking.stretched else shaking.scales
+    for pair, made, factor in zip(PAIRS, shaking.motions, left, strict=True):
+        assert isinstance(pair.vertical, Record)
+        assert isinstance(made, BaseMotion)
+        assert isinstance(made.vertical, Record)
+        up = factor * made.vertical.acceleration_m_s2
+        assert np.abs(up).max() == pytest.approx(0.2 * G)
+        own = pair.vertical.acceleration_m_s2
+        np.testing.assert_allclose(up, 0.2 * G / np.abs(own).max() * own, rtol=1e-12)
+    assert lift(SUITE[0], 0.2) is SUITE[0]
 
 
 def test_a_floor_answers_the_ground_that_is_stretched_already() -> None:
     """Not the other way: a floor's own period would be stretched with it."""
-    shaking = Suite(motions=SUITE, floor=FLOOR).at(BOTH)
+    shaking = Suite(motions=SUITE).at(BOTH, floor=FLOOR)
     for record, made, scale, stretch in zip(
         SUITE, shaking.motions, shaking.scales, shaking.stretches, strict=True
     ):
@@ -175,7 +193,7 @@ def test_motions_of_a_floor_have_no_second_peak_to_be_stretched_to() -> None:
     with pytest.raises(InputError, match="those of a floor"):
         Suite(motions=[*SUITE, BaseMotion(led[0])]).at(BOTH)
     with pytest.raises(InputError, match="those of a floor"):
-        Suite(motions=led, floor=FLOOR).at(Peaks(pga_g=0.37))
+        Suite(motions=led).at(Peaks(pga_g=0.37), floor=FLOOR)
     # One peak, or both without stretching, is the ground's, whose records they keep.
     for demand, stretch in ((Peaks(pga_g=0.37), True), (BOTH, False)):
         shaking = Suite(motions=led).at(demand, stretch=stretch)

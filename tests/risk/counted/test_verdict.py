@@ -76,6 +76,11 @@ CASES: list[tuple[dict[str, Any], Verdict, Reason]] = [
     ({"built_in": True}, "not-shown", "built-in"),
     ({"built_in": True, "friction_known": False}, "not-shown", "built-in"),
     ({"friction_known": False}, "not-shown", "friction"),
+    ({"unfit": "far-off"}, "not-shown", "far-off"),
+    ({"unfit": "floor-spectrum", "built_in": True}, "not-shown", "floor-spectrum"),
+    ({"unfit": "far-off", "count": ALL, "beyond": ALL}, "red", ""),
+    ({"unfit": "divided", "stands": True, "beyond": None}, "not-shown", "divided"),
+    ({"unfit": "far-off", "stands": True, "beyond": None}, "stands", ""),
     ({"count": without(0, 10)}, "not-shown", "without-answer"),
     ({"count": without(10, 40), "target": 0.2}, "not-shown", "without-answer"),
 ]  # fmt: skip
@@ -189,13 +194,13 @@ def rate_evidence(target: float = 0.02) -> list[RateEvidence]:
     """Return all evidence on a probability in some years that ends beside a target make."""
     ends = [0.5 * target, target, 2.0 * target]
     bands = [None, *itertools.combinations_with_replacement(ends, 2)]
-    doubts = itertools.product([True, False], repeat=3)
+    doubts = itertools.product([True, False], repeat=4)
     return [
         RateEvidence(
             target=target, band=band, near=near, is_known=known, friction_known=friction,
-            built_in=built_in,
+            built_in=built_in, unfit="far-off" if unfit else "",
         )
-        for band, near, (known, friction, built_in) in itertools.product(
+        for band, near, (known, friction, built_in, unfit) in itertools.product(
             bands, [None, *ends], [*doubts]
         )
     ]  # fmt: skip
@@ -207,7 +212,7 @@ def test_over_all_rates_green_and_red_are_what_their_definitions_say() -> None:
         low, high = each.band or (0.0, 1.0)  # of too few records nothing is shown
         near = [] if each.near is None else [each.near]
         safe = [high < each.target, *(value <= each.target for value in near)]
-        sure = each.friction_known and not each.built_in
+        sure = each.friction_known and not each.built_in and not each.unfit
         green = all(safe) and each.is_known and sure
         red = min([low, *near]) > each.target and each.is_known
         assert verdict == ("green" if green else "red" if red else "not-shown")

@@ -15,12 +15,12 @@ from rocksteady.model.equations import Nonlinear
 from rocksteady.outcomes import Status
 from rocksteady.risk.facades.actions import PushingMass, Tie
 from rocksteady.risk.facades.check_facade import check_facade
-from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 from rocksteady.risk.facades.facade import KAPPA, KAPPA_GABLE, Facade
 from rocksteady.risk.facades.facade_check import FacadeCheck, LimitStateCheck
 from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
+from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 from tests.every import every
 
 WALL = Facade(name="front", thickness_m=0.3, height_m=3.0)

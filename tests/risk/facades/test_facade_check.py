@@ -12,12 +12,12 @@ from rocksteady.model.equations import Nonlinear
 from rocksteady.outcomes import Status
 from rocksteady.risk.facades.actions import Load, Tie
 from rocksteady.risk.facades.check_facade import check_facade
-from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_check import FacadeCheck
 from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
+from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 from tests.descriptions import as_json
 from tests.every import every
 

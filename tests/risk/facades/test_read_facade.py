@@ -7,11 +7,11 @@ import pytest
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.risk.facades.actions import Load, PushingMass, Thrust, Tie
-from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.risk.facades.read_facade import EXAMPLE, DescribedFacade, read_facade
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
+from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 from tests.every import every
 
 SIZES = "thickness_m = 0.5\nheight_m = 6\n"

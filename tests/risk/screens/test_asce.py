@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from rocksteady import Block
 from rocksteady.risk.screens._asce import RockingBody, find_rotations, rotations_text
-from rocksteady.risk.spectra.tables import Chain
+from rocksteady.risk.spectra.tabulated import Chain
 
 G = 9.80665
 

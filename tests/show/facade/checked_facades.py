@@ -5,11 +5,11 @@ import functools
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.facades.actions import Load, PushingMass, Thrust, Tie
 from rocksteady.risk.facades.check_facade import check_facade
-from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_check import FacadeCheck
 from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.risk.facades.facade_runs import run_facade
+from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 
 SUITE = make_synthetic_suite(7)
 

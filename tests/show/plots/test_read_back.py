@@ -420,6 +420,14 @@ CASES: dict[str, Case] = {
             *([row["low"], row["high"]] for row in t["objects"].rows),
         ],
     ),
+    "plot_placed_spectra": lambda t: (
+        {"shaking": t["placed"], "block": t["block"]},
+        [
+            t["placed"].placing.spectrum.sa_g(np.geomspace(0.05, 4.0, 160)),
+            t["placed"].placing.mean_g(np.geomspace(0.05, 4.0, 160)),
+            np.array([0.3, 1.1]) * 2.0 * math.pi / t["block"].p,
+        ],
+    ),
     "plot_plan": lambda t: ({"table": t["on floors"]}, [[0.0], [0.0, 0.5]]),
     "plot_suite_spectrum": lambda t: (
         {"summary": t["summary"]},

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from rocksteady.risk.counted.suite import Peaks
     from rocksteady.risk.screens.demand import Demand
     from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
-    from rocksteady.risk.spectra.tables import TabulatedSpectrum
+    from rocksteady.risk.spectra.tabulated import TabulatedSpectrum
 
 demand_flag = options.Panel("Demand")
 SOURCE = "block"
@@ -164,7 +164,6 @@ class DesignFlags:
         InputError, FlagError
             If it cannot be read, or motions cannot be placed on it.
         """
-        needs("--damping", self.damping, "--spectrum", "FILE", beside=self.spectrum)
         if self.spectrum is None:
             return None
         from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
@@ -181,7 +180,7 @@ class DesignFlags:
         InputError, FlagError
             If it cannot be read.
         """
-        from rocksteady.risk.spectra.tables import spectrum_from
+        from rocksteady.risk.spectra.tabulated import spectrum_from
 
         assert self.spectrum is not None
         with flags_of(OF_SPECTRUM, InputError):

@@ -12,7 +12,7 @@ from rocksteady.risk.counted.band import records_to_show, upper_of_none
 from rocksteady.risk.counted.built_in import ACCURACY, ACCURACY_ON_SPECTRUM
 from rocksteady.risk.counted.count import Count
 from rocksteady.risk.counted.motions import folds, median_fold
-from rocksteady.risk.counted.placing import DOUBTFUL_STRETCH
+from rocksteady.risk.counted.placing import DOUBTFUL_STRETCH, Placing
 from rocksteady.risk.counted.suite import Shaking, Suite
 from rocksteady.risk.counted.verdict import (
     LEAST,
@@ -137,26 +137,15 @@ class Screen:
             return [*lines, *self._beside_rate(), *self._change(), self._friction()]
         lines += self._beside_rate()
         lines += [self._friction(), *self._change(), *self._spectrum()]
-        return [*lines, self._lifts(), *self._records()]
+        last = [self._lifts(), *self._records()]
+        return [*lines, *(reversed(last) if self.placing else last)]
 
     def _spectrum(self) -> list[Stated]:
         """Return how the motions lie on a spectrum, or that one is not used."""
         if self.placing is None:
             words = "both peaks decide; it serves the published formulas alone"
             return [Stated(quantity="spectrum", text=words * self.idle_spectrum)]
-        first, last = self.placing.spectrum.range_s
-        median, low, high = self.placing.pgv_range_m_s
-        span = f"{number(first)} to {number(last)} s" + ", its end" * (last < PLACED_S[1])
-        pgv = f"PGV {quantity(median, 'm/s', 2)} ({number(low, 2)} to {number(high, 2)})"
-        words = f"{span}, met to {number(100.0 * self.placing.misfit, 2)} %; {pgv}"
-        limited = self.placing.at_limit
-        doubts = [
-            f"{limited} at the limit of the stretch" * bool(limited),
-            f"half are stretched over {DOUBTFUL_STRETCH:g}-fold: doubtful"
-            * self.placing.is_doubtful,
-        ]
-        condition = "; ".join(filter(None, doubts))
-        return [Stated(quantity="spectrum", text=words, condition=condition)]
+        return [spectrum_line(self.placing)]
 
     def _beside_rate(self) -> list[Stated]:
         """Return the rate, or of a target in years what is counted at the demand."""
@@ -375,6 +364,24 @@ class Screen:
         rate = 0.0 if judged.friction_of_rate is None else judged.friction_of_rate.largest
         needs = [("once changed", changed), ("for the rate", rate)]
         return [(what, value) for what, value in needs if value > judged.friction.largest]
+
+
+def spectrum_line(placing: Placing) -> Stated:
+    """Return how the motions lie on a spectrum, and what is doubtful of that."""
+    (first, last), limited = placing.spectrum.range_s, placing.at_limit
+    median, low, high = placing.pgv_range_m_s
+    pgv = f"PGV {quantity(median, 'm/s', 2)} ({number(low, 2)} to {number(high, 2)})"
+    doubts = [
+        placing.spectrum.damping_words,
+        f"{limited} at the limit of the stretch" * bool(limited),
+        f"half are stretched over {DOUBTFUL_STRETCH:g}-fold: doubtful" * placing.is_doubtful,
+    ]
+    return Stated(
+        quantity="spectrum",
+        text=f"{number(first)} to {number(last)} s{', its end' * (last < PLACED_S[1])}, met to "
+        f"{number(100.0 * placing.misfit, 2)} %; {pgv}",
+        condition="; ".join(filter(None, doubts)),
+    )
 
 
 def _scaled(shaking: Shaking) -> tuple[str, str]:

@@ -19,7 +19,7 @@ from rocksteady.results.stated import share_words
 from rocksteady.risk.assess._judging import Judged, band_of, judge_objects
 from rocksteady.risk.assess._remedies import is_helped, remedies_of
 from rocksteady.risk.assess._remedy import CHANGES, Remedy, change_words
-from rocksteady.risk.assess._sentences import WORDS
+from rocksteady.risk.assess._sentences import WORDS, spectrum_line
 from rocksteady.risk.assess.assessment import answer_facts, demand_facts, screen_of, target_facts
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.building import Building
@@ -186,7 +186,7 @@ class ObjectsTable(Result):
             *[Column("probability_50_years", "in 50 years", share_of)] * self._has_rates,
             Column("verdict", "verdict", lambda verdict: WORDS[verdict], left=True),
         ]
-        where, demand = self._where, self.demand
+        where = self._where
         words = verdict_words(self.verdicts)
         facts = [
             Fact("objects", len(self.rows), "objects"),
@@ -214,13 +214,14 @@ class ObjectsTable(Result):
                     alarm=WORDS["red"],
                 )
             ],
-            notes=[*CAVEATS, *(demand.remarks if isinstance(demand, DesignSpectrum) else [])],
+            notes=[*CAVEATS, *self._remarks()],
             answer=self._answer(),
         )
 
     def _answer(self) -> Answer:
         """Return how many objects are above the target, and the worst kinds."""
         kinds, red = self.kinds, self.verdicts.get("red", 0)
+        placing = self.shaking.placing if self.demand and self.shaking else None
         several = len(kinds) < len(self.rows)
         objects = plural(len(self.rows), "object")
         place = "" if self.target.years else f" {self._where}"
@@ -240,6 +241,7 @@ class ObjectsTable(Result):
         needs = [row["friction_needed"] for row in self.rows if row["friction"] is None]
         facts = [
             left_out(len(rest), left),
+            ("spectrum", "" if placing is None else spectrum_line(placing).words),
             ("records", f"{self.records:,}" if not self.suite.built_in else ""),
             (
                 "friction",
@@ -249,6 +251,12 @@ class ObjectsTable(Result):
         in_years = self.target.years is not None
         rows = [(row["name"], _row_words(row, count, in_years)) for row, count in kinds[:MOST_ROWS]]
         return Answer(sentence, facts, rows)
+
+    def _remarks(self) -> list[str]:
+        """Return what was done to the spectra of the demands."""
+        several = self.demands.values()
+        spectra = [each for each in several if isinstance(each, DesignSpectrum)]
+        return list(dict.fromkeys(words for each in spectra for words in each.remarks))
 
     def _demand_facts(self) -> list[Fact]:
         """Return the demand in JSON and in words, with the motions of the first object on it."""
@@ -481,6 +489,7 @@ def _forces_per_kg(
 def _row(described: DescribedObject, judged: Judged, suite: Suite) -> dict[str, Any]:
     """Return the row of an object."""
     block, demand, given = described.block, described.demand, described.given
+    asked = demand_of(described)
     side = first_side(block)
     uplift = uplift_acceleration_g(block, demand.vertical_at_peak_g)
     sentence = screen_of(described, judged, suite).sentence
@@ -494,6 +503,7 @@ def _row(described: DescribedObject, judged: Judged, suite: Suite) -> dict[str, 
         "place": given.demand.place,
         "pga_g": described.pga_g,
         "pgv_m_s": given.demand.pgv_m_s,
+        "spectrum": asked.words_of_source if isinstance(asked, DesignSpectrum) else None,
         "floor_pga_g": demand.pga_g if described.on_floor else None,
         **{fact.key: fact.value for fact in answer if fact.key not in ("doubts", "conditions")},
         "alpha_rad": side.alpha,

@@ -161,5 +161,5 @@ def with_demand(described: DescribedObject, demand: Demanded | None) -> Describe
             "give rs.risk.Peaks(pga_g=0.3)",
         )
     if isinstance(demand, DesignSpectrum):
-        return described.on_spectrum(demand.table, pga_g=demand.pga_g)
+        return described.on_spectrum(demand)
     return described.with_peaks(pga_g=demand.pga_g, pgv_m_s=demand.pgv_m_s)

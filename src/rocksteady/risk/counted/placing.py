@@ -85,7 +85,7 @@ class Placing:
     def mean_over_spectrum(self) -> tuple[float, float]:
         """Least and largest ratio of the mean spectrum (of ln Sa) to the design spectrum."""
         t = compared_s(self.spectrum)
-        ratios = self.mean_g(t) / self.spectrum.sa_g(t)
+        ratios = self.mean_g(t) / self.spectrum.accelerations_g(t)
         return float(ratios.min()), float(ratios.max())
 
     def mean_g(self, periods_s: Floats) -> Floats:
@@ -137,7 +137,7 @@ def fit_stretches(shapes: Floats, spectrum: DesignSpectrum) -> tuple[Floats, Flo
     The peak acceleration is exact; of `STEPS` the one with the least squares of ln Sa.
     """
     t, grid = compared_s(spectrum), np.log(GRID_S)
-    wanted = np.log(spectrum.sa_g(t) / spectrum.peak_g)
+    wanted = np.log(spectrum.accelerations_g(t) / spectrum.peak_g)
     moved = np.log(t) - np.log(STEPS)[:, np.newaxis]
     off = np.array([np.interp(moved, grid, shape) - wanted for shape in shapes])
     misfits = np.sqrt((off * off).mean(axis=2))

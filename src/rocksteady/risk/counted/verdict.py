@@ -243,6 +243,8 @@ def _judged(evidence: Evidence, count: Count, beyond: Count) -> tuple[Verdict, R
 def _standing(evidence: Evidence) -> Decision:
     """Return the verdict on what nothing lifts at the demand; more may lift it."""
     beyond = evidence.beyond
+    if evidence.unfit == "divided":  # its peak is then divided too
+        return Decision(verdict="not-shown", reason="divided")
     if beyond is None:
         return Decision(verdict="stands")
     if beyond.records < LEAST:

@@ -21,7 +21,7 @@ from rocksteady.risk.spectra.elastic_spectrum import (
     PERIOD,
     displacement_of,
 )
-from rocksteady.risk.spectra.tables import (
+from rocksteady.risk.spectra.tabulated import (
     IN_G,
     MOST_DESIGN_G,
     RIGID_S,

@@ -30,7 +30,7 @@ from rocksteady.model.blocks.sides import Side
 from rocksteady.results.numbers import number, quantity
 from rocksteady.risk.screens._rows import Case
 from rocksteady.risk.screens.screen import Screen
-from rocksteady.risk.spectra.tables import Chain, HeaderDamping, spectrum_of
+from rocksteady.risk.spectra.tabulated import Chain, HeaderDamping, spectrum_of
 
 LEAST = 1e-9
 """Of alpha: rotations below it are not looked at; capacity and demand do not change there."""

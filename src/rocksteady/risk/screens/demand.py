@@ -13,7 +13,7 @@ from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number, quantity
-from rocksteady.risk.spectra.tables import read_table, tabulated
+from rocksteady.risk.spectra.tabulated import read_table, tabulated
 from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
 from rocksteady.seismic.measures.time_course import integrate_record
 

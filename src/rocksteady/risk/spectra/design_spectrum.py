@@ -5,21 +5,25 @@ from os import PathLike
 from typing import Annotated, Any, Final, Protocol, runtime_checkable
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
+from rocksteady.dynamics.arrays import checked_array
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.results.numbers import number, quantity
 from rocksteady.risk.spectra.code_spectra import PERIODS_S, SPECTRUM_DAMPING, formula_of
-from rocksteady.risk.spectra.tables import (
+from rocksteady.risk.spectra.tabulated import (
     IN_G,
     MOST_DESIGN_G,
+    RIGID_S,
     TabulatedSpectrum,
     spectrum_from,
     tabulated,
 )
+from rocksteady.seismic.measures.response_spectrum import LONGEST_S
 
 PLACED_S: Final = (0.2, 4.0)
 """Periods over which a motion is placed on a spectrum [s]."""
@@ -29,6 +33,7 @@ SAME_PEAK: Final = 0.02
 """Part by which a peak may differ from that of the row at period 0."""
 LEAST_PLATEAU: Final = 1.8
 """Largest Sa over the PGA below which a spectrum may be one that was divided by q or R."""
+PERIODS: Final = Bounds(0.0, LONGEST_S, "[]", "give periods in seconds, as 0.5")
 PGA: Final = Bounds(0.0, MOST_DESIGN_G, "(]", "give the peak in g; 0.3 is usual")
 
 
@@ -78,8 +83,8 @@ class DesignSpectrum:
                 hint = "add its row at period 0, or give the PGA"
                 raise InputError("spectrum", self.words_of_source, valid, hint)
             object.__setattr__(self, "pga_g", PGA("spectrum", peak))
-        elif peak is not None and abs(self.pga_g - peak) > SAME_PEAK * peak:
-            valid = f"the spectrum has {number(peak)} g at period {number(first)} s"
+        elif first <= RIGID_S and abs(self.pga_g - values[0]) > SAME_PEAK * values[0]:
+            valid = f"the spectrum has {number(values[0])} g at period {number(first)} s"
             raise InputError("pga_g", self.pga_g, valid, "leave it out, or correct the spectrum")
 
     @property
@@ -122,9 +127,10 @@ class DesignSpectrum:
     @property
     def values(self) -> dict[str, Any]:
         """What JSON says of it."""
+        given = self.table.dampings
         return {
             "file": self.table.source or None,
-            "damping": list(self.table.dampings),
+            "damping": given[0] if len(given) == 1 else list(given),
             "pga_g": self.pga_g,
             "range_s": list(self.range_s),
         }
@@ -140,6 +146,15 @@ class DesignSpectrum:
         return self.plateau < LEAST_PLATEAU
 
     @property
+    def damping_words(self) -> str:
+        """How its acceleration follows from other dampings than 5 %; empty of 5 % itself."""
+        given = self.table.dampings
+        if SPECTRUM_DAMPING in given:
+            return ""
+        ends = " and ".join(number(100.0 * each) for each in (given[0], given[-1])[: len(given)])
+        return f"taken from {ends} to {number(100.0 * SPECTRUM_DAMPING)} % damping"
+
+    @property
     def remarks(self) -> list[str]:
         """What was done to it, and what its source is, in words; empty of a plain table."""
         said = []
@@ -152,27 +167,38 @@ class DesignSpectrum:
             said.append(f"{words}, not checked against the printed standard.")
         return said
 
-    def sa_g(self, period_s: Floats) -> Floats:
-        """Return its acceleration at periods [g]; at its end that of its last row."""
+    def accelerations_g(self, periods_s: ArrayLike) -> Floats:
+        """Return its acceleration at periods in s [g]; beyond its end that of its last row.
+
+        Raises
+        ------
+        InputError
+            If one is below 0 or above 1e9 s.
+        """
+        periods = checked_array("periods_s", periods_s, PERIODS)
         chain, _ = self.table.at_damping(SPECTRUM_DAMPING, PLACED_S[1])
-        return np.array([chain.at(t) for t in period_s.tolist()]) / STANDARD_GRAVITY
+        values = [chain.at(t) for t in periods.ravel().tolist()]
+        return np.reshape(values, periods.shape) / STANDARD_GRAVITY
 
 
 @checked
 def make_design_spectrum(
-    source: Any, *, damping: float | None = None, pga_g: Annotated[float | None, PGA] = None
+    spectrum: Any,
+    *,
+    spectrum_damping: float | None = None,
+    pga_g: Annotated[float | None, PGA] = None,
 ) -> DesignSpectrum:
     """Return a design spectrum of a file, a formula, rows, or another kind of spectrum.
 
     Parameters
     ----------
-    source
-        A file of rows of period [s] and Sa [g] that states its damping; a formula, as
+    spectrum
+        A file of rows of period in s and Sa in g that states its damping; a formula, as
         ``en1998-1:2004:type1:A:ag=0.25``, ``asce7-16:sds=1.0:sd1=0.6:tl=8`` or
         ``ntc2018:A:T1:ag=0.2:f0=2.5:tc=0.35``; rows, shape (periods, 2); an `ElasticSpectrum` or a
         `SpectrumTable`.
-    damping
-        Damping of rows, 0.05 by default, or of a file that states none.
+    spectrum_damping
+        Damping of rows, or of a file that states none, 1 being critical; default 0.05 of rows.
     pga_g
         Peak acceleration [g]; by default that of the row at period 0.
 
@@ -187,15 +213,15 @@ def make_design_spectrum(
     >>> rock.words, rock.words_of_source
     ('the spectrum of 0.25 g', 'EN 1998-1:2004, 3.2.2.2, type 1, ground A')
     """
-    if isinstance(source, DesignSpectrum):
-        return source
-    if isinstance(source, str | PathLike):
-        return DesignSpectrum(table=spectrum_from(str(source), damping), pga_g=pga_g)
-    if isinstance(source, HasAcceleration):
+    if isinstance(spectrum, DesignSpectrum):
+        return spectrum
+    if isinstance(spectrum, str | PathLike):
+        return DesignSpectrum(table=spectrum_from(str(spectrum), spectrum_damping), pga_g=pga_g)
+    if isinstance(spectrum, HasAcceleration):
         usual = [*PERIODS_S[PLACED_S[1] > PERIODS_S].tolist(), PLACED_S[1]]
-        given = getattr(source, "periods_s", usual)
-        source = [[t, source.sa_g(t, SPECTRUM_DAMPING)] for t in given]
-        damping = SPECTRUM_DAMPING
-    table = tabulated(source, SPECTRUM_DAMPING if damping is None else damping)
+        given = getattr(spectrum, "periods_s", usual)
+        spectrum = [[t, spectrum.sa_g(t, SPECTRUM_DAMPING)] for t in given]
+        spectrum_damping = SPECTRUM_DAMPING
+    table = tabulated(spectrum, SPECTRUM_DAMPING if spectrum_damping is None else spectrum_damping)
     assert table is not None
     return DesignSpectrum(table=table, pga_g=pga_g)

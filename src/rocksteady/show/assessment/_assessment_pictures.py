@@ -2,12 +2,14 @@
 
 import math
 
-from rocksteady.results.numbers import chance, number
+from rocksteady.results.numbers import chance, number, plural
 from rocksteady.risk.assess.assessment import Assessment
+from rocksteady.risk.counted.placing import Placing
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.show.assessment._assessment_tables import ends, level_words
 from rocksteady.show.assessment._object_drawing import draw_object
 from rocksteady.show.plots.risk.assessment import plot_assessment
+from rocksteady.show.plots.risk.placed_spectra import DECIDING, plot_placed_spectra
 from rocksteady.show.plots.risk.tornado import plot_tornado
 from rocksteady.show.report import picture, twins
 from rocksteady.show.style.wording import span, state_words
@@ -27,6 +29,19 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
     pictures = {
         "object": twins(lambda _: draw_object(assessment.described), words, phone=False),
     }
+    shaking = assessment.judged.shaking
+    if shaking is not None and shaking.placing is not None:
+        block = None if assessment.described.on_floor else assessment.facts.block
+        pictures["spectra"] = picture(
+            lambda axes: plot_placed_spectra(shaking, axes, block=block),
+            3.6,
+            _words_of_spectra(shaking.placing),
+        )
+        pictures["spectra"]["caption"] = (
+            "The spectrum is that of the ground: the motions reach the object through its floor."
+            if block is None
+            else f"Periods of {span(*DECIDING)} times 2π/p decide whether the object falls."
+        )
     if assessment.fragility is None:
         return pictures
     pictures["shares"] = picture(
@@ -52,6 +67,12 @@ def _words_of_object(assessment: Assessment) -> str:
         f"The object to true scale on its two edges, its mass centre {number(side.centre_height)} "
         f"m above the ground, its slenderness {number(math.degrees(side.alpha))}°."
     )
+
+
+def _words_of_spectra(placing: Placing) -> str:
+    """Return what the picture of the spectra of the motions shows."""
+    motions = plural(len(placing.shapes), "motion")
+    return f"A design spectrum with the spectra of {motions} and their mean. {placing.remark}"
 
 
 def _words_of_shares(assessment: Assessment) -> str:

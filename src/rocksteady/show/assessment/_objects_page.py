@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rocksteady.results.numbers import chance, number, plural, share_of
-from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.risk.ensemble.qualification import FORCES, OF_ROCKING
 from rocksteady.show.assessment._assessment_tables import ends, share_cell
@@ -48,7 +47,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
     values: dict[str, Any] = {
         "alike": len(kinds) < len(table.rows),
         "answer": greek(answer.sentence),
-        "caveats": [greek(each) for each in CAVEATS],
+        "caveats": [greek(each) for each in description.notes],
         "counts": [
             {"badge": badge(*BADGES[each]), "count": f"{count:,}"}
             for each, count in table.verdicts.items()

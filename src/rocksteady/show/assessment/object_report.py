@@ -152,6 +152,7 @@ def _method(assessment: Assessment) -> dict[str, Any]:
     if runs is None or shaking is None:
         return {}
     ratios = runs["restitution"].values
+    spectrum = None if shaking.placing is None else shaking.placing.spectrum
     counted: dict[str, str] = dict.fromkeys(("levels", "measure", "reach", "runs"), "")
     if fragility is not None:
         levels, (label, unit) = fragility.states[-1].curve.levels, level_words(assessment)
@@ -166,8 +167,11 @@ def _method(assessment: Assessment) -> dict[str, Any]:
         "count": plural(len(shaking.motions), "motion"),
         "draws": int(runs.sizes["draw"]),
         "floor": assessment.described.on_floor,
+        "kept": sentence(shaking.demand.kept) if shaking.stretched else "",
+        "range": "" if spectrum is None else f"from {span(*spectrum.range_s)} s",
         "ratios": span(float(ratios.min()), float(ratios.max())),
         "signs": int(runs.sizes["direction"]) > 1,
+        "spectrum": "" if spectrum is None else Path(spectrum.words_of_source).name,
         "stretched": shaking.stretched,
         "rate": assessment.risk is not None,
         "target": assessment.target.words,

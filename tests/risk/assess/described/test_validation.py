@@ -84,7 +84,7 @@ def test_ranges_ascend_and_spectra_have_two_points() -> None:
         *(([0.1, 0.2], [0.5, 0.4], True), ([0.1], [0.5], False), ([0.1, 0.2], [0.5], False)),
         *(([0.2, 0.1], [0.5, 0.4], False), ([0.1, 0.1], [0.5, 0.4], False)),
         *(([0.1, 60.0], [0.5, 30.0], True), ([0.1, 60.1], [0.5, 0.4], False)),
-        *(([0.1, 1.0], [0.5, 30.1], False), ([0.0, 1.0], [0.5, 0.4], False)),
+        *(([0.1, 1.0], [0.5, 30.1], False), ([0.0, 1.0], [0.5, 0.4], True)),
     ):
         spectrum = {"period_s": periods, "sa_g": accelerations, "damping": 0.05}
         given = {**OBJECT, "demand": {"spectrum": spectrum}}

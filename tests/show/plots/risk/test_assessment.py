@@ -70,7 +70,7 @@ def test_the_demand_stands_with_its_share_its_interval_and_1_1_times_it(found: A
     assert f"demand 0.3 g\n{100.0 * judged.count.share:.0f} % fall" in [
         text.get_text() for text in drawn.texts
     ]
-    assert drawn.get_xlabel() == "PGA [g], with PGV/PGA kept at 2 m/s per g"
+    assert drawn.get_xlabel() == "PGA [g]: PGV over PGA is kept at 2 m/s per g"
 
 
 def test_one_peak_has_its_own_axis() -> None:

@@ -148,9 +148,11 @@ class _Asked:
                     "leave one of the two out",
                 )
         pga = given.pga_g if flag is None else flag
-        if given.pgv_m_s is None:
-            self.designs.design(pga)  # refused by its flags
-        return described.on_spectrum(self.designs.table, pga_g=pga)
+        if given.pgv_m_s is not None:  # both peaks decide
+            return replace(described, spectrum=self.designs.table)
+        design = self.designs.design(pga)
+        assert design is not None
+        return described.on_spectrum(design)
 
     def _table_of(self, file: Path) -> "list[DescribedObject]":
         """Return the objects of a table, each with its demand or that of the flags."""
@@ -447,6 +449,7 @@ def assess(
     ),
 ) -> None:
     """Run `rocksteady assess`; `HELP` is what its users read."""
+    needs("--damping", designs.damping, "--spectrum", "FILE", beside=designs.spectrum)
     read = [each for each in (file, hazard, *designs.file) if each is not None]
     kept.sweep.check(output.files, read, out=out)
     _refuse_idle(

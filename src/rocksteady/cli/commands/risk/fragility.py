@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from rocksteady.cli.console.outputs import again
-from rocksteady.cli.console.refusals import both, flags_of, refuse, require
+from rocksteady.cli.console.refusals import both, flags_of, needs, refuse, require
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.demand import DesignFlags
 from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags, ensemble_flag
@@ -82,6 +82,7 @@ def fragility(
     from rocksteady.risk.fragility.compute_fragility import damage_states, plan_fragility
 
     sweep.check(output)
+    needs("--damping", designs.damping, "--spectrum", "FILE", beside=designs.spectrum)
     require(
         "fragility",
         {"block": block.given or example, "suite of motions": recorded.records or example},

@@ -34,7 +34,8 @@ from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import least_gravity_g
 from rocksteady.risk.spectra.code_spectra import formula_of
-from rocksteady.risk.spectra.tables import TabulatedSpectrum, spectrum_from, tabulated
+from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
+from rocksteady.risk.spectra.tabulated import TabulatedSpectrum, spectrum_from, tabulated
 
 GROUND = ("", "0", "ground")
 """Floors that are the ground."""
@@ -330,11 +331,11 @@ did you mean width_m?
         """
         return self._changed("demand", pga_g=pga_g, pgv_m_s=pgv_m_s)
 
-    def on_spectrum(
-        self, spectrum: TabulatedSpectrum, *, pga_g: float | None = None
-    ) -> "DescribedObject":
-        """Return the object with a design spectrum as its demand."""
-        return replace(self._changed("demand", spectrum=None, pga_g=pga_g), spectrum=spectrum)
+    @checked
+    def on_spectrum(self, spectrum: DesignSpectrum) -> "DescribedObject":
+        """Return the object with a design spectrum as its demand, in place of its peaks."""
+        peaks = {"pga_g": spectrum.pga_g, "pgv_m_s": None}
+        return replace(self._changed("demand", spectrum=None, **peaks), spectrum=spectrum.table)
 
     def _changed(self, table: str, **keys: object) -> "DescribedObject":
         """Return the object with other values of some keys of a table; None takes a key out."""

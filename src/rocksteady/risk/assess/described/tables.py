@@ -26,7 +26,7 @@ COLUMNS: Mapping[str, tuple[str, str]] = {
 }
 """Table and key of the object file for each column that is read."""
 
-OF_FILES = {*Options.__struct_fields__}
+OF_FILES = {*Options.__struct_fields__, "spectrum"}
 """Keys of an object file that a table would pass over in silence."""
 TEXTS = ("name", "kind", "building", "floor")
 ANSWERS = {"yes": True, "true": True, "no": False, "false": False}

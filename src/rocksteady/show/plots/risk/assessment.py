@@ -62,7 +62,7 @@ def plot_assessment(assessment: Assessment, ax: "Axes | None" = None) -> "Axes":
     ... )
     >>> found = assess_object(vase, make_synthetic_suite(12))
     >>> plot_assessment(found, Figure().add_subplot()).get_xlabel()
-    'PGA [g], with PGV/PGA kept at 1 m/s per g'
+    'PGA [g]: PGV over PGA is kept at 1 m/s per g'
     """
     fragility, judged = assessment.fragility, assessment.judged
     shaking = judged.shaking

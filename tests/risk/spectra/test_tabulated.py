@@ -11,8 +11,8 @@ import pytest
 from rocksteady import Record
 from rocksteady.errors import InputError
 from rocksteady.measures import compute_response_spectrum
-from rocksteady.risk.screens import spectra
-from rocksteady.risk.spectra.tables import (
+from rocksteady.risk.spectra import tabulated as spectra
+from rocksteady.risk.spectra.tabulated import (
     Chain,
     RecordSpectrum,
     read_table,
