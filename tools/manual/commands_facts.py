@@ -73,7 +73,7 @@ HOW_TO = {
     "overturn": ("overturning-spectrum", "overturning-scales"),
     "record": ("read-a-record",),
     "fragility": ("fragility-with-vertical-motion",),
-    "assess": ("annual-risk", "pelicun-and-openquake"),
+    "assess": ("design-spectrum", "annual-risk", "pelicun-and-openquake"),
     "facade": ("check-a-facade",),
     "calibrate": ("calibrate",),
     "back-analyse": ("back-analysis",),
@@ -115,6 +115,7 @@ PYTHON = {
     "assess": (
         "assess_object",
         "assess_objects",
+        "place_on_spectrum",
         "read_hazard_curves",
         "assess_by_formula",
         "write_assessment",

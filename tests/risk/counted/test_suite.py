@@ -111,7 +111,7 @@ def test_the_vertical_component_has_the_same_factors_of_size_and_time() -> None:
         assert peaks_of(across(made)) == pytest.approx((BOTH.pga_g, BOTH.pgv_m_s), rel=1e-9)
     mixed = Suite(motions=[PAIRS[0], SUITE[1], BaseMotion(SUITE[2])])
     assert [*map(has_vertical, mixed.at(BOTH).motions)] == [True, False, False]
-    assert [*map(has_vertical, mixed.at(BOTH, lifted=True).motions)] == [True]
+    assert [*map(has_vertical, mixed.at(BOTH, vertical_g=0.1).motions)] == [True]
 
 
 @every("demand", [BOTH, Peaks(pga_g=0.37), Peaks(pgv_m_s=0.44)])

@@ -71,18 +71,15 @@ def place_objects(
         grounds_of(list(motions))  # refused where one is no record
         kept = distinct(motions)
         suite = Suite(motions=kept, copies=len(motions) - len(kept))
-    made: dict[tuple[Floor | None, Demanded, float], Shaking | None] = {}
+    made: dict[tuple[Floor | None, Demanded, float], Shaking] = {}
     standing, shakings, plain = [], [], []
 
     def shaken(stood: Floor | None, demand: Demanded, vertical_g: float) -> Shaking | None:
-        key, lifted = (stood, demand, vertical_g), vertical_g > 0.0
+        if vertical_g and not any(map(has_vertical, suite.motions)):
+            return None
+        key = stood, demand, vertical_g
         if key not in made:
-            there = not lifted or any(map(has_vertical, suite.motions))
-            made[key] = (
-                suite.at(demand, floor=stood, lifted=lifted, vertical_g=vertical_g, stretch=stretch)
-                if there
-                else None
-            )
+            made[key] = suite.at(demand, floor=stood, vertical_g=vertical_g, stretch=stretch)
         return made[key]
 
     for each in objects:

@@ -124,7 +124,6 @@ class Suite:
         demand: Demanded,
         *,
         floor: Floor | None = None,
-        lifted: bool = False,
         vertical_g: float = 0.0,
         stretch: bool = True,
     ) -> "Shaking":
@@ -140,10 +139,9 @@ class Suite:
             Peaks or a design spectrum.
         floor
             Floor that the motions reach the object through; None of the ground.
-        lifted
-            Whether motions with a vertical component alone are taken.
         vertical_g
-            Peak that their verticals get [g]; 0 for the factors of the horizontal motion.
+            Peak of the vertical components [g], whose motions alone are then taken; by default they
+            have the factors of the horizontal ones.
         stretch
             Whether time is stretched; else motions are scaled to the PGA, and keep their own PGV.
 
@@ -152,11 +150,10 @@ class Suite:
         InputError
             If a motion that is to be stretched is that of a floor already.
         """
-        kept = [n for n, each in enumerate(self.motions) if has_vertical(each) or not lifted]
+        kept = [n for n, each in enumerate(self.motions) if has_vertical(each) or not vertical_g]
         motions, (pga, pgv) = [self.motions[n] for n in kept], (peak[kept] for peak in self.peaks)
         stretches, beside, placing = np.ones(len(pga)), None, None
-        both = demand.pga_g is not None and demand.pgv_m_s is not None
-        stretched = isinstance(demand, DesignSpectrum) or (stretch and both)
+        stretched = isinstance(demand, DesignSpectrum) or (stretch and bool(demand.kept))
         measure, value = (PGV, demand.pgv_m_s) if demand.pga_g is None else (PGA, demand.pga_g)
         assert value is not None
         levels, others = (pga, pgv) if measure is PGA else (pgv, pga)

@@ -157,15 +157,15 @@ class DesignSpectrum:
     @property
     def remarks(self) -> list[str]:
         """What was done to it, and what its source is, in words; empty of a plain table."""
-        said = []
+        remarks = []
         if SPECTRUM_DAMPING not in self.table.dampings:
-            said.append(f"The {self.table.scaled(SPECTRUM_DAMPING)[1]}.")
+            remarks.append(f"The {self.table.scaled(SPECTRUM_DAMPING)[1]}.")
         if self.range_s[1] < PLACED_S[1]:
-            said.append(f"The spectrum ends at {number(self.range_s[1])} s: placed up to there.")
+            remarks.append(f"The spectrum ends at {number(self.range_s[1])} s: placed up to there.")
         if formula_of(self.table.source) is not None:
             words = f"The spectrum is that of {self.words_of_source}"
-            said.append(f"{words}, not checked against the printed standard.")
-        return said
+            remarks.append(f"{words}, not checked against the printed standard.")
+        return remarks
 
     def accelerations_g(self, periods_s: ArrayLike) -> Floats:
         """Return its acceleration at periods in s [g]; beyond its end that of its last row.

@@ -69,13 +69,12 @@ MAIN = "file records pga_g pgv_m_s width_m height_m friction target out example"
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady assess --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4 --friction 0.5\n\n"
-    "rocksteady assess --width-m 0.32 --height-m 1.8 --spectrum en1998-1:2004:type1:A:ag=0.25 "
-    "--friction 0.5\n\n"
+    "rocksteady assess --spectrum design.csv --width-m 0.32 --height-m 1.8 --records suite\n\n"
     "rocksteady assess statue.toml --records suite --hazard site.csv\n\n"
     "rocksteady assess objects.csv --pga-g 0.35 --pgv-m-s 0.4 --csv answers.csv"
     "\n\nrocksteady assess --example --out example\n\n"
-    "Your files: statue.toml, an object; objects.csv, a table of objects; site.csv, a hazard "
-    "curve; suite, a folder of records."
+    "Your files: statue.toml, an object; objects.csv, a table of objects; design.csv, a "
+    "spectrum; site.csv, a hazard curve; suite, a folder of records."
 )
 TRIED = 75
 """Changed objects that a remedy takes, about."""

@@ -138,8 +138,8 @@ def fragility(
 
         output.write_plot(lambda page: fragility_figure(result, headline, page))
     kept = f", kept in {after['store']}" if after["store"] else ""
-    said = [] if placing is None else [*placing.spectrum.remarks, placing.remark]
-    notes = [*description.notes, *said, f"{result.runs:,} runs in {result.seconds:.1f} s{kept}"]
+    remarks = [] if placing is None else [*placing.spectrum.remarks, placing.remark]
+    notes = [*description.notes, *remarks, f"{result.runs:,} runs in {result.seconds:.1f} s{kept}"]
     output.leave(
         "fragility",
         replace(description, headline=headline, notes=notes),

@@ -92,10 +92,10 @@ def plot_placed_spectra(
     periods = np.geomspace(FIRST_S, end, STEPS)
     spectra, design = placing.spectra_g(periods), placing.spectrum.accelerations_g(periods)
     thin: dict[str, Any] = {"color": inks.base, "lw": 0.6 * width, "alpha": FAINT}
-    own = placing.spectrum.peak_g * np.exp(placing.shapes)
-    each, *_ = axes.plot(np.outer(GRID_S, placing.stretches), own.T, **thin)
+    motions = placing.spectrum.peak_g * np.exp(placing.shapes)
+    each, *_ = axes.plot(np.outer(GRID_S, placing.stretches), motions.T, **thin)
     each.set_label("each motion's spectrum")
-    mean = f"mean spectrum of {len(own):,}"
+    mean = f"mean spectrum of {len(motions):,}"
     axes.plot(periods, placing.mean_g(periods), color=inks.base, lw=2.4 * width, label=mean)
     strong: dict[str, Any] = {"color": inks.limit, "ls": DASHED, "lw": 1.8 * width}
     axes.plot(periods, design, label="design spectrum", **strong)
