@@ -14,6 +14,7 @@ from rocksteady.risk import DescribedObject, HazardCurve
 from rocksteady.risk.assess._judging import Judged, judge_objects
 from rocksteady.risk.assess.placed_objects import place_objects
 from rocksteady.risk.counted.count import Count
+from rocksteady.risk.counted.suite import Suite
 from tests.records import ABSENT, FOLDER
 
 Floats = NDArray[np.float64]
@@ -88,7 +89,7 @@ def described(
 
 def judged(
     described: DescribedObject,
-    motions: Sequence[Record | BaseMotion] | None,
+    motions: Sequence[Record | BaseMotion] | Suite | None,
     *,
     floor: Floor | None = None,
     stretch: bool = True,

@@ -256,12 +256,12 @@ class Assessment(Result):
             words = f"The curve is over multiples of the demand: {shaking.demand.kept}."
             warnings.append(words)
         demand = demand_of(self.described)
-        warnings += demand.remarks if isinstance(demand, DesignSpectrum) else []
+        warnings += [demand.remark] if isinstance(demand, DesignSpectrum) else []
         if shaking is not None and shaking.placing is not None:
             warnings.append(shaking.placing.remark)
         warnings += [each.warning for each in self.remedies if each.warning]
         warnings += [] if self.risk is None else self.risk.hazard.remarks
-        return list(dict.fromkeys(warnings))
+        return [*filter(None, dict.fromkeys(warnings))]
 
 
 def answer_facts(judged: Judged, target: Target, *, built_in: bool) -> list[Fact]:

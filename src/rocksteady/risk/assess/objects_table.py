@@ -253,10 +253,9 @@ class ObjectsTable(Result):
         return Answer(sentence, facts, rows)
 
     def _remarks(self) -> list[str]:
-        """Return what was done to the spectra of the demands."""
-        several = self.demands.values()
-        spectra = [each for each in several if isinstance(each, DesignSpectrum)]
-        return list(dict.fromkeys(words for each in spectra for words in each.remarks))
+        """Return what formulas of spectra leave to the engineer."""
+        spectra = [each for each in self.demands.values() if isinstance(each, DesignSpectrum)]
+        return [*filter(None, dict.fromkeys(each.remark for each in spectra))]
 
     def _demand_facts(self) -> list[Fact]:
         """Return the demand in JSON and in words, with the motions of the first object on it."""

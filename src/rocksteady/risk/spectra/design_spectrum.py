@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from os import PathLike
-from typing import Annotated, Any, Final, Protocol, runtime_checkable
+from typing import Annotated, Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -35,14 +35,6 @@ LEAST_PLATEAU: Final = 1.8
 """Largest Sa over the PGA below which a spectrum may be one that was divided by q or R."""
 PERIODS: Final = Bounds(0.0, LONGEST_S, "[]", "give periods in seconds, as 0.5")
 PGA: Final = Bounds(0.0, MOST_DESIGN_G, "(]", "give the peak in g; 0.3 is usual")
-
-
-@runtime_checkable
-class HasAcceleration(Protocol):
-    """A spectrum that answers period by period, as `ElasticSpectrum` and `SpectrumTable`."""
-
-    def sa_g(self, period_s: float, damping: float) -> float:
-        """Return the spectral acceleration [g] at a period [s]."""
 
 
 @checked
@@ -155,17 +147,12 @@ class DesignSpectrum:
         return f"taken from {ends} to {number(100.0 * SPECTRUM_DAMPING)} % damping"
 
     @property
-    def remarks(self) -> list[str]:
-        """What was done to it, and what its source is, in words; empty of a plain table."""
-        remarks = []
-        if SPECTRUM_DAMPING not in self.table.dampings:
-            remarks.append(f"The {self.table.scaled(SPECTRUM_DAMPING)[1]}.")
-        if self.range_s[1] < PLACED_S[1]:
-            remarks.append(f"The spectrum ends at {number(self.range_s[1])} s: placed up to there.")
-        if formula_of(self.table.source) is not None:
-            words = f"The spectrum is that of {self.words_of_source}"
-            remarks.append(f"{words}, not checked against the printed standard.")
-        return remarks
+    def remark(self) -> str:
+        """What a formula leaves to the engineer, as a sentence; empty of a table."""
+        if formula_of(self.table.source) is None:
+            return ""
+        source = self.words_of_source
+        return f"The spectrum is that of {source}, not checked against the printed standard."
 
     def accelerations_g(self, periods_s: ArrayLike) -> Floats:
         """Return its acceleration at periods in s [g]; beyond its end that of its last row.
@@ -217,7 +204,7 @@ def make_design_spectrum(
         return spectrum
     if isinstance(spectrum, str | PathLike):
         return DesignSpectrum(table=spectrum_from(str(spectrum), spectrum_damping), pga_g=pga_g)
-    if isinstance(spectrum, HasAcceleration):
+    if hasattr(spectrum, "sa_g"):  # as `ElasticSpectrum` and `SpectrumTable`
         usual = [*PERIODS_S[PLACED_S[1] > PERIODS_S].tolist(), PLACED_S[1]]
         given = getattr(spectrum, "periods_s", usual)
         spectrum = [[t, spectrum.sa_g(t, SPECTRUM_DAMPING)] for t in given]

@@ -138,8 +138,12 @@ def fragility(
 
         output.write_plot(lambda page: fragility_figure(result, headline, page))
     kept = f", kept in {after['store']}" if after["store"] else ""
-    remarks = [] if placing is None else [*placing.spectrum.remarks, placing.remark]
-    notes = [*description.notes, *remarks, f"{result.runs:,} runs in {result.seconds:.1f} s{kept}"]
+    remarks = [] if placing is None else [placing.spectrum.remark, placing.remark]
+    notes = [
+        *description.notes,
+        *filter(None, remarks),
+        f"{result.runs:,} runs in {result.seconds:.1f} s{kept}",
+    ]
     output.leave(
         "fragility",
         replace(description, headline=headline, notes=notes),
