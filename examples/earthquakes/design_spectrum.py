@@ -10,7 +10,7 @@ there. The band holds the periods that decide whether a cabinet falls. See
 import rocksteady as rs
 
 placed = rs.motions.place_on_spectrum(
-    rs.motions.make_synthetic_suite(28), "en1998-1:2004:type1:A:ag=0.25"
+    rs.motions.make_synthetic_suite(28), "en1998-1:2004:type1:C:ag=0.25"
 )
 cabinet = rs.Block.rectangle(width=0.32, height=1.8)
 rs.plots.placed_spectra(placed, block=cabinet)

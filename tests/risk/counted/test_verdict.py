@@ -79,7 +79,7 @@ CASES: list[tuple[dict[str, Any], Verdict, Reason]] = [
     ({"unfit": "far-off"}, "not-shown", "far-off"),
     ({"unfit": "floor-spectrum", "built_in": True}, "not-shown", "floor-spectrum"),
     ({"unfit": "far-off", "count": ALL, "beyond": ALL}, "red", ""),
-    ({"unfit": "divided", "stands": True, "beyond": None}, "not-shown", "divided"),
+    ({"unfit": "odd-peak", "stands": True, "beyond": None}, "not-shown", "odd-peak"),
     ({"unfit": "far-off", "stands": True, "beyond": None}, "stands", ""),
     ({"count": without(0, 10)}, "not-shown", "without-answer"),
     ({"count": without(10, 40), "target": 0.2}, "not-shown", "without-answer"),

@@ -29,7 +29,9 @@ def test_a_file_is_read_when_the_demand_is_made(tmp_path: Path) -> None:
     stated = Demand(spectrum=str(file))
     assert stated.spectrum.tolist() == [[0.1, 0.3], [0.2, 0.4]]
     assert stated.spectrum_damping == (0.02,)
-    assert Demand(spectrum=file, spectrum_damping=0.05).spectrum_damping == 0.05
+    assert Demand(spectrum=file, spectrum_damping=0.02).spectrum_damping == 0.02
+    with pytest.raises(InputError, match=r"spectrum_damping = 0\.05 .* states 0\.02; leave it out"):
+        Demand(spectrum=file, spectrum_damping=0.05)
     file.write_text("0.2 0.3\n0.1 0.4\n", encoding="utf-8")
     with pytest.raises(InputError, match=r"spectrum\.txt'.* and after 0\.2 s follows 0\.1 s; "):
         Demand(spectrum=file)

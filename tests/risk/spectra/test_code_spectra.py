@@ -66,6 +66,6 @@ def test_a_text_of_another_form_is_refused_with_an_example(text: str) -> None:
 
 def test_corners_rise_and_other_names_are_files() -> None:
     for text in ("asce7-16:sds=1:sd1=2:tl=1", "asce7-16:sds=1:sd1=0.6:tl=0.6"):  # fmt: skip
-        with pytest.raises(InputError, match="corner periods must rise"):
+        with pytest.raises(InputError, match="of the numbers: its corner periods must rise"):
             formula_of(text)
     assert formula_of("en1998-1.csv") is formula_of("asce7-22:sds=1") is None

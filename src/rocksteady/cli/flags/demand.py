@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from rocksteady.risk.assess.described.objects import DescribedObject
     from rocksteady.risk.counted.suite import Peaks
     from rocksteady.risk.screens.demand import Demand
+    from rocksteady.risk.spectra.code_spectra import CodeSpectrum
     from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
     from rocksteady.risk.spectra.tabulated import TabulatedSpectrum
 
@@ -126,8 +127,8 @@ class DesignFlags:
         "--spectrum FILE|CODE",
         "Take a response spectrum: rows of period \\[s] and Sa \\[g], one column of Sa for "
         "each damping; a comment '# 5 % damping' states it. Or one by a formula, as "
-        "en1998-1:2004:type1:A:ag=0.25, asce7-16:sds=1.0:sd1=0.6:tl=8 or "
-        "ntc2018:A:T1:ag=0.2:f0=2.5:tc=0.35.",
+        "en1998-1:2004:type1:C:ag=0.25, asce7-16:sds=1.0:sd1=0.6:tl=8 or "
+        "ntc2018:C:T1:ag=0.2:f0=2.5:tc=0.35.",
     )
     damping: str | None = demand_flag(
         "--damping X",
@@ -135,12 +136,17 @@ class DesignFlags:
     )
 
     @property
-    def file(self) -> list[Path]:
-        """The file of the spectrum; none of a formula."""
+    def formula(self) -> "CodeSpectrum | None":
+        """The spectrum by a formula; None of a file."""
         from rocksteady.risk.spectra.code_spectra import formula_of
 
-        given = self.spectrum
-        return [] if given is None or formula_of(str(given)) is not None else [given]
+        with flags_of(OF_SPECTRUM, InputError):
+            return None if self.spectrum is None else formula_of(str(self.spectrum))
+
+    @property
+    def file(self) -> list[Path]:
+        """The file of the spectrum; none of a formula."""
+        return [] if self.spectrum is None or self.formula is not None else [self.spectrum]
 
     @property
     def dampings(self) -> list[float] | None:

@@ -15,7 +15,7 @@ from rocksteady.risk.counted.count import Count, count_falls
 from rocksteady.risk.counted.motions import folds, median_fold
 from rocksteady.risk.counted.sliding import friction_at
 from rocksteady.risk.counted.suite import Shaking
-from rocksteady.risk.counted.verdict import MARGIN, NEAR, Decision, Evidence, Reason, decide
+from rocksteady.risk.counted.verdict import MARGIN, NEAR, Decision, Evidence, Unfit, decide
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
@@ -28,6 +28,7 @@ from rocksteady.risk.screens.friction import (
     lifts,
     uplift_acceleration_g,
 )
+from rocksteady.risk.spectra.design_spectrum import PLATEAU
 from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
@@ -259,13 +260,14 @@ def evidence_of(
     )
 
 
-def unfit_of(described: DescribedObject, shaking: Shaking | None) -> Reason:
+def unfit_of(described: DescribedObject, shaking: Shaking | None) -> Unfit:
     """Return why motions on a spectrum are never green; empty of none, and of peaks."""
     if shaking is None or shaking.placing is None:
         return ""
-    if shaking.placing.spectrum.is_divided:
-        return "divided"
-    if described.given.demand.place == "floor":
+    of_floor, spectrum = described.given.demand.place == "floor", shaking.placing.spectrum
+    if spectrum.peak_words and (spectrum.plateau < PLATEAU[0] or not of_floor):
+        return "odd-peak"
+    if of_floor:
         return "floor-spectrum"
     return "far-off" if shaking.placing.is_far_off else ""
 

@@ -1,6 +1,6 @@
 """What a screen says of an object: a sentence and lines, from the fields of its judgement."""
 
-from typing import Final
+from typing import Final, get_args
 
 import numpy as np
 
@@ -12,7 +12,6 @@ from rocksteady.risk.counted.band import records_to_show, upper_of_none
 from rocksteady.risk.counted.built_in import ACCURACY, ACCURACY_ON_SPECTRUM
 from rocksteady.risk.counted.count import Count
 from rocksteady.risk.counted.motions import folds, median_fold
-from rocksteady.risk.counted.placing import DOUBTFUL_STRETCH, Placing
 from rocksteady.risk.counted.suite import Shaking, Suite
 from rocksteady.risk.counted.verdict import (
     LEAST,
@@ -20,12 +19,13 @@ from rocksteady.risk.counted.verdict import (
     NEAR,
     TOO_FAR,
     VERDICTS,
+    Doubt,
     Reason,
     Target,
+    Unfit,
     Verdict,
 )
 from rocksteady.risk.hazard.failure_risk import LEAST_FOR_BAND, rate_words
-from rocksteady.risk.spectra.design_spectrum import PLACED_S
 
 PEAKS: Final = "with your two peaks"
 SAME: Final = 1e-6
@@ -133,10 +133,10 @@ class Screen:
             lines = self._of_no_answer()
         if decision.verdict == "slides":
             return [*lines, self._lifts(), self._friction()]
+        lines += [*self._beside_rate(), *self._spectrum()]
         if judged.stands:
-            return [*lines, *self._beside_rate(), *self._change(), self._friction()]
-        lines += self._beside_rate()
-        lines += [self._friction(), *self._change(), *self._spectrum()]
+            return [*lines, *self._change(), self._friction()]
+        lines += [self._friction(), *self._change()]
         last = [self._lifts(), *self._records()]
         return [*lines, *(reversed(last) if self.placing else last)]
 
@@ -145,7 +145,8 @@ class Screen:
         if self.placing is None:
             words = "both peaks decide; it serves the published formulas alone"
             return [Stated(quantity="spectrum", text=words * self.idle_spectrum)]
-        return [spectrum_line(self.placing)]
+        unfit = {*self.decision.doubts} & {*get_args(Unfit)} - {self.decision.reason}
+        return [self.placing.line("; ".join(map(self._unfit, unfit)))]
 
     def _beside_rate(self) -> list[Stated]:
         """Return the rate, or of a target in years what is counted at the demand."""
@@ -206,7 +207,7 @@ class Screen:
             words += _fall(near)
         elif reason == "without-answer":
             words = f"{target}; {plural(count.without, 'run')} without an answer could turn it"
-        elif reason in ("built-in", "far-off", "floor-spectrum", "divided"):
+        elif reason == "built-in" or reason in get_args(Unfit):
             words = self._unfit(reason)
         elif reason == "friction":
             words = f"green if the friction is at least {number(judged.friction.largest)}"
@@ -227,23 +228,19 @@ class Screen:
             "band": f"{target}; {band_words((low, high)).strip(' ()')}",
         }.get(self.decision.reason) or self._unfit(self.decision.reason)
 
-    def _unfit(self, reason: Reason) -> str:
+    def _unfit(self, reason: Reason | Doubt) -> str:
         """Return why its motions are never green."""
         if reason == "built-in" or self.placing is None:
             return f"built-in motions are noise {'on your spectrum' if self.placing else PEAKS}"
-        spectrum = self.placing.spectrum
-        if reason == "divided":
-            return (
-                f"its largest Sa is {number(spectrum.plateau, 2)} times the PGA: divided by q or "
-                "R? give the elastic spectrum"
-            )
         if reason == "floor-spectrum":
-            return "of a floor spectrum alone: give that of the ground, the building and the floor"
-        return f"half of the records miss the spectrum by {number(100.0 * self.placing.misfit)} %"
+            return "a floor's spectrum alone: give the ground's, building and floor"
+        return self.placing.doubt
 
     def _by_statics(self) -> str:
         """Return what statics says, and what of 1.1 times the demand."""
         beyond, margin = self.judged.beyond, f"{MARGIN:g} x"
+        if self.decision.reason == "odd-peak":
+            return self._unfit("odd-peak")
         if self.decision.reason == "cliff-unjudged":
             return f"stands {self.this}, {margin} cannot be judged"
         if self.decision.reason == "cliff" and beyond is not None:
@@ -364,24 +361,6 @@ class Screen:
         rate = 0.0 if judged.friction_of_rate is None else judged.friction_of_rate.largest
         needs = [("once changed", changed), ("for the rate", rate)]
         return [(what, value) for what, value in needs if value > judged.friction.largest]
-
-
-def spectrum_line(placing: Placing) -> Stated:
-    """Return how the motions lie on a spectrum, and what is doubtful of that."""
-    (first, last), limited = placing.spectrum.range_s, placing.at_limit
-    median, low, high = placing.pgv_range_m_s
-    pgv = f"PGV {quantity(median, 'm/s', 2)} ({number(low, 2)} to {number(high, 2)})"
-    doubts = [
-        placing.spectrum.damping_words,
-        f"{limited} at the limit of the stretch" * bool(limited),
-        f"half are stretched over {DOUBTFUL_STRETCH:g}-fold: doubtful" * placing.is_doubtful,
-    ]
-    return Stated(
-        quantity="spectrum",
-        text=f"{number(first)} to {number(last)} s{', its end' * (last < PLACED_S[1])}, met to "
-        f"{number(100.0 * placing.misfit, 2)} %; {pgv}",
-        condition="; ".join(filter(None, doubts)),
-    )
 
 
 def _scaled(shaking: Shaking) -> tuple[str, str]:

@@ -328,16 +328,16 @@ def _rate_facts(judged: Judged) -> list[Fact]:
     ]
 
 
-def demand_facts(shaking: Shaking | None, demand: Demanded, words: str) -> list[Fact]:
-    """Return a demand in JSON and in words, and how motions lie on its spectrum."""
-    on_spectrum = isinstance(demand, DesignSpectrum)
+def demand_facts(shaking: Shaking | None, demand: Demanded | None, words: str) -> list[Fact]:
+    """Return a demand, None of several, and how motions lie on its spectrum."""
+    kind = None if demand is None else demand.kind
     values = demand.values if isinstance(demand, DesignSpectrum) else None
     if shaking is not None and shaking.placing is not None:
         values = shaking.placing.values
     return [
         Fact(
             "demand",
-            {"kind": "spectrum" if on_spectrum else "peaks", "words": words},
+            {"kind": kind, "words": words},
             "demand",
             words,
         ),

@@ -19,7 +19,7 @@ from rocksteady.results.stated import share_words
 from rocksteady.risk.assess._judging import Judged, band_of, judge_objects
 from rocksteady.risk.assess._remedies import is_helped, remedies_of
 from rocksteady.risk.assess._remedy import CHANGES, Remedy, change_words
-from rocksteady.risk.assess._sentences import WORDS, spectrum_line
+from rocksteady.risk.assess._sentences import WORDS
 from rocksteady.risk.assess.assessment import answer_facts, demand_facts, screen_of, target_facts
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.building import Building
@@ -81,7 +81,7 @@ class ObjectsTable(Result):
     demands
         The demand of each kind, by its ``like``.
     shaking
-        Motions of the first object that was counted; None where none was.
+        Motions on the spectrum of all objects that have one; None without one, or of several.
     curves
         Counted shares of each kind over levels, by its ``like``; empty where none were counted.
     seconds
@@ -221,7 +221,7 @@ class ObjectsTable(Result):
     def _answer(self) -> Answer:
         """Return how many objects are above the target, and the worst kinds."""
         kinds, red = self.kinds, self.verdicts.get("red", 0)
-        placing = self.shaking.placing if self.demand and self.shaking else None
+        placing = None if self.shaking is None else self.shaking.placing
         several = len(kinds) < len(self.rows)
         objects = plural(len(self.rows), "object")
         place = "" if self.target.years else f" {self._where}"
@@ -241,7 +241,7 @@ class ObjectsTable(Result):
         needs = [row["friction_needed"] for row in self.rows if row["friction"] is None]
         facts = [
             left_out(len(rest), left),
-            ("spectrum", "" if placing is None else spectrum_line(placing).words),
+            ("spectrum", "" if placing is None else placing.line(placing.doubt).words),
             ("records", f"{self.records:,}" if not self.suite.built_in else ""),
             (
                 "friction",
@@ -259,15 +259,18 @@ class ObjectsTable(Result):
 
     def _demand_facts(self) -> list[Fact]:
         """Return the demand in JSON and in words, with the motions of the first object on it."""
-        words, demand = self._where.partition(" ")[2], self.demand
-        if demand is None:
-            return [Fact("demand", {"kind": None, "words": words}, "demand", words)]
-        return demand_facts(self.shaking, demand, words)
+        return demand_facts(self.shaking, self.demand, self._where.partition(" ")[2])
 
     @property
     def _has_rates(self) -> bool:
         """Whether a rate is known of an object."""
         return any(row["rate_per_year"] is not None for row in self.rows)
+
+
+def _on_spectrum(shakings: Sequence[Shaking | None]) -> Shaking | None:
+    """Return the first motions on a spectrum; None without one, or of several spectra."""
+    placed = [each for each in shakings if each is not None and each.placing is not None]
+    return placed[0] if len({each.demand for each in placed}) == 1 else None
 
 
 def verdict_words(counts: Mapping[Verdict, int]) -> str:
@@ -420,7 +423,7 @@ def assess_placed(
         target=objects[0].target,
         suite=placed.suite,
         demands={kind: demand_of(each) for kind, each in enumerate(alike.objects)},
-        shaking=next((each.shaking for each in kinds if each.shaking is not None), None),
+        shaking=_on_spectrum([each.shaking for each in kinds]),
         curves=fragilities,
         seconds=placed.seconds + time.perf_counter() - began,
     )

@@ -1,5 +1,6 @@
 """Motions on a design spectrum: each stretched in time until its own spectrum lies there."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
@@ -7,9 +8,10 @@ from typing import Any, Final
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import number, quantity
+from rocksteady.results.stated import Stated
 from rocksteady.risk.counted.motions import Motion, across, folds, median_fold
-from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
+from rocksteady.risk.spectra.design_spectrum import PLACED_S, DesignSpectrum
 from rocksteady.seismic.measures.sampled_spectrum import sample_pseudo_acceleration
 
 GRID_S: Final = np.geomspace(0.02, 20.0, 100)
@@ -54,14 +56,22 @@ class Placing:
         return float(np.median(self.misfits))
 
     @property
+    def misfit_words(self) -> str:
+        """That median, as "32 %"; above 1 as a factor."""
+        if self.misfit > 1.0:
+            return f"{number(math.exp(self.misfit), 2)}-fold"
+        return f"{number(100.0 * self.misfit, 2)} %"
+
+    @property
     def is_far_off(self) -> bool:
         """Whether the motions do not follow the spectrum."""
         return self.misfit > FAR_OFF
 
     @property
-    def is_doubtful(self) -> bool:
-        """Whether half of the motions are stretched so far that it is a doubt."""
-        return median_fold(self.stretches) > DOUBTFUL_STRETCH
+    def doubt(self) -> str:
+        """Why no answer on it is green, in words; empty of nothing."""
+        far = f"half of the records miss the spectrum by {self.misfit_words} or more"
+        return self.spectrum.peak_words or far * self.is_far_off
 
     @property
     def at_limit(self) -> int:
@@ -73,6 +83,25 @@ class Placing:
         """Median, 10 and 90 % quantile of the peak velocities [m/s]."""
         median, low, high = np.quantile(self.pgv_m_s, (0.5, 0.1, 0.9)).tolist()
         return median, low, high
+
+    def line(self, doubt: str) -> Stated:
+        """Return how the motions lie on it and what is doubtful, as a line of a screen."""
+        (first, last), limited = self.spectrum.range_s, self.at_limit
+        median, low, high = self.pgv_range_m_s
+        pgv = f"PGV {quantity(median, 'm/s', 2)} ({number(low, 2)} to {number(high, 2)})"
+        is_far = median_fold(self.stretches) > DOUBTFUL_STRETCH
+        doubts = [
+            doubt,
+            self.spectrum.damping_words,
+            f"{limited} at the limit of the stretch" * bool(limited),
+            f"half are stretched over {DOUBTFUL_STRETCH:g}-fold: doubtful" * is_far,
+        ]
+        span = f"{number(first)} to {number(last)} s{', its end' * (last < PLACED_S[1])}"
+        return Stated(
+            quantity="spectrum",
+            text=f"{span}, met to {self.misfit_words}; {pgv}",
+            condition="; ".join(filter(None, doubts)),
+        )
 
     def spectra_g(self, periods_s: Floats) -> Floats:
         """Return the spectra of the motions as placed [g], shape (motions, periods)."""

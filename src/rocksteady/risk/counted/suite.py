@@ -71,6 +71,11 @@ class Peaks:
         return " and ".join(quantity(value, unit) for value, unit in pairs if value is not None)
 
     @property
+    def kind(self) -> str:
+        """What it is, as in JSON."""
+        return "peaks"
+
+    @property
     def where(self) -> str:
         """The same after a verb, as "at 0.40 g"."""
         return f"at {self.words}"
@@ -295,7 +300,7 @@ def place_on_spectrum(motions: Sequence[Record | BaseMotion], spectrum: Any) -> 
     --------
     >>> from rocksteady.motions import make_synthetic_suite, place_on_spectrum
     >>> suite = make_synthetic_suite(3)
-    >>> placed = place_on_spectrum(suite, "en1998-1:2004:type1:A:ag=0.25")
+    >>> placed = place_on_spectrum(suite, "en1998-1:2004:type1:C:ag=0.25")
     >>> [f"{each.peak_acceleration_m_s2 / 9.80665:.3f}" for each in placed.motions]
     ['0.250', '0.250', '0.250']
     """

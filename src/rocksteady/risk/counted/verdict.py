@@ -17,9 +17,13 @@ VERDICTS: Final[tuple[Verdict, ...]] = (
 Reason = Literal[
     "", "few-records", "few-vertical", "too-far", "band", "cliff", "cliff-unjudged",
     "stretched", "built-in", "friction", "without-answer", "rate-unknown", "rate-records",
-    "far-off", "floor-spectrum", "divided",
+    "far-off", "floor-spectrum", "odd-peak",
 ]  # fmt: skip
 """Why nothing is shown, or there is no answer; empty of another verdict."""
+Unfit = Literal["", "far-off", "floor-spectrum", "odd-peak"]
+"""Why motions on a spectrum are never green; empty of none."""
+Doubt = Literal["few-near", "far", "", "far-off", "floor-spectrum", "odd-peak"]
+"""What limits an answer."""
 YEARS: Final = 50.0
 """Time of a probability beside a rate [years]."""
 LEAST: Final = 11
@@ -109,7 +113,7 @@ class Evidence:
     built_in: bool = False
     for_vertical: bool = False
     fold: float = 1.0
-    unfit: Reason = ""
+    unfit: Unfit = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -122,12 +126,13 @@ class Decision:
         Codes.
     doubts
         Codes of what limits the answer: "few-near" (under `LEAST` records are stretched less than
-        `NEAR`-fold), "far" (a median fold above `DOUBTFUL`).
+        `NEAR`-fold), "far" (a median fold above `DOUBTFUL`), and why motions on a spectrum are
+        never green.
     """
 
     verdict: Verdict
     reason: Reason = ""
-    doubts: tuple[Literal["few-near", "far"], ...] = field(default=())
+    doubts: tuple[Doubt, ...] = field(default=())
 
 
 def decide(evidence: Evidence) -> Decision:
@@ -148,7 +153,7 @@ def decide(evidence: Evidence) -> Decision:
         reason: Reason = "few-vertical" if evidence.for_vertical else "few-records"
         return Decision(verdict="no-answer", reason=reason)
     assert beyond is not None
-    doubts: list[Literal["few-near", "far"]] = []
+    doubts: list[Doubt] = [evidence.unfit] if evidence.unfit else []
     if evidence.near is not None and evidence.near.records < LEAST:
         doubts.append("few-near")
     if evidence.fold > DOUBTFUL:
@@ -181,7 +186,7 @@ class RateEvidence:
     is_known: bool
     friction_known: bool
     built_in: bool
-    unfit: Reason = ""
+    unfit: Unfit = ""
 
 
 def decide_rate(evidence: RateEvidence) -> tuple[Verdict, Reason]:
@@ -243,8 +248,8 @@ def _judged(evidence: Evidence, count: Count, beyond: Count) -> tuple[Verdict, R
 def _standing(evidence: Evidence) -> Decision:
     """Return the verdict on what nothing lifts at the demand; more may lift it."""
     beyond = evidence.beyond
-    if evidence.unfit == "divided":  # its peak is then divided too
-        return Decision(verdict="not-shown", reason="divided")
+    if evidence.unfit == "odd-peak":  # statics takes the peak too
+        return Decision(verdict="not-shown", reason="odd-peak", doubts=("odd-peak",))
     if beyond is None:
         return Decision(verdict="stands")
     if beyond.records < LEAST:

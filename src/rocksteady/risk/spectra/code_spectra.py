@@ -1,7 +1,7 @@
 """Design spectra by the formulas of codes, written as a text: EN 1998-1, ASCE 7 and NTC."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -37,7 +37,7 @@ NUMBERS: Final[Mapping[str, Bounds]] = {
 """Range of each number, and what to do about others; that of NTC is of its class."""
 FORMS: Final[Mapping[str, tuple[str, str]]] = {
     "en1998-1": (
-        "en1998-1:2004:type1:A:ag=0.25",
+        "en1998-1:2004:type1:C:ag=0.25",
         r"2004:type(?P<kind>[12]):(?P<ground>[A-E]):ag=(?P<ag>[^:]+)",
     ),
     "asce7-16": (
@@ -45,7 +45,7 @@ FORMS: Final[Mapping[str, tuple[str, str]]] = {
         r"sds=(?P<sds>[^:]+):sd1=(?P<sd1>[^:]+):tl=(?P<tl>[^:]+)",
     ),
     "ntc2018": (
-        "ntc2018:A:T1:ag=0.2:f0=2.5:tc=0.35",
+        "ntc2018:C:T1:ag=0.2:f0=2.5:tc=0.35",
         r"(?P<soil>[A-E]):(?P<topography>T[1-4]):ag=(?P<ag>[^:]+):f0=(?P<f0>[^:]+):tc=(?P<tc>[^:]+)",
     ),
 }
@@ -57,6 +57,11 @@ class CodeSpectrum(NamedTuple):
 
     rows: Floats
     words: str
+
+    @property
+    def remark(self) -> str:
+        """What it leaves to the engineer, as a sentence."""
+        return f"The spectrum is that of {self.words}, not checked against the printed standard."
 
 
 def formulas_words() -> str:
@@ -71,7 +76,7 @@ def formula_of(text: str) -> CodeSpectrum | None:
     ----------
     text
         The code, its words and its numbers, separated by colons, as
-        ``en1998-1:2004:type1:A:ag=0.25``.
+        ``en1998-1:2004:type1:C:ag=0.25``.
 
     Raises
     ------
@@ -98,11 +103,11 @@ def formula_of(text: str) -> CodeSpectrum | None:
         given[key] = value.upper()
         if key not in ("kind", "ground", "soil", "topography"):
             given[key] = _number(text, key, value)
-    make = {"en1998-1": _en1998, "asce7-16": _asce7, "ntc2018": _ntc}[code]
     try:
-        return make(**given)
+        spectrum = MAKERS[code](**given)
     except (InputError, ModelError) as error:
-        raise InputError("spectrum", text, error.valid, error.hint) from None
+        raise InputError("spectrum", text, f"of {error.name}: {error.valid}", error.hint) from None
+    return spectrum._replace(words=f"{spectrum.words} ({rest.strip().removeprefix('2004:')})")
 
 
 def _number(text: str, key: str, value: str) -> float:
@@ -119,31 +124,41 @@ def _number(text: str, key: str, value: str) -> float:
 def _en1998(kind: str, ground: str, ag: float) -> CodeSpectrum:
     """Return the elastic spectrum of EN 1998-1:2004, 3.2.2.2."""
     s, tb, tc, td = GROUND[kind + ground]
-    source = f"EN 1998-1:2004, 3.2.2.2, type {kind}, ground {ground}"
-    return CodeSpectrum(_rows(ag * s, 2.5 * ag * s, (tb, tc, td)), source)
+    return _spectrum("EN 1998-1:2004, 3.2.2.2", ag * s, 2.5 * ag * s, (tb, tc, td))
 
 
 def _asce7(sds: float, sd1: float, tl: float) -> CodeSpectrum:
     """Return the two-period spectrum of ASCE 7-16, 11.4.6."""
     ts = sd1 / sds
-    return CodeSpectrum(_rows(0.4 * sds, sds, (0.2 * ts, ts, tl)), "ASCE 7-16, 11.4.6")
+    return _spectrum("ASCE 7-16, 11.4.6", 0.4 * sds, sds, (0.2 * ts, ts, tl))
 
 
 def _ntc(soil: Any, topography: Any, ag: float, f0: float, tc: float) -> CodeSpectrum:
     """Return the elastic spectrum of NTC 2018, 3.2.3.2.1."""
     made = ElasticSpectrum(ag_g=ag, f0=f0, tc_star_s=tc, soil=soil, topography=topography)
     corners = made.tc_s / 3.0, made.tc_s, made.td_s
-    source = f"NTC 2018, 3.2.3.2.1, ground {soil}, {topography}"
-    return CodeSpectrum(_rows(made.peak_g, f0 * made.peak_g, corners), source)
+    return _spectrum("NTC 2018, 3.2.3.2.1", made.peak_g, f0 * made.peak_g, corners)
 
 
-def _rows(peak: float, plateau: float, corners: tuple[float, float, float]) -> Floats:
+MAKERS: Final[Mapping[str, Callable[..., CodeSpectrum]]] = {
+    "en1998-1": _en1998,
+    "asce7-16": _asce7,
+    "ntc2018": _ntc,
+}
+"""What makes the spectrum of each code."""
+
+
+def _spectrum(
+    clause: str, peak: float, plateau: float, corners: tuple[float, float, float]
+) -> CodeSpectrum:
     """Return a spectrum that rises to a plateau, and falls with 1/T and then with 1/T^2."""
     tb, tc, td = corners
     if not tb < tc < td:
         valid = f"its corner periods must rise, and are {tb:.3g}, {tc:.3g} and {td:.3g} s"
-        raise InputError("spectrum", corners, valid, "check the numbers")
+        raise InputError("the numbers", corners, valid, "check them")
     t = np.unique(np.concatenate([PERIODS_S, corners]))
     rise = peak + (plateau - peak) * np.minimum(t / tb, 1.0)
     later = np.maximum(t, tc)
-    return np.column_stack([t, rise * tc / later * np.minimum(1.0, td / later)])
+    return CodeSpectrum(
+        np.column_stack([t, rise * tc / later * np.minimum(1.0, td / later)]), clause
+    )

@@ -31,8 +31,9 @@ LEAST_END_S: Final = 2.0
 """Period that a spectrum reaches at least [s]."""
 SAME_PEAK: Final = 0.02
 """Part by which a peak may differ from that of the row at period 0."""
-LEAST_PLATEAU: Final = 1.8
-"""Largest Sa over the PGA below which a spectrum may be one that was divided by q or R."""
+PLATEAU: Final = (1.8, 5.0)
+"""Largest Sa over the PGA: below the first a spectrum may be divided by q or R, above the second
+its PGA or its unit may be wrong, unless it is that of a floor."""
 PERIODS: Final = Bounds(0.0, LONGEST_S, "[]", "give periods in seconds, as 0.5")
 PGA: Final = Bounds(0.0, MOST_DESIGN_G, "(]", "give the peak in g; 0.3 is usual")
 
@@ -63,8 +64,8 @@ class DesignSpectrum:
         periods, values = self.table.periods_s, self.table.scaled(SPECTRUM_DAMPING)[0]
         first, last = float(periods[0]), float(periods[-1])
         if values.max() > MOST_DESIGN_G:
-            most = f"Sa is at most {MOST_DESIGN_G:g} g"
-            raise InputError("spectrum", float(values.max()), most, IN_G)
+            valid = f"it reaches {number(values.max())} g, and {MOST_DESIGN_G:g} g is the most"
+            raise InputError("spectrum", self.words_of_source, valid, IN_G)
         if last < LEAST_END_S:
             valid = f"it ends at {number(last)} s, and motions are placed up to {LEAST_END_S:g} s"
             raise InputError("spectrum", self.words_of_source, valid, "add rows")
@@ -72,7 +73,7 @@ class DesignSpectrum:
         if self.pga_g is None:
             if peak is None:
                 valid = f"it begins at {number(first)} s"
-                hint = "add its row at period 0, or give the PGA"
+                hint = "add its row at period 0, or state the PGA apart from it"
                 raise InputError("spectrum", self.words_of_source, valid, hint)
             object.__setattr__(self, "pga_g", PGA("spectrum", peak))
         elif first <= RIGID_S and abs(self.pga_g - values[0]) > SAME_PEAK * values[0]:
@@ -94,6 +95,11 @@ class DesignSpectrum:
     def words(self) -> str:
         """The demand, as "the spectrum of 0.25 g"."""
         return f"the spectrum of {quantity(self.peak_g, 'g')}"
+
+    @property
+    def kind(self) -> str:
+        """What it is, as in JSON."""
+        return "spectrum"
 
     @property
     def where(self) -> str:
@@ -133,9 +139,12 @@ class DesignSpectrum:
         return float(self.table.scaled(SPECTRUM_DAMPING)[0].max()) / self.peak_g
 
     @property
-    def is_divided(self) -> bool:
-        """Whether its plateau is so low that it may have been divided by q or R."""
-        return self.plateau < LEAST_PLATEAU
+    def peak_words(self) -> str:
+        """What is doubtful of its largest acceleration beside the PGA; empty of nothing."""
+        words = f"its largest Sa is {number(self.plateau, 2)} times the PGA: "
+        if self.plateau < PLATEAU[0]:
+            return f"{words}divided by q or R? give the elastic spectrum"
+        return f"{words}check PGA and unit" * (self.plateau > PLATEAU[1])
 
     @property
     def damping_words(self) -> str:
@@ -149,10 +158,8 @@ class DesignSpectrum:
     @property
     def remark(self) -> str:
         """What a formula leaves to the engineer, as a sentence; empty of a table."""
-        if formula_of(self.table.source) is None:
-            return ""
-        source = self.words_of_source
-        return f"The spectrum is that of {source}, not checked against the printed standard."
+        formula = formula_of(self.table.source)
+        return "" if formula is None else formula.remark
 
     def accelerations_g(self, periods_s: ArrayLike) -> Floats:
         """Return its acceleration at periods in s [g]; beyond its end that of its last row.
@@ -181,8 +188,8 @@ def make_design_spectrum(
     ----------
     spectrum
         A file of rows of period in s and Sa in g that states its damping; a formula, as
-        ``en1998-1:2004:type1:A:ag=0.25``, ``asce7-16:sds=1.0:sd1=0.6:tl=8`` or
-        ``ntc2018:A:T1:ag=0.2:f0=2.5:tc=0.35``; rows, shape (periods, 2); an `ElasticSpectrum` or a
+        ``en1998-1:2004:type1:C:ag=0.25``, ``asce7-16:sds=1.0:sd1=0.6:tl=8`` or
+        ``ntc2018:C:T1:ag=0.2:f0=2.5:tc=0.35``; rows, shape (periods, 2); an `ElasticSpectrum` or a
         `SpectrumTable`.
     spectrum_damping
         Damping of rows, or of a file that states none, 1 being critical; default 0.05 of rows.
@@ -196,19 +203,22 @@ def make_design_spectrum(
 
     Examples
     --------
-    >>> rock = make_design_spectrum("en1998-1:2004:type1:A:ag=0.25")
-    >>> rock.words, rock.words_of_source
-    ('the spectrum of 0.25 g', 'EN 1998-1:2004, 3.2.2.2, type 1, ground A')
+    >>> soft = make_design_spectrum("en1998-1:2004:type1:C:ag=0.25")
+    >>> soft.words, soft.words_of_source
+    ('the spectrum of 0.288 g', 'EN 1998-1:2004, 3.2.2.2 (type1:C:ag=0.25)')
     """
+    classes = isinstance(spectrum, DesignSpectrum) or hasattr(spectrum, "sa_g")
+    if classes and spectrum_damping is not None:
+        valid = "a class of spectra has its own damping"
+        raise InputError("spectrum_damping", spectrum_damping, valid, "leave it out")
     if isinstance(spectrum, DesignSpectrum):
-        return spectrum
+        return spectrum if pga_g is None else DesignSpectrum(table=spectrum.table, pga_g=pga_g)
     if isinstance(spectrum, str | PathLike):
         return DesignSpectrum(table=spectrum_from(str(spectrum), spectrum_damping), pga_g=pga_g)
     if hasattr(spectrum, "sa_g"):  # as `ElasticSpectrum` and `SpectrumTable`
         usual = [*PERIODS_S[PLACED_S[1] > PERIODS_S].tolist(), PLACED_S[1]]
         given = getattr(spectrum, "periods_s", usual)
         spectrum = [[t, spectrum.sa_g(t, SPECTRUM_DAMPING)] for t in given]
-        spectrum_damping = SPECTRUM_DAMPING
     table = tabulated(spectrum, SPECTRUM_DAMPING if spectrum_damping is None else spectrum_damping)
     assert table is not None
     return DesignSpectrum(table=table, pga_g=pga_g)

@@ -5,6 +5,7 @@ import math
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -116,8 +117,9 @@ class TabulatedSpectrum:
 
     @property
     def peak_g(self) -> float | None:
-        """Value of a row at period 0, or up to `FIRST_S` [g]; None without one."""
-        return float(self.values_g[0].max()) if self.periods_s[0] <= FIRST_S else None
+        """Value of a row at period 0, or up to `FIRST_S`, at 5 % damping [g]; None without one."""
+        values, _ = self.scaled(SPECTRUM_DAMPING)
+        return float(values[0]) if self.periods_s[0] <= FIRST_S else None
 
     def at_damping(self, damping: float, longest_s: float) -> tuple[Chain, str]:  # noqa: ARG002
         """Return the table at a damping.
@@ -227,7 +229,7 @@ def spectrum_from(source: Path | str, damping: Any = None) -> TabulatedSpectrum:
     rows, stated = read_table(Path(source), damping)
     table = tabulated(rows, stated, shown=source)
     if table is None:
-        hint = "write # damping 0.05 into it, or state it apart from the file"
+        hint = "write # damping 0.05 into it"
         raise InputError("spectrum", source, "it states no damping", hint)
     return replace(table, source=str(source))
 
@@ -249,8 +251,13 @@ STATEMENTS = (
     rf"(?<![a-z\d.])(?:{_NUMBER}\s*%|0?\.\d+)-?(?:{_KIND})*{_WORD}",
 )
 """A comment's dampings with numbers beside the word: ``damping 2 %, 5 %``, or ``5 %-damped``."""
-IN_METRES = r"m/s(?:ec)?\s*(?:\^|\*\*)?\s*(?:2|²)|m\s?s-2|m/s/s|(?<![a-z])gals?(?![a-z])"
-"""Units in a comment that are not g."""
+PERIODS_HINT = "give periods in seconds, ascending: T = 1/f"
+QUANTITIES = {
+    r"(?<![a-z])freq\w*|[\[(_]hz": PERIODS_HINT,
+    r"m/s\w*\s*[\^*]*\s*[2²]|m\s?s-2|m/s/s|(?<![a-z])gals?(?![a-z])": IN_G,
+    r"(?<![a-z])(?:psv|sv|sd|psd)(?![a-z])|[\[(_](?:m|cm|mm)(?:/s)?(?![a-z])": "give Sa in g",
+}
+"""Frequencies, units and quantities in a comment that Sa over T does not have, and what to do."""
 WHOLE_NUMBERS = re.compile(r"\d+(,\d+){2,},?")
 """A row whose commas may separate numbers, or be decimal ones."""
 
@@ -264,18 +271,19 @@ class HeaderDamping(tuple[float, ...]):
 def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
     """Read a spectrum from a text file: rows of period [s] and Sa [g], and its damping.
 
-    A name such as ``en1998-1:2004:type1:A:ag=0.25`` is a formula of `formula_of`.
+    A name such as ``en1998-1:2004:type1:C:ag=0.25`` is a formula of `formula_of`.
     Lines that begin with # and lines of names at the top are comments.  A number beside the word
     in one of them, as ``damping 0.05``, ``zeta = 5 %`` or ``5 %-damped``, is the damping; several
     after the word are those of the columns in turn.  1 and above are per cent.
 
-    A damping that is given is returned as it is, and the header not read; without one it is the
-    `HeaderDamping` of the file, None where it states none.
+    A damping that is given is returned as it is, where the header is clear and states no other;
+    without one it is the `HeaderDamping` of the file, None where it states none.
 
     Raises
     ------
     InputError
-        If the file cannot be read, holds no such table, or its header is not clear.
+        If the file cannot be read, holds no such table, its header is not clear, or it states
+        another damping or quantity.
     """
     if (formula := formula_of(str(path))) is not None:
         return _by_formula(formula, damping)
@@ -312,28 +320,33 @@ def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
             rows.append(row)
     if not rows:
         raise refusal("it has no rows of numbers", SHAPE_HINT)
-    _refuse_metres(path, comments)
-    if damping is None:
-        damping = _header_damping(path, comments, len(rows[0]) - 1)
-    return np.array(rows), damping
+    _refuse_quantities(path, comments)
+    stated = None
+    with nullcontext() if damping is None else suppress(InputError):
+        stated = _header_damping(path, comments, len(rows[0]) - 1)
+    if damping is not None and stated is not None and {*np.ravel(damping)} != {*stated}:
+        valid = f"{path} states {', '.join(f'{each:g}' for each in stated)}"
+        raise InputError("spectrum_damping", damping, valid, "leave it out, or correct the file")
+    return np.array(rows), stated if damping is None else damping
 
 
-def _by_formula(formula: CodeSpectrum, damping: Any) -> tuple[Floats, HeaderDamping]:
+def _by_formula(formula: CodeSpectrum, damping: Any) -> tuple[Floats, tuple[float, ...]]:
     """Return rows and damping of a formula, which has its own."""
     if damping is not None:
-        valid = f"a formula is of {SPECTRUM_DAMPING:g}"
+        valid = f"formulas are for {100.0 * SPECTRUM_DAMPING:g} % damping"
         raise InputError("spectrum_damping", damping, valid, "leave it out")
-    return formula.rows, HeaderDamping((SPECTRUM_DAMPING,))
+    return formula.rows, (SPECTRUM_DAMPING,)
 
 
-def _refuse_metres(path: Path, comments: dict[int, str]) -> None:
-    """Refuse a file whose comments name another unit of Sa than g."""
-    if any(re.search(r"(?<![a-z\d])g(?![a-z])", text) for text in comments.values()):
-        return
+def _refuse_quantities(path: Path, comments: dict[int, str]) -> None:
+    """Refuse a file whose comments name frequencies, or another unit or quantity than Sa in g."""
+    in_g = any(re.search(r"(?<![a-z\d])g(?![a-z])", text) for text in comments.values())
     for number, text in comments.items():
-        if re.search(IN_METRES, text):
-            valid = f"line {number} names m/s^2, cm/s^2 or gal, and Sa is in g"
-            raise InputError("spectrum", path, valid, IN_G)
+        for pattern, hint in QUANTITIES.items():
+            named = re.search(pattern, text)
+            if named and (hint is PERIODS_HINT or not in_g):
+                valid = f"line {number} names {named[0].strip('[(_ ')}: it takes T [s] and Sa [g]"
+                raise InputError("spectrum", path, valid, hint)
 
 
 def _refuse_commas(path: Path, lines: list[str]) -> None:

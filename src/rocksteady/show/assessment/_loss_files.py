@@ -5,12 +5,13 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from rocksteady.errors import InputError
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.risk.assess.rates import sliding_words
 from rocksteady.risk.counted.suite import Demanded
 from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
 from rocksteady.show.export.components import LossComponent
 from rocksteady.show.export.openquake import write_openquake
 from rocksteady.show.export.pelicun import write_pelicun
@@ -95,7 +96,10 @@ def _beside(fragility: Fragility | None) -> str:
 
 def _kept(demand: Demanded) -> str:
     """Return what is kept over the levels of a demand, as a sentence."""
-    return f"{demand.kept[:1].upper()}{demand.kept[1:]} at all levels." * bool(demand.kept)
+    words = f"{demand.kept[:1].upper()}{demand.kept[1:]} at all levels." * bool(demand.kept)
+    if isinstance(demand, DesignSpectrum):
+        words += f" It is that of {demand.words_of_source}, of {quantity(demand.peak_g, 'g')}."
+    return words
 
 
 def _identifier(name: str, taken: Sequence[str] | set[str]) -> str:

@@ -21,14 +21,17 @@ def _table(tmp_path: Path) -> Path:
     return file
 
 
-def test_a_spectrum_brings_its_damping_and_a_flag_overrules_it(table: Path) -> None:
+def test_a_spectrum_brings_its_damping_or_gets_it_from_a_flag(table: Path) -> None:
+    bare = table.with_name("bare.csv")
+    bare.write_text("".join(f"{row}\n" for row in TABLE.splitlines() if row[0] != "#"), "utf-8")
     stated = rocksteady(f"{BLOCK} --json --spectrum", table).json["screens"][6]
-    given = rocksteady(f"{BLOCK} --damping 0.05 --json --spectrum", table).json["screens"][6]
-    other = rocksteady(f"{BLOCK} --damping 0.02 --json --spectrum", table).json["screens"][6]
+    given = rocksteady(f"{BLOCK} --damping 0.05 --json --spectrum", bare).json["screens"][6]
+    other = rocksteady(f"{BLOCK} --damping 0.02 --json --spectrum", bare).json["screens"][6]
     assert stated.pop("verdict").replace("; 5 % by its header", "") == given.pop("verdict")
     assert stated == given
     assert stated["unit"] == "rad"
     assert 0.0 < other["value"] < stated["value"]  # the same table scaled by less
+    assert "states 0.05" in refused(f"{BLOCK} --damping 0.02 --spectrum", table)
 
 
 def test_a_record_is_the_demand_and_can_be_scaled_to_a_pga(tmp_path: Path) -> None:

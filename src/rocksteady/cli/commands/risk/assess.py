@@ -132,12 +132,12 @@ class _Asked:
         InputError, FlagError
             If it states one, or the spectrum cannot be read.
         """
-        given, flag = described.given.demand, self.peaks.pga_g
+        given = described.given.demand
         if self.designs.spectrum is None:
             return described
         if self.file is not None:
             stated = {"spectrum": described.spectrum, "pgv_m_s": given.pgv_m_s}
-            stated |= {"pga_g": given.pga_g} if flag is not None else {}
+            stated |= {"pga_g": given.pga_g}
             key = next((key for key, value in stated.items() if value is not None), None)
             if key is not None:
                 raise FlagError(
@@ -146,10 +146,9 @@ class _Asked:
                     f"{self.file} states its own {key}",
                     "leave one of the two out",
                 )
-        pga = given.pga_g if flag is None else flag
         if given.pgv_m_s is not None:  # both peaks decide
             return replace(described, spectrum=self.designs.table)
-        design = self.designs.design(pga)
+        design = self.designs.design(self.peaks.pga_g)
         assert design is not None
         return described.on_spectrum(design)
 
@@ -162,6 +161,9 @@ class _Asked:
         objects = read_objects(file)
         stated = all(each.demand.pga_g or each.demand.pgv_m_s for each in objects)
         demand = self.demand
+        if stated:
+            flags = {"--spectrum": self.designs.spectrum}
+            refuse(flags, f"all objects of {file} state a demand of their own")
         if demand is None and not stated:
             raise missing(
                 "--pgv-m-s",
@@ -201,6 +203,14 @@ class _Asked:
         recorded, named = self.recorded, objects[0].given.assessment.records
         if recorded.records is None and named is not None and self.file is not None:
             recorded = replace(recorded, records=[self.file.parent / named])
+        if recorded.records:
+            built_in = dict(zip(("--motions", "--seed"), self.built_in, strict=True))
+            refuse(built_in, "there are records, and built-in motions stand in for them")
+        on_spectrum = any(each.is_on_spectrum for each in objects)
+        refuse(
+            {"--no-stretch": (on_spectrum and not self.stretch) or None},
+            "objects on a spectrum get their motions by a stretch",
+        )
         if self.reading.floor is not None:
             felt = {each.name for each in objects if each.given.demand.place == "floor"}
             refuse(
@@ -253,8 +263,7 @@ class _Asked:
         """
         objects = self.objects()
         suite = self.suite(objects)
-        tables = [*self.designs.file, *_spectra_of(objects)]
-        files = (self.file, self.buildings, self.hazard, *dict.fromkeys(tables))
+        files = (self.file, self.buildings, self.hazard, *_spectra_of(objects))
         described = [each for each in files if each is not None]
         self.output.files.check_folder(ASSESSMENT, self.out, [*described, *suite.read])
         whole = self._table if self.is_table else self._object
@@ -454,9 +463,6 @@ def assess(
     _refuse_idle(
         block, peaks, designs, recorded, reading, kept, file, buildings, out, example=example
     )
-    built_in = {"--motions": motions, "--seed": seed}
-    if recorded.records:
-        refuse(built_in, "there are records, and built-in motions stand in for them")
     if designs.spectrum is not None and no_stretch:
         raise both("--spectrum", "--no-stretch", valid="records are placed by a stretch")
     needs("--lognormal", lognormal or None, "--out", "answer", beside=out)

@@ -144,9 +144,13 @@ def fragility(
         *filter(None, remarks),
         f"{result.runs:,} runs in {result.seconds:.1f} s{kept}",
     ]
+    answer = description.answer
+    if answer is not None and placing is not None:
+        line = placing.line(placing.doubt)
+        answer = replace(answer, facts=[("spectrum", line.words), *answer.facts])
     output.leave(
         "fragility",
-        replace(description, headline=headline, notes=notes),
+        replace(description, headline=headline, notes=notes, answer=answer),
         after=after,
         suite=suite,
         decided=result.records >= LEAST,

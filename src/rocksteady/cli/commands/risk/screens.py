@@ -1,5 +1,7 @@
 """`rocksteady screens`: published formulas for one block, side by side."""
 
+from dataclasses import replace
+
 import typer
 
 from rocksteady.cli.console.outputs import INCOMPLETE, NEGATIVE
@@ -62,6 +64,9 @@ def screens(
     elif spectra.record is not None:
         recorded = RecordFlags(record=[spectra.record], pga_g=peaks.pga_g)
         next_command = options.follow_up("simulate", block, recorded, reading)
-    files.leave("screens", screens_found.describe(), follow_up=next_command)
+    described, formula = screens_found.describe(), spectra.formula
+    if formula is not None:
+        described = replace(described, notes=[*described.notes, formula.remark])
+    files.leave("screens", described, follow_up=next_command)
     if check and (screens_found.negative or screens_found.undecided):
         raise typer.Exit(NEGATIVE if screens_found.negative else INCOMPLETE)

@@ -78,9 +78,9 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
             "write name = ..., [geometry], width_m = ... and height_m = ...",
         )
     given = FILE.convert(values, ObjectInput, source)
-    texts = ((given.name, "name"), (given.kind, "kind"), (given.assessment.records, "records"))
-    for text, key in texts:
-        if text is not None and not text.strip():
+    texts = [(given.name, "name"), (given.kind, "kind"), (given.assessment.records, "records")]
+    for text, key in [*texts, (given.demand.spectrum, "spectrum")]:
+        if isinstance(text, str) and not text.strip():
             raise InputError(
                 named(source, "", key), text, "it must not be empty", "give a text, or leave it out"
             )
@@ -162,11 +162,14 @@ def _check_spectrum(given: ObjectInput, source: str) -> None:
     if spectrum is None or isinstance(spectrum, str):
         return
     periods = spectrum.period_s
-    rises = all(after > before for before, after in itertools.pairwise(periods))
-    if len(periods) != len(spectrum.sa_g) or len(periods) < 2 or not rises:
+    for before, after in itertools.pairwise(periods):
+        if after <= before:
+            name, hint = named(source, "demand.spectrum", "period_s"), "sort the rows"
+            raise InputError(name, after, f"periods must rise, and {before:g} is before it", hint)
+    if len(periods) != len(spectrum.sa_g) or len(periods) < 2:
         raise ModelError(
             named(source, "demand.spectrum", "period_s"),
             Words(f"and sa_g have {len(periods)} and {len(spectrum.sa_g)} values"),
-            "a spectrum has two points or more, with periods that rise",
+            "a spectrum has two points or more",
             "give one sa_g for each period_s",
         )

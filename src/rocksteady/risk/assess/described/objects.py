@@ -33,7 +33,7 @@ from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import least_gravity_g
-from rocksteady.risk.spectra.code_spectra import formula_of
+from rocksteady.risk.spectra.code_spectra import SPECTRUM_DAMPING, formula_of
 from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
 from rocksteady.risk.spectra.tabulated import TabulatedSpectrum, spectrum_from, tabulated
 
@@ -334,8 +334,14 @@ did you mean width_m?
     @checked
     def on_spectrum(self, spectrum: DesignSpectrum) -> "DescribedObject":
         """Return the object with a design spectrum as its demand, in place of its peaks."""
-        peaks = {"pga_g": spectrum.pga_g, "pgv_m_s": None}
-        return replace(self._changed("demand", spectrum=None, **peaks), spectrum=spectrum.table)
+        table = spectrum.table
+        stated = table.source or {
+            "period_s": table.periods_s.tolist(),
+            "sa_g": table.scaled(SPECTRUM_DAMPING)[0].tolist(),
+            "damping": SPECTRUM_DAMPING,
+        }
+        changed = replace(self, spectrum=table)
+        return changed._changed("demand", spectrum=stated, pga_g=spectrum.pga_g, pgv_m_s=None)
 
     def _changed(self, table: str, **keys: object) -> "DescribedObject":
         """Return the object with other values of some keys of a table; None takes a key out."""
@@ -453,7 +459,7 @@ def read_object(path: Path | str) -> DescribedObject:
     values = toml_of(content, file.name)
     demand, spectrum = values.get("demand"), None
     stated = demand.get("spectrum") if isinstance(demand, dict) else None
-    if isinstance(stated, str):
+    if isinstance(stated, str) and stated.strip():
         with in_file(file.name, "demand"):
             spectrum = spectrum_from(stated if formula_of(stated) else file.parent / stated)
     return DescribedObject(

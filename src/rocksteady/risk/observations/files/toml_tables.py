@@ -106,7 +106,7 @@ class TomlTables:
             return InputError(name, value, valid, hint)
         wanted = [KINDS[kind] for kind in word[0].split(" | ") if kind in KINDS] if word else []
         if path in self.kinds or not key:
-            wanted = ["a table of keys"]
+            wanted = [each for each in wanted if each == KINDS["str"]] + ["a table of keys"]
             if path in self.lists:
                 is_array = "array" in what.partition(",")[0]
                 wanted = [f"tables, each below its own [[{path}]]"] if is_array else wanted

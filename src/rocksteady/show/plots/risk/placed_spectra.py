@@ -74,7 +74,7 @@ def plot_placed_spectra(
     --------
     >>> from matplotlib.figure import Figure
     >>> from rocksteady.motions import make_synthetic_suite, place_on_spectrum
-    >>> placed = place_on_spectrum(make_synthetic_suite(3), "en1998-1:2004:type1:A:ag=0.25")
+    >>> placed = place_on_spectrum(make_synthetic_suite(3), "en1998-1:2004:type1:C:ag=0.25")
     >>> axes = plot_placed_spectra(placed, Figure().add_subplot())
     >>> axes.get_xlabel(), [text.get_text() for text in axes.get_legend().get_texts()]
     ('period  $T$ [s]', ['design spectrum', 'mean spectrum of 3', "each motion's spectrum"])
