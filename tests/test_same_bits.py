@@ -131,6 +131,7 @@ ALLOWED = {
     ("risk/counted/curve.py", "numpy.interp"): COUNTS,
     ("risk/counted/curve.py", "numpy.log"): COUNTS,
     ("risk/counted/curve.py", "scipy.optimize"): COUNTS,
+    ("risk/counted/placing.py", "math.exp"): WORDS,
     ("risk/counted/placing.py", "numpy.exp"): PLACED,
     ("risk/counted/placing.py", "numpy.geomspace"): PLACED,
     ("risk/counted/placing.py", "numpy.interp"): PLACED,

@@ -24,6 +24,8 @@ COMPARED: Final = 40
 """Number of periods at which spectra are compared, evenly in ln T."""
 FAR_OFF: Final = 0.45
 """Median misfit above which motions do not follow a spectrum."""
+MOST_DOUBTS: Final = 2
+"""Doubts on a line, the gravest first: a longer one is left out of a screen."""
 DOUBTFUL_STRETCH: Final = 3.5
 """Median fold of stretches on a spectrum above which there is a doubt."""
 
@@ -100,7 +102,7 @@ class Placing:
         return Stated(
             quantity="spectrum",
             text=f"{span}, met to {self.misfit_words}; {pgv}",
-            condition="; ".join(filter(None, doubts)),
+            condition="; ".join([*filter(None, doubts)][:MOST_DOUBTS]),
         )
 
     def spectra_g(self, periods_s: Floats) -> Floats:

@@ -95,11 +95,11 @@ def formula_of(text: str) -> CodeSpectrum | None:
     if code not in FORMS:
         return None
     example, form = FORMS[code]
-    found = re.fullmatch(form, rest.strip(), re.IGNORECASE)
-    if found is None:
+    match = re.fullmatch(form, rest.strip(), re.IGNORECASE)
+    if match is None:
         raise InputError("spectrum", text, f"it has another form than {example}", "write it so")
     given: dict[str, Any] = {}
-    for key, value in found.groupdict().items():
+    for key, value in match.groupdict().items():
         given[key] = value.upper()
         if key not in ("kind", "ground", "soil", "topography"):
             given[key] = _number(text, key, value)

@@ -78,12 +78,16 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
             "write name = ..., [geometry], width_m = ... and height_m = ...",
         )
     given = FILE.convert(values, ObjectInput, source)
-    texts = [(given.name, "name"), (given.kind, "kind"), (given.assessment.records, "records")]
-    for text, key in [*texts, (given.demand.spectrum, "spectrum")]:
+    texts = {
+        ("", "name"): given.name,
+        ("", "kind"): given.kind,
+        ("assessment", "records"): given.assessment.records,
+        ("demand", "spectrum"): given.demand.spectrum,
+    }
+    for place, text in texts.items():
         if isinstance(text, str) and not text.strip():
-            raise InputError(
-                named(source, "", key), text, "it must not be empty", "give a text, or leave it out"
-            )
+            name, hint = named(source, *place), "give a text, or leave it out"
+            raise InputError(name, text, "it must not be empty", hint)
     _check_restitution(given, source)
     for table, key, value in numbers_of(given):
         _check(table, key, value, source, walled=given.against_wall)
