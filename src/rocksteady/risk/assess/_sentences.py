@@ -207,7 +207,7 @@ class Screen:
             words += _fall(near)
         elif reason == "without-answer":
             words = f"{target}; {plural(count.without, 'run')} without an answer could turn it"
-        elif reason == "built-in" or reason in get_args(Unfit):
+        elif reason == "built-in" or (reason and reason in get_args(Unfit)):
             words = self._unfit(reason)
         elif reason == "friction":
             words = f"green if the friction is at least {number(judged.friction.largest)}"

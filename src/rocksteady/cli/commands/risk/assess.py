@@ -136,8 +136,11 @@ class _Asked:
         if self.designs.spectrum is None:
             return described
         if self.file is not None:
-            stated = {"spectrum": described.spectrum, "pgv_m_s": given.pgv_m_s}
-            stated |= {"pga_g": given.pga_g}
+            stated = {
+                "spectrum": described.spectrum,
+                "pga_g": given.pga_g,
+                "pgv_m_s": given.pgv_m_s,
+            }
             key = next((key for key, value in stated.items() if value is not None), None)
             if key is not None:
                 raise FlagError(
