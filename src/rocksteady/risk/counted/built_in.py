@@ -28,6 +28,8 @@ PEAK_AT: Final = (0.1, 0.35)
 """Part of the strong part after which the envelope is largest."""
 LEFT: Final = 0.05
 """Part of its largest value that the envelope has left as the strong part ends."""
+DIGITS: Final = 9
+"""Decimals over the peak to which samples are kept: the same on all processors."""
 HIGH_PASS_HZ: Final = 0.08
 LENGTH: Final = 1.6
 """Length of a motion over that of its strong part."""
@@ -99,7 +101,7 @@ def _motion(rng: np.random.Generator, number: int) -> Record:
     noise = np.fft.irfft(shape * np.fft.rfft(rng.standard_normal(2 * count)))[:count]
     shaken = envelope * noise
     shaken -= envelope * shaken.sum() / envelope.sum()  # the ground stands still at the end
-    samples = shaken / np.abs(shaken).max() * STANDARD_GRAVITY
+    samples = np.round(shaken / np.abs(shaken).max(), DIGITS) * STANDARD_GRAVITY
     return Record(acceleration_m_s2=samples, dt_s=STEP_S, name=f"built-in {number}")
 
 
