@@ -423,7 +423,7 @@ CASES: dict[str, Case] = {
     "plot_placed_spectra": lambda t: (
         {"shaking": t["placed"], "block": t["block"]},
         [
-            t["placed"].placing.spectrum.sa_g(np.geomspace(0.05, 4.0, 160)),
+            t["placed"].placing.spectrum.accelerations_g(np.geomspace(0.05, 4.0, 160)),
             t["placed"].placing.mean_g(np.geomspace(0.05, 4.0, 160)),
             np.array([0.3, 1.1]) * 2.0 * math.pi / t["block"].p,
         ],

@@ -302,7 +302,7 @@ def place_on_spectrum(motions: Sequence[Record | BaseMotion], spectrum: Any) -> 
     >>> suite = make_synthetic_suite(3)
     >>> placed = place_on_spectrum(suite, "en1998-1:2004:type1:C:ag=0.25")
     >>> [f"{each.peak_acceleration_m_s2 / 9.80665:.3f}" for each in placed.motions]
-    ['0.250', '0.250', '0.250']
+    ['0.287', '0.287', '0.287']
     """
     if not motions:
         raise InputError("motions", motions, "there must be one or more", "give records")

@@ -205,7 +205,7 @@ def make_design_spectrum(
     --------
     >>> soft = make_design_spectrum("en1998-1:2004:type1:C:ag=0.25")
     >>> soft.words, soft.words_of_source
-    ('the spectrum of 0.288 g', 'EN 1998-1:2004, 3.2.2.2 (type1:C:ag=0.25)')
+    ('the spectrum of 0.287 g', 'EN 1998-1:2004, 3.2.2.2 (type1:C:ag=0.25)')
     """
     classes = isinstance(spectrum, DesignSpectrum) or hasattr(spectrum, "sa_g")
     if classes and spectrum_damping is not None:
