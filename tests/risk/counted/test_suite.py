@@ -17,8 +17,8 @@ from rocksteady.risk.counted.motions import (
     distinct,
     folds,
     has_vertical,
-    lift,
     median_fold,
+    with_vertical_peak,
 )
 from rocksteady.risk.counted.suite import Peaks, Suite
 from tests.every import every
@@ -127,7 +127,7 @@ def test_a_stated_vertical_peak_is_that_of_every_vertical_component(demand: Peak
         assert np.abs(up).max() == pytest.approx(0.2 * G)
         own = pair.vertical.acceleration_m_s2
         np.testing.assert_allclose(up, 0.2 * G / np.abs(own).max() * own, rtol=1e-12)
-    assert lift(SUITE[0], 0.2) is SUITE[0]
+    assert with_vertical_peak(SUITE[0], 0.2) is SUITE[0]
 
 
 def test_a_floor_answers_the_ground_that_is_stretched_already() -> None:

@@ -330,7 +330,7 @@ def _rate_facts(judged: Judged) -> list[Fact]:
 
 def demand_facts(shaking: Shaking | None, demand: Demanded | None, words: str) -> list[Fact]:
     """Return a demand, None of several, and how motions lie on its spectrum."""
-    kind = None if demand is None else demand.kind
+    kind = None if demand is None else "peaks" if isinstance(demand, Peaks) else "spectrum"
     values = demand.values if isinstance(demand, DesignSpectrum) else None
     if shaking is not None and shaking.placing is not None:
         values = shaking.placing.values

@@ -13,10 +13,10 @@ from rocksteady.model.motions.record import Record
 from rocksteady.risk.counted.suite import Peaks, Suite
 
 COUNT: Final = 59
-"""Usual number of the motions: where none falls, 59 show 5 %."""
+"""Number of motions by default: where none of 59 falls, they show 5 %."""
 SEED: Final = 1
 MADE_AT: Final = Peaks(pga_g=0.3, pgv_m_s=0.4)
-"""Peaks that all are made with."""
+"""Peaks of every motion as it is made."""
 STEP_S: Final = 0.01
 CORNER_HZ: Final = (0.15, 1.0)
 """Corner frequency of the source, evenly in its logarithm."""
@@ -29,7 +29,7 @@ PEAK_AT: Final = (0.1, 0.35)
 LEFT: Final = 0.05
 """Part of its largest value that the envelope has left as the strong part ends."""
 DIGITS: Final = 9
-"""Decimals over the peak to which samples are kept: the same on all processors."""
+"""Decimals of samples, relative to the peak: rounded, they agree on all processors."""
 HIGH_PASS_HZ: Final = 0.08
 LENGTH: Final = 1.6
 """Length of a motion over that of its strong part."""

@@ -79,8 +79,8 @@ def _changed(record: object, scale: float, stretch: float) -> Record:
     return replace(record.scaled(scale), dt_s=stretch * record.dt_s)
 
 
-def lift(motion: Motion, peak_g: float) -> Motion:
-    """Return a motion whose vertical component, where it has one, has another peak [g]."""
+def with_vertical_peak(motion: Motion, peak_g: float) -> Motion:
+    """Return a motion with its vertical component, if any, scaled to a peak [g]."""
     up = motion.vertical if isinstance(motion, BaseMotion) else None
     if not isinstance(up, Record) or not up.peak_acceleration_m_s2:
         return motion

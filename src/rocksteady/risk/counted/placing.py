@@ -1,4 +1,4 @@
-"""Motions on a design spectrum: each stretched in time until its own spectrum lies there."""
+"""Motions on a design spectrum: each stretched in time until its own spectrum lies on it."""
 
 import math
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from rocksteady.risk.spectra.design_spectrum import PLACED_S, DesignSpectrum
 from rocksteady.seismic.measures.sampled_spectrum import sample_pseudo_acceleration
 
 GRID_S: Final = np.geomspace(0.02, 20.0, 100)
-"""Periods at which the spectra of motions are computed [s], beyond those by a stretch."""
+"""Periods of the spectra of motions [s]; a stretch slides the spectra along them."""
 MOST_STRETCH: Final = 8.0
 """Largest fold of a stretch that is tried."""
 STEPS: Final = np.geomspace(1.0 / MOST_STRETCH, MOST_STRETCH, 241)

@@ -15,7 +15,13 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number, quantity
-from rocksteady.risk.counted.motions import Motion, across, changed, has_vertical, lift
+from rocksteady.risk.counted.motions import (
+    Motion,
+    across,
+    changed,
+    has_vertical,
+    with_vertical_peak,
+)
 from rocksteady.risk.counted.placing import Placing, fit_stretches, shapes_of
 from rocksteady.risk.ensemble.ways import Ways
 from rocksteady.risk.spectra.design_spectrum import DesignSpectrum, make_design_spectrum
@@ -69,11 +75,6 @@ class Peaks:
         """The same, as "0.40 g and 0.45 m/s"."""
         pairs = ((self.pga_g, "g"), (self.pgv_m_s, "m/s"))
         return " and ".join(quantity(value, unit) for value, unit in pairs if value is not None)
-
-    @property
-    def kind(self) -> str:
-        """What it is, as in JSON."""
-        return "peaks"
 
     @property
     def where(self) -> str:
@@ -191,7 +192,10 @@ class Suite:
             motions = [changed(each, *factors) for each, *factors in pairs]
         if vertical_g:
             left = np.ones(len(pga)) if stretched else scales
-            motions = [lift(each, vertical_g / x) for each, x in zip(motions, left, strict=True)]
+            motions = [
+                with_vertical_peak(each, vertical_g / x)
+                for each, x in zip(motions, left, strict=True)
+            ]
         if floor is not None:
             motions = [floor.motion(each) for each in motions]
         return Shaking(

@@ -12,9 +12,9 @@ from rocksteady.model.checks.bounds import Bounds
 from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
 
 SPECTRUM_DAMPING: Final = 0.05
-"""Damping of spectra by formula, and of those that motions are placed on."""
+"""Damping ratio of code spectra and of the spectra that records are placed on."""
 PERIODS_S: Final = np.concatenate([[0.0], np.geomspace(0.01, 10.0, 151)])
-"""Periods of the tables of formulas, beside those of their corners [s]."""
+"""Periods of a code spectrum [s]; its corner periods are added."""
 GROUND: Final[Mapping[str, tuple[float, float, float, float]]] = {
     "1A": (1.0, 0.15, 0.4, 2.0),
     "1B": (1.2, 0.15, 0.5, 2.0),

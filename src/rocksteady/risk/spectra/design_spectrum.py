@@ -97,11 +97,6 @@ class DesignSpectrum:
         return f"the spectrum of {quantity(self.peak_g, 'g')}"
 
     @property
-    def kind(self) -> str:
-        """What it is, as in JSON."""
-        return "spectrum"
-
-    @property
     def where(self) -> str:
         """The same after a verb."""
         return f"on {self.words}"

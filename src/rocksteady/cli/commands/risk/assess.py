@@ -466,8 +466,6 @@ def assess(
     _refuse_idle(
         block, peaks, designs, recorded, reading, kept, file, buildings, out, example=example
     )
-    if designs.spectrum is not None and no_stretch:
-        raise both("--spectrum", "--no-stretch", valid="records are placed by a stretch")
     needs("--lognormal", lognormal or None, "--out", "answer", beside=out)
     goal = _target(target, target_50_years)
     needs("--target-50-years", target_50_years, "--hazard", "site.csv", beside=hazard)
