@@ -1,5 +1,6 @@
-"""Baselines and resampling: nothing is done unasked, and all that is done is noted."""
+"""Cleaning and resampling: nothing is done unasked, and all that is done is noted."""
 
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import numpy as np
@@ -8,12 +9,16 @@ from numpy.typing import NDArray
 
 from rocksteady import read_record
 from rocksteady.errors import InputError
-from rocksteady.records import correct_baseline, resample
+from rocksteady.records import Cleaning, Recording, resample
 from tests.every import every
 from tests.records import recording
 from tests.records.writers import at2, samples
 
 Floats = NDArray[np.float64]
+
+
+def levelled(one: Recording, baseline: str) -> Recording:
+    return Cleaning(baseline=baseline).apply(one)
 
 
 @every(
@@ -25,7 +30,7 @@ def test_a_polynomial_is_taken_off_and_noted(baseline: str, order: int) -> None:
     # NumPy's other fit, in powers of the time itself.
     expected = values - np.polyval(np.polyfit(time, values, order), time)
     drifting = values + sum(0.3 * (time - 1.0) ** power for power in range(order + 1))
-    found = correct_baseline(recording(drifting), baseline)
+    found = levelled(recording(drifting), baseline)
     np.testing.assert_allclose(found.record.acceleration_m_s2, expected, atol=1e-9)
     assert len(found.processing) == 1
     assert "fitted by least squares, taken off" in found.processing[0]
@@ -34,23 +39,88 @@ def test_a_polynomial_is_taken_off_and_noted(baseline: str, order: int) -> None:
 @every("baseline", ["linear", "polynomial:2", "polynomial:10"])
 def test_a_record_is_at_most_a_polynomial_through_its_samples(baseline: str) -> None:
     values = np.array([0.3, -1.0])
-    found = correct_baseline(recording(values), baseline).record.acceleration_m_s2
+    found = levelled(recording(values), baseline).record.acceleration_m_s2
     np.testing.assert_allclose(found, 0.0, atol=1e-15)
 
 
 def test_none_is_none_and_nothing_else_is_known() -> None:
     one = recording(samples(100))
-    assert correct_baseline(one, "none") is one
-    for wrong in ("", "mean:1", "polynomial", "polynomial:11", "polynomial:-1", "cubic"):
-        with pytest.raises(InputError, match=r"baseline = .*use none, mean, linear or polynomial"):
-            correct_baseline(one, wrong)
+    assert levelled(one, "none") is one
+    wrong = ("", "none:1", "mean:1", "linear:1", "pre:", "pre:0", "pre:-1", "polynom:1")
+    numbers = (
+        "polynomial",
+        *(f"polynomial:{order}" for order in ("", "11", "-1", "1.5", "0" * 10)),
+    )
+    for baseline in (*wrong, *numbers):
+        with pytest.raises(InputError, match=r"baseline = .*pre:SECONDS, linear or polynomial:N"):
+            levelled(one, baseline)
 
 
 def test_read_record_leaves_the_baseline_as_it_is_unless_asked(tmp_path: Path) -> None:
     path = tmp_path / "hut.AT2"
     path.write_text(at2(samples(200) + 0.25))
     assert read_record(path).acceleration_m_s2.mean() > 1.0
-    assert abs(read_record(path, baseline="mean").acceleration_m_s2.mean()) < 1e-12
+    assert (
+        abs(read_record(path, cleaning=Cleaning(baseline="mean")).acceleration_m_s2.mean()) < 1e-12
+    )
+
+
+@every(
+    ("low", "high", "words"),
+    [("0.5", "", "from 0.5 Hz"), ("", "12", "up to 12 Hz"), ("0.5", "12", "0.5 to 12 Hz")],
+)
+def test_a_filter_has_the_gain_of_butterworth_and_no_phase(low: str, high: str, words: str) -> None:
+    """Its gain in closed form, on the Fourier transform of a shock with quiet ends."""
+    shock = np.zeros(4096)
+    shock[1800:2000] = samples(200)
+    expected = np.fft.rfft(shock)
+    detuned = np.tan(np.pi * 0.01 * np.fft.rfftfreq(len(shock), 0.01))
+    if low:
+        expected *= 1.0 - 1.0 / (1.0 + (detuned / np.tan(np.pi * 0.01 * float(low))) ** 4)
+    if high:
+        expected /= 1.0 + (detuned / np.tan(np.pi * 0.01 * float(high))) ** 4
+    found = Cleaning(filter_hz=f"{low}:{high}").apply(recording(shock))
+    kept = np.fft.irfft(expected, len(shock))
+    np.testing.assert_allclose(found.record.acceleration_m_s2, kept, atol=1e-6)
+    assert found.processing == (f"filter: {words}, Butterworth of order 4 without phase shift",)
+
+
+def test_offset_filter_and_trim_follow_each_other() -> None:
+    """The offset is that of the quiet part, though it is trimmed; times of day move along."""
+    begin = datetime(2020, 1, 1, tzinfo=UTC)
+    values = 0.3 + np.concatenate([np.zeros(200), samples(500)])
+    raw = recording(values, processing=(), start_time=begin)
+    found = Cleaning(baseline="pre:1.99", filter_hz="0.5:20", trim_s="2:6.5").apply(raw)
+    filtered = Cleaning(filter_hz="0.5:20").apply(levelled(raw, "pre:1.99"))
+    assert found == Cleaning(trim_s="2:6.5").apply(filtered)
+    assert found.record.duration_s == pytest.approx(4.5)
+    assert found.start_time == begin + timedelta(seconds=2.0)
+    assert found.processing == (
+        "baseline: the mean of the first 1.99 s, taken off (0.3 m/s^2 at most)",
+        "filter: 0.5 to 20 Hz, Butterworth of order 4 without phase shift",
+        "trim: 2 to 6.5 s kept",
+    )
+    offset = Cleaning(baseline="pre:1.99", trim_s="2:").apply(raw).record.acceleration_m_s2
+    np.testing.assert_allclose(offset, samples(500), atol=1e-15)
+
+
+@every(
+    ("name", "given", "words"),
+    [
+        ("filter_hz", ":50", r"lie in \[0.0001, 50\) Hz, below the Nyquist frequency of hut.csv"),
+        ("filter_hz", "1e-9:", "Nyquist"),
+        *(("trim_s", part, "has 0.99 s; give times inside") for part in ("0:1", "1:", "2:3")),
+        ("trim_s", "0.101:0.102", "no two samples"),
+        ("baseline", "pre:1", "has 0.99 s"),
+        *(
+            ("filter_hz", given, "the first one below the second")
+            for given in ("", ":", "5", "2:1", "2:2", "-1:2", "nan:2", "a:b", "1:2:3")
+        ),
+    ],
+)
+def test_what_a_record_does_not_have_is_refused(name: str, given: str, words: str) -> None:
+    with pytest.raises(InputError, match=f"^{name} = '{given}' is not valid: .*{words}"):
+        Cleaning(**{name: given}).apply(recording(samples(100)))
 
 
 @every("divisor", [1, 2, 3, 7])
@@ -102,15 +172,9 @@ def test_what_is_taken_off_in_words() -> None:
         ("polynomial:2", "a polynomial of order 2", 3.1),
         ("polynomial:10", "a polynomial of order 10", 4.0),
     ):
-        (note,) = correct_baseline(recording(values, processing=()), baseline).processing
+        (note,) = levelled(recording(values, processing=()), baseline).processing
         words = f"baseline: {what}, fitted by least squares, taken off"
         assert note == f"{words} ({largest:.3g} m/s^2 at most)", baseline
-    for none in ("none", "mean", "linear"):
-        with pytest.raises(InputError, match="polynomial:N with N up to 10"):
-            correct_baseline(recording(values), f"{none}:1")
-    for wrong in ("polynomial:", "polynomial:1.5", "polynomial:0000000010", "polynom:1"):
-        with pytest.raises(InputError, match="a way of taking off a baseline"):
-            correct_baseline(recording(values), wrong)
 
 
 def test_a_resampled_record_ends_with_its_last_whole_interval() -> None:

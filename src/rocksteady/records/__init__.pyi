@@ -3,7 +3,7 @@
 from .core.recording import Recording as Recording
 from .pairing import RecordSet as RecordSet
 from .pairing import pair_records as pair_records
-from .processing import correct_baseline as correct_baseline
+from .processing import Cleaning as Cleaning
 from .processing import resample as resample
 from .read import read_recordings as read_recordings
 from .suite import RecordSuite as RecordSuite

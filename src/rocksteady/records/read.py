@@ -25,7 +25,7 @@ from rocksteady.records.formats import (
     smc,
     waveforms,
 )
-from rocksteady.records.processing import correct_baseline
+from rocksteady.records.processing import Cleaning
 
 Reader = Callable[[RecordText, Given], tuple[Recording, ...]]
 Recogniser = Callable[[RecordText], bool]
@@ -144,7 +144,7 @@ def read_record(
     dt_s: float | None = None,
     column: str | int | None = None,
     resample: bool = False,
-    baseline: str = "none",
+    cleaning: Cleaning | None = None,
 ) -> Record:
     """Read one acceleration channel of a ground-motion file.
 
@@ -154,8 +154,8 @@ def read_record(
         As for `read_recordings`, which can also ignore a header.
     channel
         Which one, where the file holds several: its number from 1, or its component.
-    baseline
-        What to take off: ``none``, ``mean``, ``linear`` or ``polynomial:N``.
+    cleaning
+        Offset, filter and trim; none by default.
 
     Returns
     -------
@@ -182,7 +182,7 @@ def read_record(
     recordings = read_recordings(
         path, format=format, units=units, dt_s=dt_s, column=column, resample=resample
     )
-    return correct_baseline(chosen(recordings, channel), baseline).record
+    return (cleaning or Cleaning()).apply(chosen(recordings, channel)).record
 
 
 def _found(

@@ -13,6 +13,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.records.core.directions import pointing
 from rocksteady.records.core.recording import LeftOut, Recording
 from rocksteady.records.core.text import CONTRADICTION, DAMAGED, NO_RECORD
+from rocksteady.records.processing import Cleaning
 from rocksteady.records.read import read_recordings
 from rocksteady.results.numbers import plural
 
@@ -99,6 +100,7 @@ def read_records(
     dt_s: float | None = None,
     ignore_header: bool = False,
     include: Sequence[str] = (),
+    cleaning: Cleaning | None = None,
 ) -> RecordSuite:
     r"""Read all horizontal records of a folder, a suite, in the order of the file names.
 
@@ -118,6 +120,8 @@ def read_records(
     include
         Kinds of channels that are taken all the same: ``unknown``, ``borehole``, ``structure``,
         ``rotated``.
+    cleaning
+        Offset, filter and trim of each; none by default.
 
     Returns
     -------
@@ -161,7 +165,7 @@ def read_records(
             left.append(file_left_out(file, error))
             continue
         across, others = select(recordings, include)
-        taken += across
+        taken += map((cleaning or Cleaning()).apply, across)
         left += others
     if not taken:
         hint = "name a folder of ground-motion files"

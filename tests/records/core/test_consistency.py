@@ -174,33 +174,6 @@ def test_a_cut_in_the_last_of_uneven_numbers(tmp_path: Path, end: str, doubted: 
     assert ("may end inside its last number" in " ".join(found.warnings)) == doubted
 
 
-def test_lines_that_are_laid_out_alike_need_no_search_and_lose_no_doubt(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    rng = np.random.default_rng(77)
-
-    def said(text: str) -> str:
-        try:
-            return str([one.warnings for one in read(tmp_path, text)])
-        except RecordFileError as error:
-            return str(error)
-
-    texts = [*FILES.values()]
-    for _ in range(100):
-        text = str(rng.choice([*FILES.values()]))
-        place = int(rng.integers(len(text) // 3, len(text)))
-        for _ in range(int(rng.integers(1, 3))):
-            letter = str(rng.choice(["", " ", "-", "1", ".", "E", "+", "\n", "x"]))
-            place = min(place + int(rng.integers(0, 40)), len(text))
-            text = text[:place] + letter + text[place + int(rng.integers(0, 2)) :]
-        texts.append(text if rng.random() < 0.7 else text[:place])
-    short = [said(text) for text in texts]
-    monkeypatch.setattr(consistency, "_alike", lambda _: False)
-    differing = [(a, b) for a, b in zip(short, map(said, texts), strict=True) if a != b]
-    assert differing == []
-    assert len(set(short)) > 20
-
-
 def lines_of(lines: list[str], *, ended: bool = True) -> RecordText:
     return RecordText(path=Path("hut.txt"), lines=tuple(lines), ended=ended)
 

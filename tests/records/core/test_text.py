@@ -1,5 +1,6 @@
 """Files as lines: their encodings and line ends, and what is empty, too large or no text."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -134,3 +135,14 @@ def test_a_file_of_the_largest_size_is_read(
                 RecordFileError, match="it has 10 bytes, and 9 are the most; give a"
             ):
                 file_bytes(path)
+
+
+def test_layouts_are_lines_without_their_digits() -> None:
+    """By another way, over more lines than are translated at once; other scripts' digits stay."""
+    rows = ["time (s),acc (g)", "0.19,-1.5", "", "0.28,-2.7", "\N{ARABIC-INDIC DIGIT FIVE},1", "1,"]
+    text = RecordText(path=Path("hut.txt"), lines=tuple(rows * 500))
+    layouts, of_lines = text.layouts
+    assert [layouts[at] for at in of_lines] == [re.sub("[0-9]", "0", line) for line in text.lines]
+    assert len(set(layouts)) == len(layouts) == 5
+    assert text.by_layout(len).tolist() == [len(line) for line in text.lines]
+    assert RecordText(path=Path("hut.txt"), lines=()).by_layout(len).tolist() == []

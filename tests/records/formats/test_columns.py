@@ -565,3 +565,19 @@ def test_rows_of_units_below_the_names(tmp_path: Path) -> None:
                 read(tmp_path, text, format="columns", units="g", dt_s=0.01)
         else:
             assert read(tmp_path, text, format="columns", units="g", dt_s=0.01)
+
+
+@every(
+    "row", ["{:.2f},{:.6f},{}", "{:.2f}, {:.6E},{},", '"{:.2f}","{:.6f}","{}"', "{:9.2f}{:+.6f} {}"]
+)
+@every("other", ["1", "-1", "1e305", "1D1"])
+def test_an_odd_number_changes_no_other(tmp_path: Path, row: str, other: str) -> None:
+    """Numbers are read at once or line by line: `float` of each one by itself is the oracle."""
+    values = samples(40)
+    rows = [row.format(0.01 * k, value, 1) for k, value in enumerate(values)]
+    rows[7] = row.format(0.07, values[7], other)
+    text = "\n".join(["time (s),acc (g),factor" if "," in row else "time  acc(g)  factor", *rows])
+    (found,) = read(tmp_path, text)
+    written = [float(f"{value:.6E}" if "E" in row else f"{value:.6f}") for value in values]
+    np.testing.assert_array_equal(found.record.acceleration_m_s2, np.array(written) * G)
+    assert found.record.dt_s == 0.01

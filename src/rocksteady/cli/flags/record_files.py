@@ -12,7 +12,7 @@ from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, needs, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, ShakingFlags
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, Panel, given_in, motion_flag
-from rocksteady.cli.flags.parsing import axis, number, single
+from rocksteady.cli.flags.parsing import number, single, values_of
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from rocksteady.model.motions.floor import Floor
     from rocksteady.model.motions.record import Record
     from rocksteady.records.core.recording import Recording
+    from rocksteady.records.processing import Cleaning
 
 reading_flag = Panel("Reading files")
 FLOOR_FLAGS = {
@@ -79,8 +80,18 @@ ignore_header_flag = partial(
 baseline_flag = partial(
     reading_flag,
     "--baseline NAME",
-    "Subtract a baseline from the accelerations: none, mean, linear or polynomial:N.",
+    "Subtract a baseline: none, mean, pre:SECONDS (mean of the first ones), linear, polynomial:N.",
     default="none",
+)
+filter_flag = partial(
+    reading_flag,
+    "--filter LOW:HIGH",
+    "Keep frequencies \\[Hz] after --baseline, without phase shift: 0.1:25, 0.1: or :25.",
+)
+trim_flag = partial(
+    reading_flag,
+    "--trim START:END",
+    "Keep the times of the file \\[s] after --filter: 2:40, 2: or :40.",
 )
 
 
@@ -205,6 +216,8 @@ class ReadingFlags(FloorFlags):
     resample: bool = resample_flag()
     ignore_header: bool = ignore_header_flag()
     baseline: str = baseline_flag()
+    filter: str | None = filter_flag()
+    trim: str | None = trim_flag()
 
     @property
     def given(self) -> dict[str, object]:
@@ -311,12 +324,11 @@ class ReadingFlags(FloorFlags):
     def _ready(
         self, channels: "tuple[Recording, ...]", *, across: bool = True
     ) -> "list[Recording]":
-        """Return channels without their baseline, on the floor."""
-        from rocksteady.records.processing import correct_baseline
-
+        """Return cleaned channels, on the floor."""
         if self.ignore_header:
             warn(channels[0].path, "its header is ignored")
-        ready = [_named(correct_baseline(channel, self.baseline)) for channel in channels]
+        cleaning = cleaning_of(self)
+        ready = [_named(cleaning.apply(channel)) for channel in channels]
         if self.floor is None or not across:
             return ready
         return [
@@ -325,6 +337,13 @@ class ReadingFlags(FloorFlags):
             else each.processed(self.floor.motion(each.record), self.floor.label)
             for each in ready
         ]
+
+
+def cleaning_of(flags: Any) -> "Cleaning":
+    """Return the offset, the filter and the trim of a group of flags."""
+    from rocksteady.records.processing import Cleaning
+
+    return Cleaning(baseline=flags.baseline, filter_hz=flags.filter, trim_s=flags.trim)
 
 
 def _named(one: "Recording") -> "Recording":
@@ -570,7 +589,7 @@ class RecordFlags:
             If one is not.
         """
         hint = "give a factor, as 1.5; --reverse changes the sign"
-        values = [1.0] if self.scale is None else axis("--scale", self.scale)
+        values = [1.0] if self.scale is None else values_of("--scale", self.scale)
         for value in values:
             in_range("--scale", value, 1.0 / LARGEST, LARGEST, "[]", hint=hint)
         remark_on_scale(max(values), f"--scale {max(values):g} multiplies the record")

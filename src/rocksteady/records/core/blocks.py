@@ -36,9 +36,10 @@ def plain(text: RecordText) -> tuple[RecordText, datetime | None]:
     lines = [_PER_CHANNEL.sub("", _EQUAL.sub(r"\1\2", line)) for line in text.lines[:_HEADER]]
     lines = [_TIMESERIES.sub(_OF_TIMESERIES, line) for line in lines] + [*text.lines[_HEADER:]]
     lines = [_QUOTED.sub(r"\1.\2", line) if '"' in line else line for line in lines]
+    text = replace(text, lines=tuple(lines))
+    if 2 * text.by_layout(lambda line: _DATED.match(line) is not None).sum() < len(lines):
+        return text, None
     dates = {at: match for at, line in enumerate(lines) if (match := _DATED.match(line))}
-    if 2 * len(dates) < len(lines):
-        return replace(text, lines=tuple(lines)), None
     times = {
         at: moment(f"{match['date'] or '2000-01-01 '}{match['clock']}")
         for at, match in dates.items()
@@ -63,9 +64,8 @@ def blocks(text: RecordText) -> list[RecordText]:
     Each of several must have as many samples as it, or the one before, states, for a line of words
     among samples may be one that is damaged.
     """
-    of_words = {at for at, line in enumerate(text.lines) if _WORDS.search(line)}
-    first = next((at for at, line in enumerate(text.lines) if numeric(line)), len(text.lines))
-    if max(of_words, default=0) < first:
+    of_words = {*text.by_layout(lambda line: _WORDS.search(line) is not None).nonzero()[0].tolist()}
+    if not any(map(numeric, text.lines[: max(of_words, default=0) + 1])):
         return [text]
     held = [at for at, line in enumerate(text.lines) if line.strip(" \t,;")]
     starts = [at for before, at in pairwise(held) if at in of_words and before not in of_words]

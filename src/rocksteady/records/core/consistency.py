@@ -8,13 +8,13 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
+import numpy as np
+
+from rocksteady.arrays import Floats, Integers
 from rocksteady.records.core.numbers import NUMBER, numbers, samples
 from rocksteady.records.core.text import CONTRADICTION, CORRECT, RecordText
-
-if TYPE_CHECKING:
-    from rocksteady.arrays import Floats
 
 _LONGEST_WORD: Final = 40
 _HINT: Final = "fetch the file again: it is cut or garbled"
@@ -22,7 +22,6 @@ _REGULAR: Final = 0.9
 """Part of the lines that share a layout where others are odd."""
 _FEWEST: Final = 8
 """Lines or numbers that are needed to recognise a layout."""
-_DIGITS: Final = str.maketrans("123456789", "000000000")
 _TOKEN: Final = re.compile(NUMBER)
 _EXPONENT: Final = re.compile(r"[EeDd][+-]?(\d+)$")
 
@@ -50,8 +49,8 @@ class Lines:
 
 
 def agreed(
-    text: RecordText, values: "Floats", count: int, lines: Lines
-) -> tuple["Floats", tuple[str, ...]]:
+    text: RecordText, values: Floats, count: int, lines: Lines
+) -> tuple[Floats, tuple[str, ...]]:
     """Return as many samples as the header states, and a warning about all inconsistencies.
 
     Parameters
@@ -99,7 +98,7 @@ def agreed(
 
 
 def timing(
-    values: "Floats",
+    values: Floats,
     dt_s: float | None,
     *,
     duration: tuple[float, float] | None = None,
@@ -118,8 +117,6 @@ def timing(
     peak_at
         Time of the largest absolute value after the first sample, by the header [s].
     """
-    import numpy as np
-
     if dt_s is None or not dt_s > 0.0:
         return ()
     doubts = []
@@ -146,7 +143,7 @@ def timing(
 
 def layout(
     text: RecordText,
-    lines: Sequence[int],
+    lines: Sequence[int] | Integers,
     *,
     separator: str | None = None,
     comma: bool = False,
@@ -176,51 +173,44 @@ def layout(
     have as many decimals and digits of the exponent as those above and below them, if nearly all
     have.
     """
-    kept = [at for at in lines if at < len(text.lines) and text.lines[at].strip()]
-    if not kept or (separator is None and _alike([text.lines[at] for at in kept])):
+    layouts, of_lines = text.layouts
+    kept = np.asarray(lines, dtype=np.int64)
+    kept = kept[kept < len(text.lines)]
+    kept = kept[text.by_layout(lambda line: len(line.strip()))[kept] > 0]
+    if not len(kept):
         return ()
-    rows = [_tokens(text.lines[at], separator, comma=comma) for at in kept]
-    odd = _misplaced(rows)
+    # The last line is a layout of its own.
+    ending = f"{text.lines[kept[-1]]}\n"
+    order = [*(layouts[at] for at in of_lines[kept[:-1]].tolist()), ending]
+    counts = Counter(order)
+    rows = {line: _tokens(line, separator, comma=comma) for line in counts}
+    odd = _misplaced(rows, counts)
     aligned = odd is not None
     if odd is None:
-        odd = _misshapen(rows)
-    last = len(kept) - 1
+        odd = _misshapen(rows, counts)
     ends_here = not any(line.strip() for line in text.lines[kept[-1] + 1 :])
-    written = rows[-1][-1][0] if rows[-1] else ""
+    last = rows[ending]
+    written = last[-1][0] if last else ""
     # A number that is cut ends early; one that ends late may have a sign more than the others.
-    late = aligned and rows[-1][-1:] and rows[-1][-1][1] > rows[0][-1][1]
+    late = aligned and last and last[-1][1] > rows[order[0]][-1][1]
     aligned = aligned and not late
-    if last in odd and ends_here and (aligned or (strict and not text.ended)):
+    if ending in odd and ends_here and (aligned or (strict and not text.ended)):
         valid = f"the file ends inside its last number, {written!r}"
-        raise text.error(valid, _HINT, at=kept[-1])
+        raise text.error(valid, _HINT, at=int(kept[-1]))
     if odd:
-        first = kept[odd[0]] + 1
-        others = f" and {len(odd) - 1} more lines are" if len(odd) > 1 else " is"
-        return (f"line {first}{others} not laid out as the others: a character may be lost",)
-    digits = [sum(map(str.isdigit, row[-1][0])) for row in rows if row]
-    decimals = [_shape(row[-1][0]) for row in rows if row]
-    if ends_here and not text.ended and len(digits) > _FEWEST and decimals[-1] < max(decimals):
+        first, *more = (at for at, line in zip(kept, order, strict=True) if line in odd)
+        others = f" and {len(more)} more lines are" if more else " is"
+        return (f"line {first + 1}{others} not laid out as the others: a character may be lost",)
+    if text.ended or not ends_here:
+        return ()
+    ends = [row[-1][0] for row in map(rows.__getitem__, order) if row]
+    digits = {each: sum(map(str.isdigit, each)) for each in {*ends}}
+    if len(ends) > _FEWEST and _shape(ends[-1]) < max(map(_shape, digits)):
         # Of uneven numbers the longest may be cut by as much as the last is shorter.
         return (f"the file may end inside its last number, {written!r}: its last line has no end",)
-    if ends_here and not text.ended and len(digits) > _FEWEST and digits[-1] < min(digits[:-1]):
+    if len(ends) > _FEWEST and digits[ends[-1]] < min(digits[each] for each in {*ends[:-1]}):
         return (f"the file may end inside its last number, {written!r}, which has few digits",)
     return ()
-
-
-def _alike(lines: Sequence[str]) -> bool:
-    """Return whether all lines, signs excepted, have their digits in the same columns.
-
-    The last may have fewer numbers, if it ends in one like the last of the others.
-    """
-    text = " " + "\n ".join(lines).rstrip().translate(_DIGITS)
-    *whole, last = text.replace(" -", "  ").replace("E-", "E+").split("\n")
-    usual = whole[0] if whole else ""
-    return (
-        len(whole) > _FEWEST
-        and whole.count(usual) == len(whole)
-        and f"{usual} ".startswith(f"{last} ")
-        and last.split()[-1] == usual.split()[-1]
-    )
 
 
 def _tokens(line: str, separator: str | None, *, comma: bool) -> list[tuple[str, int]]:
@@ -235,25 +225,36 @@ def _tokens(line: str, separator: str | None, *, comma: bool) -> list[tuple[str,
     return [(match[0], match.end()) for match in _TOKEN.finditer(line)]
 
 
-def _misplaced(rows: list[list[tuple[str, int]]]) -> list[int] | None:
-    """Return which rows end their numbers elsewhere than the others; None where all do."""
-    ends = [tuple(end for _, end in row) for row in rows]
-    if len(ends) <= _FEWEST or any(-1 in row for row in ends):
+def _misplaced(rows: dict[str, list[tuple[str, int]]], counts: Counter[str]) -> set[str] | None:
+    """Return which layouts end their numbers elsewhere than the others; None where all do.
+
+    Parameters
+    ----------
+    rows
+        The numbers of each layout, the last line's at the end.
+    counts
+        Lines of each layout.
+    """
+    ends = {line: tuple(end for _, end in row) for line, row in rows.items()}
+    *above, last = rows
+    total = counts.total() - 1
+    if total < _FEWEST or any(-1 in row for row in ends.values()):
         return None
-    usual, share = Counter(ends[:-1]).most_common(1)[0]
+    counted: Counter[tuple[int, ...]] = Counter()
+    for line in above:
+        counted[ends[line]] += counts[line]
+    usual, share = counted.most_common(1)[0]
     # A row of one number decides nothing, nor do numbers of different length by chance.
-    lengths = {len(token) for row in rows for token, _ in row}
-    if share < _REGULAR * (len(ends) - 1) or (len(lengths) == 1 and len(usual) == 1):
+    lengths = {len(token) for row in rows.values() for token, _ in row}
+    if share < _REGULAR * total or (len(lengths) == 1 and len(usual) == 1):
         return None
     gaps = [
-        min(_gaps(row)[column] for row in rows if len(row) > column) for column in range(len(usual))
+        min(_gaps(row)[column] for row in rows.values() if len(row) > column)
+        for column in range(len(usual))
     ]
-    odd = [
-        at
-        for at, row in enumerate(ends[:-1])
-        if row != usual and not _outgrown(rows[at], rows[ends.index(usual)], gaps)
-    ]
-    return [*odd, *([len(ends) - 1] if ends[-1] != usual[: len(ends[-1])] else [])]
+    plain = next(row for line, row in rows.items() if ends[line] == usual)
+    odd = {line for line in above if ends[line] != usual and not _outgrown(rows[line], plain, gaps)}
+    return odd if ends[last] == usual[: len(ends[last])] else odd | {last}
 
 
 def _gaps(row: list[tuple[str, int]]) -> list[int]:
@@ -281,24 +282,24 @@ def _outgrown(row: list[tuple[str, int]], usual: list[tuple[str, int]], gaps: li
     )
 
 
-def _misshapen(rows: list[list[tuple[str, int]]]) -> list[int]:
-    """Return which rows have a number of other decimals than all others of its column."""
+def _misshapen(rows: dict[str, list[tuple[str, int]]], counts: Counter[str]) -> set[str]:
+    """Return which layouts have a number of other decimals than all others of its column."""
     shapes: dict[int, Counter[tuple[int, int]]] = {}
-    of_rows = [[_shape(token) for token, _ in row] for row in rows]
-    for row in of_rows:
+    of_rows = {line: [_shape(token) for token, _ in row] for line, row in rows.items()}
+    for line, row in of_rows.items():
         for column, shape in enumerate(row):
-            shapes.setdefault(column, Counter())[shape] += 1
+            shapes.setdefault(column, Counter())[shape] += counts[line]
     usual = {}
     for column, counted in shapes.items():
         shape, share = counted.most_common(1)[0]
         total = sum(counted.values())
         if total > _FEWEST and total - share <= max(1, 0.005 * total):
             usual[column] = shape
-    return [
-        at
-        for at, row in enumerate(of_rows)
+    return {
+        line
+        for line, row in of_rows.items()
         if any(usual.get(column, shape) != shape for column, shape in enumerate(row))
-    ]
+    }
 
 
 def _shape(token: str) -> tuple[int, int]:

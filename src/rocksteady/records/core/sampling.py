@@ -293,7 +293,7 @@ def interpolated(at: "Floats", times: "Floats", values: "Floats") -> "Floats":
     return np.where(at < times[-1], between, values[-1])
 
 
-def places(written: Sequence[str]) -> "Floats":
+def places(written: Sequence[str], sizes: "Floats | None" = None) -> "Floats":
     """Return half a unit of the last digit that each number of a column may be written with.
 
     A program writes all of them to the same decimals, or to the same significant digits, and may
@@ -302,14 +302,17 @@ def places(written: Sequence[str]) -> "Floats":
     Parameters
     ----------
     written
-        The numbers as they stand in the file.
+        The numbers as they stand in the file; with `sizes`, those with the most digits.
+    sizes
+        Absolute values of all numbers; by default those of `written`.
     """
     import numpy as np
 
     mantissas = [re.split("[eEdD]", text)[0].strip("+- ") for text in written]
     digits = max(len(text.replace(".", "").lstrip("0")) for text in mantissas)
     finest = min(map(last_place, written))
-    sizes = np.abs([number(text) or 0.0 for text in written])
+    if sizes is None:
+        sizes = np.abs([number(text) or 0.0 for text in written])
     tens = np.floor(log(np.where(sizes > 0.0, sizes, finest)) / log(10.0) + 1.0e-12)
     powers, of = np.unique(tens - digits + 1.0, return_inverse=True)
     units = np.array([float(f"1e{power:.0f}") for power in powers.tolist()])

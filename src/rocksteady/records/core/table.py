@@ -1,14 +1,18 @@
 """Tables of numbers in text files: column separators, column names, rows."""
 
+import contextlib
 import re
-from dataclasses import dataclass
-from functools import cached_property
-from itertools import pairwise
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from itertools import chain, compress, pairwise
 from typing import Final
 
+import numpy as np
+
+from rocksteady.arrays import Floats, Integers
 from rocksteady.records.core.column_names import column_name
 from rocksteady.records.core.directions import together
-from rocksteady.records.core.numbers import apart, number, numbers
+from rocksteady.records.core.numbers import number, numbers
 from rocksteady.records.core.text import CONTRADICTION, CORRECT, RecordText
 from rocksteady.records.core.units import in_seconds, quantity_of
 
@@ -47,7 +51,7 @@ _NOT_INSIDE: Final = r"(?![^()\[\]]*[)\]])"
 _BEFORE_UNIT: Final = re.compile(r"\s+(?=[(\[])")
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Table:
     """Rows of numbers with what stands above them.
 
@@ -61,10 +65,12 @@ class Table:
         Fields of the last of them, where there are as many as columns.
     names_at
         Index of their line.
-    rows
-        The numbers of each line.
+    values
+        The numbers, row after row, shape (numbers,).
+    widths
+        How many of them each row has, shape (rows,).
     lines
-        Index of the line of each row.
+        Index of the line of each row, shape (rows,).
     separator
         What stands between two numbers; None for blanks.
     comma
@@ -77,8 +83,9 @@ class Table:
     header_lines: tuple[int, ...]
     names: tuple[str, ...]
     names_at: int
-    rows: tuple[tuple[float, ...], ...]
-    lines: tuple[int, ...]
+    values: Floats
+    widths: Integers
+    lines: Integers
     separator: str | None
     comma: bool
     trailing: int | None = None
@@ -86,7 +93,17 @@ class Table:
     @cached_property
     def columns(self) -> int:
         """Numbers of the widest row."""
-        return max(map(len, self.rows))
+        return int(self.widths.max())
+
+    def column(self, at: int) -> Floats:
+        """Return the numbers of a column, from the rows that have it."""
+        starts = self.widths.cumsum() - self.widths
+        return self.values[starts[self.widths > at] + at]
+
+    def below(self, count: int) -> "Table":
+        """Return the table without its first rows."""
+        values, widths = self.values[self.widths[:count].sum() :], self.widths[count:]
+        return replace(self, values=values, widths=widths, lines=self.lines[count:])
 
 
 def table(text: RecordText) -> Table | None:
@@ -98,12 +115,12 @@ def table(text: RecordText) -> Table | None:
         If anything but numbers stands below the first line of numbers.
     """
     # A line of separators alone is a blank one of a spreadsheet.
-    filled = [at for at, line in enumerate(text.lines) if line.strip(" \t,;")]
+    filled: list[int] = text.by_layout(lambda line: len(line.strip(" \t,;"))).nonzero()[0].tolist()
     if not filled:
         return None
     separator, comma = _dialect(text, filled)
-    rows_from = (_row(text.lines[at], separator, comma=comma) for at in filled[:_LONGEST_HEADER])
-    numeric = [row is not None for row in rows_from]
+    beginning = (text.lines[at] for at in filled[:_LONGEST_HEADER])
+    numeric = [bool(_row(line, separator, comma=comma)) for line in beginning]
     # One line of numbers may be words of a header, a date or a count; two are the table. A file of
     # one line is one too.
     first = next((place for place, pair in enumerate(pairwise(numeric)) if all(pair)), None)
@@ -114,9 +131,9 @@ def table(text: RecordText) -> Table | None:
     _refuse_torn(text, filled[: first + 1], separator, comma=comma)
     if first:
         _refuse_spoilt(text, filled[first - 1], filled[first], separator, comma=comma)
-    rows, lines, trailing = _rows(text, filled[first:], separator, comma=comma)
+    values, widths, lines, trailing = _rows(text, filled[first:], separator, comma=comma)
     header = tuple(text.heads[at].strip().lstrip("#%!*/ ") for at in filled[:first])
-    named, names = _names(header, separator, max(map(len, rows)))
+    named, names = _names(header, separator, int(widths.max()))
     above = _fields(header[named - 1], separator, len(names)) if named else ()
     if (
         len(above) == len(names)
@@ -130,7 +147,8 @@ def table(text: RecordText) -> Table | None:
         header_lines=tuple(filled[:first]),
         names=names,
         names_at=filled[named] if first else 0,
-        rows=rows,
+        values=values,
+        widths=widths,
         lines=lines,
         separator=separator,
         comma=comma,
@@ -140,22 +158,22 @@ def table(text: RecordText) -> Table | None:
 
 def _rows(
     text: RecordText, filled: list[int], separator: str | None, *, comma: bool
-) -> tuple[tuple[tuple[float, ...], ...], tuple[int, ...], int | None]:
-    """Return the rows from the first one on, the index of each, and that of words below them.
+) -> tuple[Floats, Integers, Integers, int | None]:
+    """Return the numbers from the first row on, how many each row has, its line, and words below.
 
     Raises
     ------
     RecordFileError
         If another line stands among them, or blank lines part them into blocks of one length.
     """
-    parsed = [_row(text.lines[at], separator, comma=comma) for at in filled]
-    last = max(place for place, row in enumerate(parsed) if row is not None)
-    kept, rest = filled[: last + 1], filled[last + 1 :]
-    rows = tuple(row for row in parsed if row is not None)
+    values, widths = _values(text, filled, separator, comma=comma)
+    last = int(np.flatnonzero(widths)[-1])
+    kept, rest = np.array(filled[: last + 1], dtype=np.int64), filled[last + 1 :]
     after = [at for at in rest if not text.lines[at].lstrip().startswith(_COMMENT)]
-    odd = [at for at, row in zip(kept, parsed, strict=False) if row is None]
+    alone = text.by_layout(lambda line: line.strip() in _SEPARATORS)[kept[0] : kept[-1]]
+    odd = kept[widths[: last + 1] == 0].tolist()
     odd += [at for at in after[:1] if not _OF_WORDS.match(text.lines[at])]
-    odd += [at for at in range(kept[0], kept[-1]) if text.lines[at].strip() in _SEPARATORS]
+    odd += (kept[0] + alone.nonzero()[0]).tolist()
     if odd:
         at = min(odd)
         header = at < kept[-1] and (
@@ -163,11 +181,32 @@ def _rows(
         )
         valid, hint = (_BLOCKS, _APART) if header else (_NO_ROW, _TAKE_OUT)
         raise text.error(valid, hint, at=at)
-    starts = [place for place in range(1, len(kept)) if kept[place] > kept[place - 1] + 1]
+    starts = (np.flatnonzero(np.diff(kept) > 1) + 1).tolist()
     lengths = {end - start for start, end in pairwise([0, *starts, len(kept)])}
     if 0 < len(starts) < _MOST_BLOCKS and len(lengths) == 1 and min(lengths) >= _SHORTEST:
-        raise text.error(_BLOCKS, _APART, at=kept[starts[0]] - 1)
-    return rows, tuple(kept), after[0] if after else None
+        raise text.error(_BLOCKS, _APART, at=int(kept[starts[0]]) - 1)
+    return values, widths[: last + 1], kept, after[0] if after else None
+
+
+def _values(
+    text: RecordText, filled: list[int], separator: str | None, *, comma: bool
+) -> tuple[Floats, Integers]:
+    """Return the numbers of rows, and how many each line holds: 0 where it is no row.
+
+    They are read at once, and line by line only where numbers run together or overflow.
+    """
+    row = partial(_row, separator=separator, comma=comma)
+    widths = text.by_layout(lambda line: len(row(line)))[filled]
+    lines = [text.lines[at] for at in filled]
+    joined = (separator or " ").join(compress(lines, widths)).replace('"', "")
+    joined = (joined.replace(",", ".") if comma else joined).replace("D", "E").replace("d", "e")
+    with contextlib.suppress(ValueError):
+        values = np.fromiter(map(float, filter(None, joined.split(separator))), np.float64)
+        # No row of numbers below 1e300 has a sum that overflows.
+        if len(values) == widths.sum() and np.abs(values).max() < 1.0e300:
+            return values, widths
+    rows = [row(line) for line in lines]
+    return np.array([*chain.from_iterable(rows)]), np.array([*map(len, rows)], dtype=np.int64)
 
 
 def _refuse_torn(
@@ -184,9 +223,9 @@ def _refuse_torn(
     separator, comma
         As in the table.
     """
-    columns = len(_row(text.lines[filled[-1]], separator, comma=comma) or ())
+    columns = len(_row(text.lines[filled[-1]], separator, comma=comma))
     for place, at in enumerate(filled[:-1]):
-        if len(_row(text.lines[at], separator, comma=comma) or ()) == columns:
+        if len(_row(text.lines[at], separator, comma=comma)) == columns:
             raise text.error(_NO_ROW, _TAKE_OUT, at=filled[place + 1])
 
 
@@ -197,7 +236,7 @@ def _refuse_spoilt(
 
     Taken for names it would be a sample lost, and all others would come too early.
     """
-    columns = len(_row(text.lines[first], separator, comma=comma) or ())
+    columns = len(_row(text.lines[first], separator, comma=comma))
     fields = [field.strip().strip('"') for field in text.heads[at].split(separator)]
     if len(fields) != columns:
         return
@@ -235,23 +274,18 @@ def _most(lines: list[str], separator: str) -> bool:
     return 2 * sum(separator in line for line in lines) > len(lines)
 
 
-def _row(line: str, separator: str | None, *, comma: bool) -> tuple[float, ...] | None:
-    """Return the numbers of a line, or None where it holds anything else."""
+def _row(line: str, separator: str | None, *, comma: bool) -> list[float]:
+    """Return the numbers of a line; none where it holds anything else."""
     if comma:
         line = line.replace(",", ".")
     if separator is None:
-        row = numbers(line)
-        return tuple(row) if row else None
-    fields = line.split(separator)
-    quickly = apart(fields, None)
-    if quickly is not None:
-        return tuple(quickly)
-    fields = [field.strip().strip('"') for field in fields]
+        return numbers(line) or []
+    fields = [field.strip().strip('"') for field in line.split(separator)]
     while fields and not fields[-1]:  # a separator at the end of the line
         fields.pop()
     values = [number(field) for field in fields]
-    kept = tuple(value for value in values if value is not None)
-    return kept if kept and len(kept) == len(values) else None
+    kept = [value for value in values if value is not None]
+    return kept if len(kept) == len(values) else []
 
 
 def _names(

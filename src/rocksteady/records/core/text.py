@@ -2,12 +2,17 @@
 
 import contextlib
 import re
+from collections import defaultdict
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rocksteady.errors import RecordFileError
+
+if TYPE_CHECKING:
+    from rocksteady.arrays import Integers
 
 LARGEST_FILE: Final = 64 * 2**20
 """Bytes of the largest file that is read; three channels of an hour at 200 Hz take some 26 MB."""
@@ -43,6 +48,9 @@ _FAR_EAST: Final = re.compile(
 )
 """Time, acceleration, NS, EW, UD: what a header in Japanese or Chinese has."""
 _LONGEST_HEAD: Final = 400
+_DIGITS: Final = str.maketrans("123456789", "000000000")
+_BLOCK: Final = 1024
+"""Lines that are translated at once: those of one script alone are fast."""
 # More than one \r is what a conversion to DOS makes of a file that was one already.
 _LINE_ENDS: Final = re.compile(r"\r+\n|\n|\r")
 # What nothing but text files end with: a fill of zeros, and the mark that DOS wrote.
@@ -74,7 +82,31 @@ class RecordText:
         No header has longer lines, and some of the patterns take a time that grows with the square
         of a line's length.
         """
+        if max(map(len, self.lines), default=0) <= _LONGEST_HEAD:
+            return self.lines
         return tuple(line[:_LONGEST_HEAD] for line in self.lines)
+
+    @cached_property
+    def layouts(self) -> "tuple[tuple[str, ...], Integers]":
+        """The distinct layouts, lines with all digits as 0, and the index of that of each line.
+
+        A file of many rows has few, and nearly all checks of a row depend on its layout alone.
+        """
+        import numpy as np
+
+        known: defaultdict[str, int] = defaultdict(lambda: len(known))
+        of_lines = np.empty(len(self.lines), dtype=np.int64)
+        for at in range(0, len(of_lines), _BLOCK):
+            block = "\n".join(self.lines[at : at + _BLOCK]).translate(_DIGITS).split("\n")
+            of_lines[at : at + _BLOCK] = [*map(known.__getitem__, block)]
+        return tuple(known), of_lines
+
+    def by_layout(self, of_layout: Callable[[str], int]) -> "Integers":
+        """Return what a function of a line that disregards its digits gives for each line."""
+        import numpy as np
+
+        layouts, of_lines = self.layouts
+        return np.array([*map(of_layout, layouts)], dtype=np.int64)[of_lines]
 
     @property
     def first(self) -> str:

@@ -8,9 +8,12 @@ import re
 from dataclasses import replace
 from datetime import datetime
 from functools import partial
-from itertools import groupby, pairwise
+from itertools import groupby
 from typing import Final
 
+import numpy as np
+
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.records.core.assembling import Channel, Given, built, other_quantity
 from rocksteady.records.core.blocks import blocks, numeric, plain
@@ -26,6 +29,7 @@ from rocksteady.records.core.header_statements import (
     stated_unit,
     unless_given,
 )
+from rocksteady.records.core.numbers import number
 from rocksteady.records.core.recording import LeftOut, Recording
 from rocksteady.records.core.sampling import Spaced, evenly_spaced, places
 from rocksteady.records.core.stated_words import (
@@ -49,6 +53,7 @@ _SPECTRA: Final = re.compile(
     re.IGNORECASE,
 )
 _LONGEST_INTERVAL: Final = 0.1
+_POWER: Final = re.compile("[eEdD].*")
 _BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
 _SAYS_ACC: Final = re.compile(r"(?<![A-Z])(?:A|ACC\w*|ACEL\w*|BESCHL\w*)(?![A-Z])")
 _AGAINST: Final = re.compile(r"(?:freq|period|f\b|natural)", re.IGNORECASE)
@@ -135,9 +140,9 @@ def _read(text: RecordText, given: Given, start: datetime | None) -> tuple[Recor
     data_table = table(text)
     if data_table is None:
         raise text.error(_NO_ROWS, "give a record as text", kind=NO_RECORD)
-    if sum(map(len, data_table.rows)) < 2:
+    if len(data_table.values) < 2:
         raise text.error("it holds one number, which is no record", "see whether it is whole")
-    at = data_table.lines[0]
+    at = int(data_table.lines[0])
     count, interval, data_table = _without_counts(text, data_table, given)
     _refuse_other_quantities(text, data_table)
     if count is None:
@@ -148,17 +153,17 @@ def _read(text: RecordText, given: Given, start: datetime | None) -> tuple[Recor
     if count is None and (of_words := stated_count(text, header)) is not None:
         count, at = of_words
         # Of all channels together.
-        wide = bool(data_table.names) and count == sum(map(len, data_table.rows))
-        count = len(data_table.rows) if wide else count
+        wide = bool(data_table.names) and count == len(data_table.values)
+        count = len(data_table.lines) if wide else count
     spaced, picked = _values(text, data_table, given, interval or stated, count)
     values, interval, warnings = spaced.values, spaced.dt_s, (*unread, *spaced.warnings)
     if len(picked) == 1 and not picked[0] and 1 < data_table.columns <= _AS_CHANNELS:
         what = f"{data_table.columns} numbers a line are taken as samples that follow each other"
         warnings += (f"{what}; give column where they are channels",)
-    blank = data_table.lines[-1] - data_table.lines[0] + 1 - len(data_table.lines)
+    blank = int(data_table.lines[-1] - data_table.lines[0]) + 1 - len(data_table.lines)
     if blank and not timed:
         warnings += (f"{plural(blank, 'blank line')} among its samples passed over",)
-    where = Lines(stated=at, start=data_table.lines[0], end=len(text.lines))
+    where = Lines(stated=at, start=int(data_table.lines[0]), end=len(text.lines))
     if count is not None:
         values, doubts = agreed(text, values, count, where)
         warnings = (*warnings, *doubts)
@@ -319,13 +324,10 @@ def _values(
     text: RecordText, data_table: Table, given: Given, stated: float | None, count: int | None
 ) -> tuple[Spaced, tuple[str, ...]]:
     """Return the samples (samples, channels) with their interval, and the channels' names."""
-    import numpy as np
-
     width = data_table.columns
-    in_a_row = given.column is None and not _has_times(data_table)
-    in_a_row = in_a_row and count != len(data_table.rows) and not _side_by_side(data_table)
-    alone = width == 1 or (not data_table.names and in_a_row)
-    if alone:
+    in_a_row = not data_table.names and given.column is None and not _has_times(data_table)
+    in_a_row = in_a_row and count != len(data_table.lines) and not _side_by_side(data_table)
+    if width == 1 or in_a_row:
         if (
             data_table.names
             and column_name(data_table.names[0]).kind == "other"
@@ -334,10 +336,9 @@ def _values(
             raise _no_acceleration(text, data_table)
         if given.column is not None:
             _asked_for(data_table, given.column)
-        flat = np.array([value for row in data_table.rows for value in row], dtype=np.float64)
-        return Spaced(values=flat[:, None], dt_s=stated), data_table.names[:1] or ("",)
+        return Spaced(values=data_table.values[:, None], dt_s=stated), data_table.names[:1] or ("",)
     _refuse_short_rows(text, data_table, last=True)
-    numbers = np.array(data_table.rows, dtype=np.float64)
+    numbers = data_table.values.reshape(-1, width)
     time = _time_column(data_table)
     columns = _columns(text, data_table, given, time)
     names = tuple(
@@ -353,8 +354,8 @@ def _values(
         numbers[:, time] * size,
         chosen,
         given,
-        rounding=size * places(_written(text, data_table, time)),
-        line_of=lambda row: data_table.lines[row],
+        rounding=size * _places(text, data_table, time),
+        line_of=lambda row: int(data_table.lines[row]),
     )
     doubts = spaced.warnings
     apart = spaced.dt_s or 0.0
@@ -366,28 +367,25 @@ def _values(
 
 def _side_by_side(data_table: Table) -> bool:
     """Return whether rows of numbers are channels: smoother downwards than along the rows."""
-    import numpy as np
-
-    whole = data_table.rows[:-1]
-    if len(whole) < 2 or data_table.columns < 2 or len({len(row) for row in whole}) != 1:
+    whole = data_table.widths[:-1]
+    if len(whole) < 2 or data_table.columns < 2 or (whole != whole[0]).any():
         return False
-    values = np.array(whole)
+    values = data_table.values[: whole.sum()].reshape(len(whole), -1)
     downwards = np.abs(np.diff(values, axis=0)).mean()
     return bool(2.0 * downwards < np.abs(np.diff(values.ravel())).mean())
 
 
 def _has_times(data_table: Table) -> bool:
     """Return whether a table without names has times in its first column."""
-    rows = data_table.rows
-    if any(len(row) < 2 for row in rows[:-1]) or len(rows) < 3:
+    if (data_table.widths[:-1] < 2).any() or len(data_table.widths) < 3:
         return False
-    times = [row[0] for row in rows]
-    steps = sorted(later - before for before, later in pairwise(times))
+    times = data_table.column(0)
+    steps = np.sort(np.diff(times))
     # Times grow, and nearly all by the same; samples of a record do neither to the end.
     usual = steps[len(steps) // 2]
-    near = sum(abs(step - usual) <= 0.5 * usual for step in steps)
-    grows = sum(step >= 0.0 for step in steps) >= 0.9 * len(steps) and times[-1] == max(times)
-    return usual > 0.0 and (steps[0] >= 0.0 or (near >= 0.9 * len(steps) and grows))
+    near = np.count_nonzero(np.abs(steps - usual) <= 0.5 * usual)
+    grows = np.count_nonzero(steps >= 0.0) >= 0.9 * len(steps) and times[-1] == times.max()
+    return bool(usual > 0.0 and (steps[0] >= 0.0 or (near >= 0.9 * len(steps) and grows)))
 
 
 def _beside(data_table: Table, others: list[int]) -> list[int]:
@@ -406,15 +404,14 @@ def _beside(data_table: Table, others: list[int]) -> list[int]:
 
 def _grows(data_table: Table, column: int) -> bool:
     """Return whether the numbers of a column grow from row to row."""
-    values = [row[column] for row in data_table.rows if len(row) > column]
-    return all(later > before for before, later in pairwise(values))
+    values = data_table.column(column)
+    return bool((values[1:] > values[:-1]).all())
 
 
 def _counts_rows(data_table: Table, column: int) -> bool:
     """Return whether a column holds the numbers of its rows."""
-    values = [row[column] for row in data_table.rows if len(row) > column]
-    counts = all(later == before + 1.0 for before, later in pairwise(values))
-    return counts and len(values) >= _SHORTEST
+    values = data_table.column(column)
+    return len(values) >= _SHORTEST and bool((values[1:] == values[:-1] + 1.0).all())
 
 
 def _time_column(data_table: Table) -> int | None:
@@ -588,49 +585,41 @@ def _without_counts(
     RecordFileError
         If it may be scale and interval, and neither a count nor the caller shows which.
     """
-    first, rest = data_table.rows[0], data_table.rows[1:]
-    if len(first) > 3 or len(rest) < 2 or given.ignore_header:
+    rest, width = data_table.below(1), int(data_table.widths[0])
+    count = len(rest.lines)
+    if width > 3 or count < 2 or given.ignore_header:
         return None, None, data_table
+    first: list[float] = data_table.values[:width].tolist()
     words, next_words = (text.lines[at].replace(",", " ").split() for at in data_table.lines[:2])
     whole = words[0].isdecimal() and all("." in word for word in next_words)
-    below = rest[0][0] if data_table.columns == 1 and len(rest) > 2 and whole else None
+    below = float(rest.values[0]) if data_table.columns == 1 and count > 2 and whole else None
     if below is not None and 0.0 < below <= _LONGEST_INTERVAL:
-        counted = first[0] == len(rest) - 1
+        counted = first[0] == count - 1
         if counted or (first[0] == 1.0 and below == given.dt_s):
-            lines = data_table.lines[2:]
-            return (
-                int(first[0]) if counted else None,
-                below,
-                replace(data_table, rows=rest[1:], lines=lines),
-            )
+            return int(first[0]) if counted else None, below, rest.below(1)
         if first[0] == 1.0:
             valid = f"this line and the next, {below:g}, may be a scale and the interval"
             hint = f"give dt_s {below:g} where they are, else ignore_header with dt_s"
-            raise text.error(valid, hint, at=data_table.lines[0])
+            raise text.error(valid, hint, at=int(data_table.lines[0]))
     whole = whole and first[0] >= 2.0
-    unlike = len(first) != len(rest[0]) or (len(first) == 1 and first[0] > 99.0)
+    unlike = width != rest.widths[0] or (width == 1 and first[0] > 99.0)
     # Above times and samples the row is as wide as theirs, and counts them.
-    unlike = unlike or (len(first) == 2 and first[0] == len(rest))
+    unlike = unlike or (width == 2 and first[0] == count)
     if not (whole and unlike and all(0.0 < value <= 1.0 for value in first[1:2])):
         return None, None, data_table
-    interval = first[1] if len(first) > 1 else None
-    names = data_table.names if len(data_table.names) == max(map(len, rest)) else ()
-    return (
-        int(first[0]),
-        interval,
-        replace(data_table, rows=rest, lines=data_table.lines[1:], names=names),
-    )
+    names = rest.names if len(rest.names) == rest.columns else ()
+    return int(first[0]), first[1] if width > 1 else None, replace(rest, names=names)
 
 
 def _refuse_short_rows(text: RecordText, data_table: Table, *, last: bool = False) -> None:
     """Raise where a row has fewer numbers than others; the last one may, unless `last` is true."""
     columns = data_table.columns
-    rows = list(zip(data_table.rows, data_table.lines, strict=True))
-    for row, at in rows if last else rows[:-1]:
-        if len(row) != columns:
-            count = plural(len(row), "number")
-            valid = f"it has {count}, and the table has {plural(columns, 'column')}"
-            raise text.error(valid, "complete the row, or take out what is no sample", at=at)
+    widths = data_table.widths if last else data_table.widths[:-1]
+    for row in (widths != columns).nonzero()[0].tolist()[:1]:
+        count = plural(int(widths[row]), "number")
+        valid = f"it has {count}, and the table has {plural(columns, 'column')}"
+        hint = "complete the row, or take out what is no sample"
+        raise text.error(valid, hint, at=int(data_table.lines[row]))
 
 
 def refuse_geonet(text: RecordText) -> None:
@@ -679,11 +668,22 @@ def _refuse_other_quantities(text: RecordText, data_table: Table) -> None:
         raise other_quantity(text, quantity, "its header names another quantity")
 
 
-def _written(text: RecordText, data_table: Table, column: int) -> list[str]:
-    """Return the numbers of a column as they stand in the file."""
-    lines = (text.lines[at] for at in data_table.lines)
-    rows = (line.replace(",", ".") if data_table.comma else line for line in lines)
-    fields = (
-        row.split(data_table.separator) if data_table.separator else row.split() for row in rows
-    )
-    return [row[column].strip().strip('"') if column < len(row) else "0" for row in fields]
+def _places(text: RecordText, data_table: Table, column: int) -> Floats:
+    """Return half a unit of the last digit that each number of a column may be written with."""
+
+    def field(line: str) -> str:
+        line = line.replace(",", ".") if data_table.comma else line
+        fields = line.split(data_table.separator)
+        return fields[column].strip().strip('"') if column < len(fields) else "0"
+
+    layouts, of_lines = text.layouts
+    known = text.by_layout(lambda line: number(field(line)) is not None)[data_table.lines]
+    values = np.abs(data_table.column(column))
+    # Of a layout the largest number has the most digits, if all have the same power of ten.
+    ascending = data_table.lines[np.argsort(values, kind="stable")]
+    keys: list[object] = of_lines[ascending].tolist()
+    lines = ascending.tolist()
+    if any(_POWER.search(field(layouts[at])) for at in {*of_lines[data_table.lines].tolist()}):
+        keys = [(of_lines[at], *_POWER.findall(field(text.lines[at]))) for at in lines]
+    largest = dict(zip(keys, lines, strict=True)).values()
+    return places([field(text.lines[at]) for at in largest], values * known)
