@@ -6,10 +6,8 @@ from .risk.back_analysis.survey import Survey as Survey
 from .risk.calibration.calibration import Calibration as Calibration
 from .risk.calibration.held_out.predictions import Predictions as Predictions
 from .risk.calibration.held_out.scores import Scores as Scores
-from .risk.calibration.held_out.scores import compute_scores as compute_scores
 from .risk.calibration.held_out.validate import Validation as Validation
 from .risk.calibration.posterior import Posterior as Posterior
-from .risk.calibration.sampling import DrawOptions as DrawOptions
 from .risk.calibration.stored import StoredPosterior as StoredPosterior
 from .risk.calibration.stored import read_posterior as read_posterior
 from .risk.free_rocking.restitution_fit import RestitutionFit as RestitutionFit

@@ -13,7 +13,9 @@ TOO_FEW: Final = "too few"
 FEWEST_DRAWS: Final = 50.0
 """Effective draws of a posterior, below which no interval of it is stated."""
 ENOUGH_DRAWS: Final = 100.0
-"""Effective draws that a calibration goes on for, and below which no number is identified."""
+"""Effective draws from which on a fold is predicted by reweighted draws."""
+ANSWER_DRAWS: Final = 200.0
+"""Effective draws below which a calibration has no answer."""
 FEWEST_GROUPS: Final = 2
 """Groups of tests below which a score has no interval."""
 FEWEST_BOXES: Final = 20

@@ -1,222 +1,197 @@
-"""Laboratories with a known truth: shaking tests in sessions, as two specimens of stone have them.
+"""Synthetic laboratories of known truth: 75 of the family that is fitted, 25 of another body.
 
-``python -m tests.risk.calibration.laboratories scores 0 10`` prints held-out scores of ten of them,
-and ``coverage 0 200`` how often 90 % intervals of small ones hold what is true.  ``drawn 0 200``
-does so where the truth comes from the default priors: there 90 % of them must hold it.
+``python -m tests.risk.calibration.laboratories 0 100`` prints a row for each: effective draws,
+Pareto's k, where the truth lies in the posterior, and held-out scores of all ways to predict.
 """
 
-import functools
-import math
 import sys
 import time
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from rocksteady import Block, Linear, Record, Status, calibrate, read_record
+from rocksteady import Nonlinear, Status, calibrate
+from rocksteady.arrays import Floats
 from rocksteady.calibration import (
+    Calibration,
     ObjectPrior,
     Observations,
-    OutcomeErrors,
-    Prior,
+    Scatter,
     ShakingTest,
     compute_test_fates,
 )
-from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.risk.observations.fates import Scatter
-from rocksteady.seismic.measures.scalar import compute_measure
-from tests.records import FOLDER
+from rocksteady.motions import make_synthetic_suite
+from rocksteady.risk.calibration.held_out.leaving_out import Case, Draws, predict_cases
+from rocksteady.risk.calibration.sampler.space import WIDEST, Space, widened
 
-OUTLINES = {"specimen 1": (0.25, 1.0), "specimen 2": (0.17, 0.5)}
-"""Width and height [m]."""
-SESSION_GAIN, SESSION_RESTITUTION, TEST_GAIN, FLIPPED = 0.15, 0.02, 0.03, 0.05
-STRANGE, SCATTERED = 9, 0.2
-"""Laboratory whose law is not ours, and how much its restitution scatters."""
-LEVELS = (0.35, 0.5, 0.65, 0.8, 1.0)
-"""p PGV/(g tan alpha) of the outline at the gains of the table."""
+FAMILY = 75
+"""Laboratories of the family; later ones have another body."""
+NAMES = ("base", "offset", "mass_centre_height_m", "gyration_m", "housner_factor", "scatter")
+WIDTH_M, HEIGHT_M = 0.7, 0.8
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Laboratory:
-    """Tests as they are given, and what is true of each object and session."""
+    """Tests, and what they were made of."""
 
     tests: Observations
-    alpha_rad: Mapping[str, float]
-    restitution: Mapping[str, float]
-    session_gain: Mapping[str, float]
-    session_ln: float
+    space: Space
+    truth: Floats
+    """Values of the parameters, shape (1, parameters)."""
+    family: bool
 
 
-def motions(count: int, seed: int) -> list[Record]:
-    """Return recorded motions, chosen at random."""
-    files = sorted((FOLDER / "suite_at2").glob("*.AT2"))
-    rng = np.random.default_rng([seed, 3])
-    chosen = [read_record(files[k]) for k in rng.permutation(len(files))[:count]]
-    return [replace(record, name=record.name or f"motion {k}") for k, record in enumerate(chosen)]
+def make_laboratory(number: int, *, motions: int = 24, sessions: int = 6) -> Laboratory:
+    """Return 40 to 120 tests of a block with a base of 0.05 to 1.1 of the outline.
 
-
-def make_laboratory(
-    seed: int, *, tests: int = 490, records: int = 14, sessions: int = 14, scatter: float = 0.0,
-    outlines: Sequence[str] = tuple(OUTLINES), spread: float = SESSION_GAIN, drawn: bool = False,
-) -> Laboratory:  # fmt: skip
-    """Return a laboratory whose sessions take turns with the specimens.
-
-    Parameters
-    ----------
-    seed
-        Another one gives another laboratory.
-    tests, records, sessions
-        How many, both specimens together.
-    scatter
-        Deviation of the restitution from impact to impact; above 0.1 no draw of the default prior
-        has that law.
-    outlines
-        Specimens.
-    spread
-        Standard deviation of the gains of sessions, in ln.
-    drawn
-        Whether objects and errors are drawn from the default priors, with one outline.
+    The last session has one test.
     """
-    rng = np.random.default_rng([seed, 4])
-    of_test, flipped = TEST_GAIN, FLIPPED
-    shakings = motions(records, seed)
-    base = {name: float(rng.uniform(0.7, 0.9)) for name in outlines}
-    factor = {name: float(rng.uniform(0.9, 1.05)) for name in outlines}
-    if drawn:
-        (name,), chance = outlines, np.random.default_rng([seed, 5])
-        known = ObjectPrior(name=name, width_m=OUTLINES[name][0], height_m=OUTLINES[name][1])
-        values = known.draw(chance.random((1, len(known.parameters))))[0].tolist()
-        its = dict(zip(known.parameters, values, strict=True))
-        base[name], factor[name], scatter = its["base"], its["housner_factor"], its["scatter"]
-        noise = OutcomeErrors()
-        errors = (noise.session_ln, noise.sigma_ln, noise.outliers)
-        spread, of_test, flipped = (float(each.quantile(chance.random())) for each in errors)
-    blocks, gain_of = {}, {}
-    given: list[ShakingTest] = []
-    truth: list[ShakingTest] = []
-    error: list[float] = []
-    for session in range(sessions):
-        name = outlines[session % len(outlines)]
-        width, height = OUTLINES[name]
-        gain_of[f"day {session + 1}"] = shift = float(rng.normal(0.0, spread))
-        held = ObjectPrior(
-            name=name, width_m=width, height_m=height, base=base[name], scatter=0.0,
-            housner_factor=factor[name] + float(rng.normal(0.0, SESSION_RESTITUTION)),
-        )  # fmt: skip
-        blocks[f"day {session + 1}"] = held.blocks(np.empty((1, 0)))
-        outline = Block.rectangle(width=width, height=height)
-        count = tests // sessions + (session < tests % sessions)
-        pairs = rng.integers(0, records * len(LEVELS), count)
-        for pair in pairs.tolist():
-            record, level = shakings[pair // len(LEVELS)], LEVELS[pair % len(LEVELS)]
-            unit = float(compute_measure(record, "p_pgv_per_uplift", outline))
-            given.append(
-                ShakingTest(
-                    name=f"test {len(given) + 1}",
-                    record=record,
-                    object=name,
-                    gain=level / unit,
-                    session=f"day {session + 1}",
-                )
-            )
-            truth.append(replace(given[-1], object=f"day {session + 1}"))
-            error.append(shift + of_test * float(rng.normal()))
-    levels = np.exp(np.array(error))[:, np.newaxis] * np.array([1.0, 0.95, 1.05])
-    fell = (
-        compute_test_fates(
-            blocks, truth, gains=levels, outputs=["status"], model=Linear(),
-            scatter=Scatter(scatter, seed=seed) if scatter else None,
-        )["status"].values.reshape(len(given), 3)
-        == Status.OVERTURNED
-    )  # fmt: skip
-    edge = (fell != fell[:, :1]).any(axis=1) | drawn
-    share = flipped / 2.0 if drawn else flipped / max(edge.mean(), flipped)
-    flips = edge & (rng.random(len(given)) < share)
-    outcomes = fell[:, 0] ^ flips
-    objects = {
-        name: ObjectPrior(name=name, width_m=OUTLINES[name][0], height_m=OUTLINES[name][1])
-        for name in outlines
-    }
-    middle = {name: blocks[f"day {k + 1}"][0] for k, name in enumerate(outlines)}
-    return Laboratory(
-        tests=Observations(
-            tests=[
-                replace(test, fell=bool(own)) for test, own in zip(given, outcomes, strict=True)
-            ],
-            objects=objects,
-        ),
-        alpha_rad={name: block.alpha for name, block in middle.items()},
-        restitution=factor,
-        session_gain=gain_of,
-        session_ln=spread,
+    rng, family = np.random.default_rng((93, number)), number % 100 < FAMILY
+    count = int(rng.integers(40, 121))
+    given = ObjectPrior(name="block", width_m=WIDTH_M, height_m=HEIGHT_M)
+    space = Space(block=widened(given, dict.fromkeys(NAMES, False)))
+    sizes = {"mass_centre_height_m": HEIGHT_M, "gyration_m": np.hypot(WIDTH_M, HEIGHT_M) / 12**0.5}
+    ends = {name: (WIDEST[name][0].low, WIDEST[name][0].high) for name in NAMES}
+    if not family:
+        stranger = rng.random(3) < 0.5
+        ends |= {
+            "offset": (0.65, 0.8) if stranger[0] else (-0.8, -0.65),
+            "mass_centre_height_m": (0.22, 0.28) if stranger[1] else (0.62, 0.7),
+            "gyration_m": (0.75, 0.83) if stranger[2] else (1.12, 1.25),
+            "scatter": (0.05, 0.05),
+        }
+    drawn = {name: rng.uniform(*ends[name]) * sizes.get(name, 1.0) for name in NAMES}
+    drawn["base"] = np.exp(rng.uniform(np.log(0.05), np.log(1.1)))
+    truth = np.array([[drawn[name] for name in space.names]])
+    exact = ObjectPrior(name="block", width_m=WIDTH_M, height_m=HEIGHT_M, **drawn)
+    weaker, _, half, rate, _, scatter = space.features(truth)[0]
+    lean = weaker + half
+    sigma, outliers = rng.uniform(0.05, 0.2), rng.uniform(0.01, 0.05)
+    between = rng.uniform(0.0, 0.4) if family else 0.2
+    moved = between * rng.standard_normal(sessions)
+    day = rng.integers(sessions - 1, size=count)
+    day[0] = sessions - 1
+    suite = make_synthetic_suite(motions, seed=number)
+    tests: list[dict[str, Any]] = []
+    gains = []
+    for place in range(count):
+        record = suite[rng.integers(motions)]
+        speed = np.abs(np.cumsum(record.acceleration_m_s2) * record.dt_s).max()
+        level = np.exp(rng.uniform(np.log(0.4), np.log(2.2)))  # p PGV/(g tan alpha)
+        gain = float(level * 9.81 * np.exp(lean) / (np.exp(rate) * speed))
+        tests.append({"name": f"t{place}", "record": record, "object": "block", "gain": gain})
+        gains.append(np.exp(moved[day[place]] + sigma * rng.standard_normal()))
+    ends_of = compute_test_fates(
+        exact.block([]),
+        [ShakingTest(**test) for test in tests],
+        gains=np.array(gains)[:, np.newaxis],
+        scatter=Scatter(float(scatter), seed=number),
+        outputs=("status",),
+        model=Nonlinear(tolerance=1e-8),
+    ).status.values.ravel()
+    fell = np.where(
+        rng.random(count) < outliers, rng.random(count) < 0.5, ends_of == Status.OVERTURNED
     )
+    shaken = [
+        ShakingTest(**test, fell=bool(end), session=f"day {number}")
+        for test, end, number in zip(tests, fell, day.tolist(), strict=True)
+    ]
+    made = Observations(tests=shaken, objects={"block": given})
+    return Laboratory(tests=made, space=space, truth=truth, family=family)
 
 
-def scores_of(found: Calibration) -> tuple[float, float]:
-    """Return accuracy and Brier score, held out by record."""
-    row = found.validation.rows["calibrated"]
-    return row.accuracy[0], row.brier[0]
+def by_truth(laboratory: Laboratory, calibration: Calibration) -> Floats:
+    """Return held-out P(fall) of the block that made the tests, on the surfaces of the fit."""
+    (fit,) = calibration.fits
+    draws = Draws(
+        likelihood=fit.likelihood,
+        surfaces=fit.surfaces,
+        features=laboratory.space.features(laboratory.truth),
+        base=np.zeros(1),
+    )
+    groups = np.unique([test.group for test in laboratory.tests.tests], return_inverse=True)[1]
+    cases = [Case(left=np.flatnonzero(groups == g), asked=np.flatnonzero(groups == g))
+             for g in range(groups.max() + 1)]  # fmt: skip
+    p = np.empty(len(groups))
+    for case, (held, _) in zip(cases, predict_cases(draws, cases), strict=True):
+        p[case.asked] = held.p
+    return p
 
 
-def table_of(seed: int) -> dict[str, tuple[float, float]]:
-    """Return the scores of a laboratory with each cure switched off in turn, and of its rivals."""
-    tests = make_laboratory(seed, scatter=SCATTERED if seed == STRANGE else 0.0).tests
-    alone = replace(tests, tests=[replace(test, session=None) for test in tests.tests])
-    found = fit(tests)
-    rows = {"all cures": scores_of(found)}
-    for rule in ("logistic", "base rate"):
-        row = found.validation.rows[rule]
-        rows[rule] = row.accuracy[0], row.brier[0]
-    for recalibrate in (False, True):
-        other = replace(found, recalibrate=recalibrate)
-        rows[f"recalibrate {recalibrate}"] = scores_of(
-            replace(found, validation=other.validate("record"))
-        )
-    rows["without sessions"] = scores_of(fit(alone))
-    rows["base 0.6 to 1"] = scores_of(fit(tests, Prior(defaults={"base": "0.6:1.0"})))
-    return rows
-
-
-def fit(tests: Observations, prior: Prior | None = None) -> Calibration:
-    """Return a calibration by the linear equations, held out by record."""
-    return calibrate(tests, prior, folds="record", model=Linear())
-
-
-def covered(seed: int, *, drawn: bool = False) -> dict[str, list[bool]]:
-    """Return whether 90 % intervals of 60 tests on 12 records hold what is true."""
-    name = tuple(OUTLINES)[seed % 2]
-    made = make_laboratory(seed, tests=60, records=12, sessions=6, outlines=(name,), drawn=drawn)
-    posterior = fit(made.tests).posteriors[name]
-    truth = {
-        "alpha_rad": made.alpha_rad[name],
-        "housner_factor": made.restitution[name],
-        "session_ln": made.session_ln,
+def row_of(number: int, seed: int = 0) -> dict[str, Any]:
+    """Return what a laboratory shows."""
+    laboratory, began = make_laboratory(number), time.perf_counter()
+    calibration = calibrate(laboratory.tests, seed=seed)
+    seconds = time.perf_counter() - began
+    posterior, space = calibration.posteriors["block"], laboratory.space
+    names = [*space.names, "alpha_rad", "p_rad_s", "restitution"]
+    truth = dict(zip(space.names, laboratory.truth[0], strict=True))
+    truth |= {name: value[0] for name, value in space.derived(laboratory.truth).items()}
+    ranks = {n: float(posterior.weights[posterior.of(n) < truth[n]].sum()) for n in names}
+    weaker, half = (space.features(posterior.values)[:, column] for column in (0, 2))
+    mean = float(space.features(laboratory.truth)[0, [0, 2]].sum())
+    ranks["mean ln tan alpha"] = float(posterior.weights[weaker + half < mean].sum())
+    fell, validation = laboratory.tests.fell, calibration.validation
+    ways = {
+        "predicted": validation.predictions.p,
+        "block": validation.predictions.block,
+        "logistic": validation.predictions.logistic,
+        "truth": by_truth(laboratory, calibration),
     }
-    held = {}
-    for key, value in truth.items():
-        _, low, high = posterior.interval(key)
-        held[key] = [low <= value <= high]
-    gains = [(math.exp(gain), *posterior.session_gain(day)) for day, gain in
-             made.session_gain.items()]  # fmt: skip
-    return held | {"gain of a session": [low <= gain <= high for gain, _, low, high in gains]}
+    return {
+        "number": number,
+        "family": laboratory.family,
+        "tests": len(fell),
+        "base": truth["base"],
+        "effective": posterior.effective_draws,
+        "k": posterior.pareto_k,
+        "runs": calibration.runs["block"],
+        "rounds": len(calibration.fits[0].rounds),
+        "seconds": seconds,
+        "conflicts": [each.sentence for each in calibration.conflicts],
+        "ranks": ranks,
+        "fell": fell.tolist(),
+        "ways": {name: p.tolist() for name, p in ways.items()},
+    }
 
 
-def main(kind: str, first: int, last: int) -> None:
-    """Print scores, or coverage, of laboratories."""
-    coverage = functools.partial(covered, drawn=kind == "drawn")
-    kept: dict[str, list[Any]] = {}
-    began = time.perf_counter()
-    for seed in range(first, last):
-        rows: Mapping[str, Any] = table_of(seed) if kind == "scores" else coverage(seed)
-        for name, values in rows.items():
-            kept.setdefault(name, []).extend([values] if kind == "scores" else values)
-        means = {name: np.mean(values, axis=0).round(4).tolist() for name, values in kept.items()}
-        words = f"{seed - first + 1} in {time.perf_counter() - began:.0f} s: {means}\n"
-        sys.stdout.write(words)
-        sys.stdout.flush()
+def summary(rows: list[dict[str, Any]]) -> None:
+    """Print coverage of 90 % intervals and held-out scores over laboratories."""
+    for family in (True, False):
+        chosen = [row for row in rows if row["family"] == family]
+        if not chosen:
+            continue
+        inside = {
+            name: sum(0.05 < row["ranks"][name] < 0.95 for row in chosen)
+            for name in chosen[0]["ranks"]
+        }
+        kind = "family" if family else "another body"
+        sys.stdout.write(f"{kind} {len(chosen)}, inside 90 %: {inside}\n")
+    fell = np.concatenate([row["fell"] for row in rows])
+    for name in rows[0]["ways"]:
+        p = np.concatenate([row["ways"][name] for row in rows])
+        right, brier = np.mean((p >= 0.5) == (fell > 0.5)), np.mean(np.square(p - fell))
+        sys.stdout.write(f"{name:10s} accuracy {right:.4f} Brier {brier:.4f}\n")
+    least = min(row["effective"] for row in rows)
+    most = max(row["k"] for row in rows)
+    sys.stdout.write(f"effective draws {least:.0f} at least, k {most:.2f} at most\n")
+
+
+def main(first: int, last: int) -> None:
+    """Print the rows of some laboratories, and what they show together."""
+    rows = []
+    for number in range(first, last):
+        row = row_of(number)
+        rows.append(row)
+        sys.stdout.write(
+            f"{number:3d} {row['tests']:4d} tests, base {row['base']:.2f}: "
+            f"{row['effective']:5.0f} effective, k {row['k']:5.2f}, {row['runs']:5d} runs, "
+            f"{row['seconds']:5.1f} s, alpha at {row['ranks']['mean ln tan alpha']:.3f} "
+            f"{'; '.join(row['conflicts'])}\n"
+        )
+    summary(rows)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]))
+    main(*map(int, sys.argv[1:3]))

@@ -1,20 +1,22 @@
-"""Calibrations of synthetic tests, and of tests that say little or nothing."""
+"""Calibrations against dense grids; tests that say little or nothing, or contradict a prior."""
 
+import hashlib
 import math
-from collections.abc import Sequence
+import os
+import subprocess
+import sys
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
-from numpy.typing import NDArray
 from scipy.special import ndtri
 
-from rocksteady import Execution, Linear, Nonlinear, Status, calibrate, plots
+from rocksteady import Status, calibrate
+from rocksteady.arrays import Floats
 from rocksteady.calibration import (
-    DrawOptions,
+    Calibration,
     ObjectPrior,
     Observations,
     OutcomeErrors,
@@ -24,115 +26,10 @@ from rocksteady.calibration import (
     compute_test_fates,
 )
 from rocksteady.errors import InputError
-from rocksteady.risk.calibration._identified import LIMIT
-from rocksteady.risk.calibration.calibrate import _warnings
-from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.risk.calibration.held_out.folds import weighted_quantiles
-from tests.risk.calibration.trials import CASES, Case, coverage, make_records, make_tests
-
-FEW = DrawOptions(draws=90, gains=3, rounds=3)
-LINEAR = Linear()
-
-
-def shaken(
-    fell: Sequence[bool | None], *, gain: float = 1.0, block: ObjectPrior | None = None
-) -> Observations:
-    """Return a test on each of some motions."""
-    given = ObjectPrior(name="block", alpha_rad="0.17:0.33", p_rad_s="3:5")
-    tests = [
-        ShakingTest(name=record.name or "", record=record, object="block", fell=own, gain=gain)
-        for record, own in zip(make_records(len(fell)), fell, strict=True)
-    ]
-    return Observations(tests=tests, objects={"block": given if block is None else block})
-
-
-def row_of(found: Calibration, name: str) -> dict[str, Any]:
-    return next(row for row in found.parameters if row["parameter"] == name)
-
-
-@pytest.fixture(scope="module")
-def tests() -> Observations:
-    return make_tests(Case("40 tests"), 3)[0]
-
-
-@pytest.fixture(scope="module")
-def found(tests: Observations) -> Calibration:
-    return calibrate(tests, sampling=FEW, model=LINEAR)
-
-
-def test_outcomes_move_alpha_towards_the_truth_and_leave_the_rest(found: Calibration) -> None:
-    truth = make_tests(Case("40 tests"), 3)[1]
-    alpha, posterior = row_of(found, "alpha_rad"), found.posteriors["block"]
-    prior_width = alpha["prior_high"] - alpha["prior_low"]
-    values, weights = posterior.of("alpha_rad")[:, np.newaxis], posterior.weights[:, np.newaxis]
-    median, low, high = weighted_quantiles(values, weights, (0.5, 0.05, 0.95))[:, 0]
-    assert high - low < 0.75 * prior_width
-    assert abs(median - truth) < 0.5 * prior_width
-    assert not any(row["verdict"] == "identified" for row in found.parameters)
-
-
-def test_held_out_scores_beat_the_base_rate(found: Calibration) -> None:
-    rows = found.validation.rows
-    assert set(rows) == {"calibrated", "untempered", "base rate", "logistic"}
-    assert rows["calibrated"].brier[0] < rows["base rate"].brier[0]
-    assert found.validation.predictions.held_out == (True,) * 40
-    assert [row["groups"] for row in found.validation.learning] == [1, 2, 4, 8]
-    assert set(found.flips) == {
-        "half the sampling interval", "linear baseline removed", "high-pass at 0.1 Hz"
-    }  # fmt: skip
-
-
-@pytest.mark.slow
-def test_the_same_seed_gives_the_same_bits_with_any_workers(
-    tests: Observations, found: Calibration
-) -> None:
-    again = calibrate(tests, sampling=FEW, model=LINEAR, run=Execution(executor="serial"))
-    assert again.to_dict() == found.to_dict()
-    other = calibrate(tests, sampling=replace(FEW, seed=1), model=LINEAR)
-    assert other.validation.predictions.p.tolist() != found.validation.predictions.p.tolist()
-
-
-def test_a_training_test_is_predicted_without_its_group(tests: Observations) -> None:
-    """Other outcomes of a group, in one round at a fixed temper: the same predictions of it."""
-    once = DrawOptions(draws=60, gains=3, rounds=1)
-    changed = [
-        replace(test, fell=not test.fell) if test.group == tests.tests[0].group else test
-        for test in tests.tests
-    ]
-    first = calibrate(tests, sampling=once, model=LINEAR, temper=1.0)
-    second = calibrate(replace(tests, tests=changed), sampling=once, model=LINEAR, temper=1.0)
-    own = tests.groups == tests.tests[0].group
-    p, q = first.validation.predictions.p, second.validation.predictions.p
-    assert p[own] == pytest.approx(q[own], abs=1e-12)
-    assert p[~own].tolist() != q[~own].tolist()
-
-
-def test_predict_holds_training_tests_out_and_others_not(found: Calibration) -> None:
-    known, new = found.tests.tests[5], replace(found.tests.tests[5], name="new", gain=0.01)
-    row = found.predict([new, known])
-    assert row.held_out == (False, True)
-    assert row.p[1] == found.validation.predictions.p[5]
-    assert row.p[0] == pytest.approx(0.5 * 0.03, abs=0.01)  # nothing lifts: outliers alone
-    assert np.isnan(row.low[0]) == (row.effective_draws[0] < 50.0)
-    assert row.mc_error[0] < 0.01
-    # The outcome of a test changes nothing, and neither do outcomes of new ones.
-    other = found.predict([replace(known, fell=not known.fell)])
-    assert (other.held_out, other.p[0]) == ((True,), row.p[1])
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("fell", "side", "gain"), [(True, "upper", 0.8), (False, "lower", 1.2)])
-def test_outcomes_of_one_kind_give_a_bound(fell: bool, side: str, gain: float) -> None:
-    many = DrawOptions(draws=1500, gains=3, rounds=3)
-    found = calibrate(shaken([fell] * 12, gain=gain), sampling=many, model=LINEAR)
-    row = row_of(found, "alpha_rad")
-    assert (row["verdict"], row["bound_side"]) == ("bound", side)
-    assert not any(each["verdict"] == "identified" for each in found.parameters)
-    values, weights = found.posteriors["block"].of("alpha_rad"), found.posteriors["block"].weights
-    beyond = values > row["bound"] if fell else values < row["bound"]
-    assert weights[beyond].sum() <= 0.1
-    assert any("bound of alpha" in sentence for sentence in found.warnings)
-
+from rocksteady.risk.calibration import calibrate as module
+from rocksteady.risk.calibration.calibration import Conflict, codes_of
+from tests.every import every
+from tests.risk.calibration.cases import LINEAR, SERIAL, STONE, make_records, narrow, narrow_tests
 
 ALONE = ObjectPrior(
     name="block", alpha_rad="0.17:0.33", p_rad_s=4.0, housner_factor=1.0, scatter=0.0
@@ -140,204 +37,233 @@ ALONE = ObjectPrior(
 EXACT = Prior(
     noise=OutcomeErrors(sigma_ln=PriorRange.exactly(0.2), outliers=PriorRange.exactly(0.03))
 )
+FEW_TESTS = narrow_tests().subset([place for place in range(60) if place % 15 < 3])
+"""Twelve tests on three records."""
 
 
-def on_a_grid(tests: Observations) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def shaken(fell: list[Any], gains: Any = 1.0, block: ObjectPrior = ALONE) -> Observations:
+    """Return a test on each of some motions."""
+    ends = zip(make_records(len(fell)), fell, np.broadcast_to(gains, len(fell)), strict=True)
+    tests = [
+        ShakingTest(name=record.name or "", record=record, object="block", fell=own, gain=float(g))
+        for record, own, g in ends
+    ]
+    return Observations(tests=tests, objects={"block": block})
+
+
+def few(tests: Observations, prior: Prior | None = None, runs: int = 200, seed: int = 0) -> Any:
+    return calibrate(tests, prior, most_runs=runs, model=LINEAR, run=SERIAL, seed=seed)
+
+
+def row_of(found: Calibration, name: str) -> dict[str, Any]:
+    return next(row for row in found.parameters if row["parameter"] == name)
+
+
+def on_a_grid(tests: Observations) -> tuple[Floats, Floats]:
     """Return 100 alphas, and the probability of a fall of each test there, by 40 gains."""
     alphas = 0.17 + 0.16 * (np.arange(100) + 0.5) / 100
-    found = compute_test_fates(
-        ALONE.blocks(alphas[:, np.newaxis]),
-        tests,
-        gains=np.exp(0.2 * ndtri((np.arange(40) + 0.5) / 40)),
-        outputs=("status",),
-        model=LINEAR,
-    )
-    fell = found["status"].transpose("block", "test", "gain", "draw").values == Status.OVERTURNED
+    gains = np.exp(0.2 * ndtri((np.arange(40) + 0.5) / 40))
+    blocks = ALONE.blocks(alphas[:, np.newaxis])
+    fates = compute_test_fates(blocks, tests, gains=gains, outputs=("status",), model=LINEAR)
+    fell = fates["status"].transpose("block", "test", "gain", "draw").values == Status.OVERTURNED
     return alphas, 0.97 * fell[..., 0].mean(axis=2) + 0.015
 
 
 def test_posterior_and_predictions_are_those_of_a_dense_grid() -> None:
     """Alpha alone is unknown: its quantiles, and each prediction without its group, by sums."""
-    tests = replace(make_tests(Case("16 tests", tests=16), 4)[0], objects={"block": ALONE})
-    alphas, p = on_a_grid(tests)
-    logs = np.where(tests.fell > 0.0, np.log(p), np.log(1.0 - p))
-    found = calibrate(tests, EXACT, sampling=DrawOptions(draws=450), model=LINEAR, temper=1.0)
+    rng = np.random.default_rng(4)
+    gains = np.geomspace(0.4, 2.0, 20) * np.exp(0.1 * rng.normal(size=20))
+    given = shaken([None] * 20, rng.permutation(gains))
+    groups = np.arange(20) // 4
+    alphas, p = on_a_grid(given)
+    fell = rng.random(20) < p[45]
+    tests = [
+        replace(test, fell=bool(end), group=f"{group}")
+        for test, end, group in zip(given.tests, fell, groups, strict=True)
+    ]
+    found = few(replace(given, tests=tests), EXACT, 6000)
+    logs = np.where(fell, np.log(p), np.log(1.0 - p))
     weights = np.exp(logs.sum(axis=1))
     ends = np.interp([0.5, 0.05, 0.95], np.cumsum(weights) / weights.sum(), alphas + 0.0008)
     assert found.posteriors["block"].interval("alpha_rad") == pytest.approx(ends, abs=0.01)
-    for place, group in enumerate(tests.groups):
-        weights = np.exp(logs[:, tests.groups != group].sum(axis=1))
-        exact = float(weights @ p[:, place] / weights.sum())
-        assert found.validation.predictions.p[place] == pytest.approx(exact, abs=0.08)
-    assert found.validation.predictions.p.std() > 0.1
+    exact = []
+    for place, group in enumerate(groups):
+        weights = np.exp(logs[:, groups != group].sum(axis=1))
+        exact.append(float(weights @ p[:, place] / weights.sum()))
+    assert np.abs(found.validation.predictions.block - exact).mean() < 0.025
+    assert found.validation.predictions.block == pytest.approx(exact, abs=0.08)
 
 
-@pytest.mark.parametrize(("fell", "gain", "share"), [(True, 0.8, 0.9), (False, 1.2, 0.1)])
-def test_the_bound_of_outcomes_of_one_kind_is_that_of_a_grid(
-    fell: bool, gain: float, share: float
+@every(
+    ("fell", "gain", "share", "words"),
+    [(True, 0.8, 0.9, "fell, so that alpha is at most"), (False, 0.7, 0.1, "stood, so that alpha")],
+)
+def test_outcomes_of_one_kind_give_a_bound_and_no_fit(
+    fell: bool, gain: float, share: float, words: str
 ) -> None:
-    tests = shaken([fell] * 8, gain=gain, block=ALONE)
+    tests = shaken([fell] * 6, gain)
     alphas, p = on_a_grid(tests)
     weights = np.prod(p if fell else 1.0 - p, axis=1)
     exact = float(np.interp(share, np.cumsum(weights) / weights.sum(), alphas + 0.0008))
-    found = calibrate(tests, EXACT, sampling=DrawOptions(draws=450), model=LINEAR, temper=1.0)
-    bound = row_of(found, "alpha_rad")["bound"]
-    assert bound == pytest.approx(exact, abs=0.008)
-    prior = 0.17 + 0.16 * share
-    assert abs(prior - exact) > 0.01
-
-
-def test_unknown_outcomes_return_the_prior() -> None:
-    found = calibrate(shaken([None] * 3), sampling=FEW, model=LINEAR)
-    assert {row["verdict"] for row in found.parameters} == {"prior returned"}
-    assert found.validation.rows == {}
-    assert any("no test has an outcome" in sentence for sentence in found.warnings)
-    assert len(found.validation.predictions) == 3
-
-
-def test_one_test_alone_is_predicted_by_the_prior() -> None:
-    found = calibrate(shaken([True]), sampling=FEW, model=LINEAR)
-    assert any("of one group" in sentence for sentence in found.warnings)
-    before = calibrate(shaken([None]), sampling=FEW, model=LINEAR)
-    assert found.validation.predictions.p[0] == pytest.approx(
-        before.validation.predictions.p[0], abs=0.1
-    )
-
-
-def test_tests_that_lift_nothing_say_nothing() -> None:
-    found = calibrate(shaken([False] * 4, gain=1e-3), sampling=FEW, model=LINEAR)
-    assert any("is informative" in sentence for sentence in found.warnings)
+    found = few(tests, EXACT, 3000)
     row = row_of(found, "alpha_rad")
-    assert row["verdict"] == "bound"
-    assert row["bound"] == pytest.approx(0.17 + 0.1 * 0.16, abs=0.01)  # the prior's own 10 %
+    assert (row["verdict"], row["bound_side"]) == ("bound", "upper" if fell else "lower")
+    assert row["bound"] == pytest.approx(exact, abs=0.006)
+    assert abs(0.17 + 0.16 * share - exact) > 0.01  # the prior's own is another one
+    assert f"A bound and no fit: all tests of block {words}" in " ".join(found.summary().split())
 
 
-def test_an_object_that_is_known_exactly_is_calibrated() -> None:
-    block = ObjectPrior(name="block", alpha_rad=0.25, p_rad_s=4.0, housner_factor=1.0, scatter=0.0)
-    noise = OutcomeErrors(sigma_ln=PriorRange.exactly(0.2), outliers=PriorRange.exactly(0.02))
-    prior = Prior(noise=noise)
-    found = calibrate(shaken([True, False, True], block=block), prior, sampling=FEW, model=LINEAR)
-    posterior = found.posteriors["block"]
-    assert posterior.names == ()
-    assert posterior.effective_draws == pytest.approx(len(posterior.weights))
-    assert ((found.validation.predictions.p > 0.0) & (found.validation.predictions.p < 1.0)).all()
+def test_a_narrow_stone_is_described_by_what_is_predicted_first() -> None:
+    found = narrow()
+    share = found.validation.rows["predicted"].accuracy[0]
+    assert found.summary().startswith(f"{100 * share:.0f} % of tests are predicted (90 %:")
+    effective = found.posteriors["stone"].effective_draws
+    assert f"{effective:.0f} effective draws." in found.summary()
+    # A lone session is accepted, and its gain stays the widest.
+    widths = {}
+    for name in found.posteriors["stone"].sessions:
+        _, low, high = found.posteriors["stone"].session_gain(name)
+        widths[name] = math.log(high / low)
+    assert max(widths, key=widths.__getitem__) == "day 4"
+    assert found.new_day is not None
+    assert (found.new_day.folds, found.new_day.rows["predicted"].groups) == ("session", 4)
+    assert "half the sampling interval" in found.flips
+    assert row_of(found, "alpha_rad")["outline"] == pytest.approx(STONE.outline_alpha_rad)
+    assert row_of(found, "base")["verdict"] == "identified"
+
+
+def test_folds_are_of_one_of_four_kinds() -> None:
+    tests = narrow_tests().tests
+    names, codes = codes_of(tests, "session")
+    assert [names[code] for code in codes.tolist()] == [test.session for test in tests]
+    assert narrow().validate("test").rows["predicted"].groups == 60
+    with pytest.raises(InputError, match="test 't0' has no session; give each test one"):
+        codes_of([replace(tests[0], session=None), *tests[1:]], "session")
+    with pytest.raises(InputError, match="it must be one of group, record, test, session"):
+        codes_of(tests, "day")  # type: ignore[arg-type]
+
+
+def test_a_budget_that_is_used_up_is_no_answer() -> None:
+    found = few(FEW_TESTS, runs=100)
+    effective = found.posteriors["stone"].effective_draws
+    assert found.describe().answer.sentence == (
+        f"No answer: {effective:.0f} effective draws of the 200 that it takes, after 100 runs of a "
+        "test."
+    )
+    assert found.more_runs_help
+    assert {row["verdict"] for row in found.parameters} == {"not identified"}
+    assert all(row["median"] is row["low"] is row["bound"] is None for row in found.parameters)
+
+
+def test_what_says_nothing_is_said() -> None:
+    """One record, no outcome, nothing that lifts, an object that is known exactly."""
+    of_one = [test for test in narrow_tests().tests if test.group == "motion 2"]
+    found = few(replace(narrow_tests(), tests=of_one))
+    assert found.validation.rows == {}
+    reason = "all tests with an outcome are of one group: none is left to predict it from"
+    assert any(reason in sentence for sentence in found.warnings)
+    found = few(shaken([None] * 3), runs=1200)
+    assert {row["verdict"] for row in found.parameters} == {"prior returned"}
+    assert any("no test has an outcome" in sentence for sentence in found.warnings)
+    found = few(shaken([False] * 4, 1e-3), runs=1200)
+    assert any("is informative" in sentence for sentence in found.warnings)
+    # The prior's own 10 %.
+    assert row_of(found, "alpha_rad")["bound"] == pytest.approx(0.17 + 0.1 * 0.16, abs=0.01)
+    exact = shaken([True, False, True], block=replace(ALONE, alpha_rad=0.25))
+    found = few(exact, EXACT, runs=400)
+    _, p = on_a_grid(exact)
+    assert found.validation.predictions.block == pytest.approx(0.5 * (p[49] + p[50]), abs=0.08)
+
+
+# ----------------------------------------------------------------------------------- conflicts
+
+
+@every(
+    ("given", "ends", "widened", "runs"),
+    [
+        ("", {"base": "lower"}, {"base": True}, 2),
+        ("0.3:1.2", {"base": "lower"}, {"base": False}, 1),
+        ("0.3:1.2", {"base": "lower", "sigma_ln": "upper"}, {"base": False, "sigma_ln": True}, 2),
+        ("", {}, {}, 1),
+    ],
+)
+def test_only_defaults_are_widened(
+    given: str, ends: Any, widened: dict[str, bool], runs: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: list[Any] = []
+
+    def find(bench: Any, noise: OutcomeErrors, **_: Any) -> Any:
+        seen.append((bench.space.block.spreads["base"], noise.sigma_ln))
+        return SimpleNamespace(turn=len(seen))
+
+    monkeypatch.setattr(module, "find_posterior", find)
+    monkeypatch.setattr(module, "contradictions", lambda fit: ends if fit.turn == 1 else {})
+    plan = module._Plan(seed=0, most_runs=200, model=LINEAR, run=None)
+    stone = replace(STONE, base=given or None)
+    _, conflicts = module._fit(stone, OutcomeErrors(), narrow_tests(), 0, plan)
+    assert [(each.parameter, each.widened) for each in conflicts] == list(widened.items())
+    assert len(seen) == runs
+    assert seen[0][0] == PriorRange.parse(given or "log:0.03:1.2")
+    assert (seen[-1][0].low < seen[0][0].low) == widened.get("base", False)
+    assert (seen[-1][1].high > seen[0][1].high) == widened.get("sigma_ln", False)
+
+
+def test_a_conflict_is_said_first_with_its_direction() -> None:
+    prior = PriorRange.parse("log:0.03:1.2")
+    conflict = Conflict(object="a", parameter="base", side="upper", prior=prior, widened=True)
+    text = " ".join(replace(narrow(), conflicts=(conflict,)).summary().split())
+    line = "of base (0.03 to 1.2) towards higher values; it was widened. "
+    assert text.startswith(f"Tests contradict the default {line}")
+
+
+# ------------------------------------------------------------------------------------ the same
+
+
+def hash_of(found: Calibration) -> str:
+    """Return a hash of all that a calibration says."""
+    digest = hashlib.sha256(repr(found.to_dict()).encode())
+    for each in found.posteriors.values():
+        for array in (each.values, each.weights, *each.errors.values(), *each.sessions.values()):
+            digest.update(array.tobytes())
+    predictions = found.validation.predictions
+    for column in (predictions.p, predictions.block, predictions.logistic, predictions.low):
+        digest.update(column.tobytes())
+    return digest.hexdigest()
+
+
+def test_another_seed_is_another_calibration_and_the_same_seed_is_not() -> None:
+    first, again, other = (hash_of(few(FEW_TESTS, seed=seed)) for seed in (1, 1, 2))
+    assert first == again != other
+
+
+PROGRAM = """
+from rocksteady import Execution, calibrate
+from tests.risk.calibration.test_calibrate import LINEAR, hash_of, narrow_tests
+run = Execution(executor="threads", workers={workers})
+print(hash_of(calibrate(narrow_tests().subset(range(24)), most_runs=1600, model=LINEAR, run=run)))
+"""
+PLAIN = {
+    "NPY_DISABLE_CPU_FEATURES": "X86_V3 X86_V4 AVX512_ICL",
+    "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F",
+}
 
 
 @pytest.mark.slow
-def test_objects_have_posteriors_of_their_own(tests: Observations) -> None:
-    half = [
-        replace(test, object="other") if place % 2 else test
-        for place, test in enumerate(tests.tests)
-    ]
-    other = ObjectPrior(name="other", alpha_rad="0.1:0.2", p_rad_s=4.0)
-    both = Observations(tests=half, objects={**tests.objects, "other": other})
-    found = calibrate(both, sampling=FEW, model=LINEAR)
-    assert list(found.posteriors) == ["block", "other"]
-    assert found.posteriors["other"].of("alpha_rad").max() <= 0.2
-    assert any("own posterior" in note for note in found.describe().notes)
-
-
-def test_other_folds_and_refusals(found: Calibration) -> None:
-    by_test = found.validate("test")
-    assert by_test.rows["calibrated"].groups == 40
-    with pytest.raises(InputError, match="session"):
-        found.validate("session")
-    with pytest.raises(InputError, match="temper"):
-        calibrate(found.tests, temper=0.0)
-    nothing: tuple[Any, ...] = ([], 3.0, np.array(1.0))
-    for none in nothing:
-        with pytest.raises(InputError, match="tests"):
-            found.predict(none)
-    with pytest.raises(InputError, match=r"there are .*alpha_rad"):
-        found.posteriors["block"].interval("beta")
-    for wrong in (1.0, {"alpha_rad"}):
-        with pytest.raises(InputError, match=r"name = .* is not valid"):
-            found.posteriors["block"].interval(wrong)  # type: ignore[arg-type]
-    stranger = replace(found.tests.tests[0], object="stranger", name="new")
-    with pytest.raises(InputError, match="stranger"):
-        found.predict([stranger])
-
-
-def test_a_measured_peak_narrows_alpha() -> None:
-    """A block that rocked to a known angle, in a test without an amplitude error."""
-    record = make_records(1)[0]
-    given = ObjectPrior(
-        name="block", alpha_rad="0.17:0.33", p_rad_s=4.0, housner_factor=1.0, scatter=0.0
-    )
-    plain = ShakingTest(name="t", record=record, object="block", fell=False, gain=0.6, sigma_ln=0.0)
-    tests = [plain, replace(plain, peak_rad=0.02, sigma_rad=0.003)]
-    widths = []
-    for test in tests:
-        shaken_once = Observations(tests=[test], objects={"block": given})
-        found = calibrate(shaken_once, sampling=DrawOptions(draws=300, gains=1), model=LINEAR)
-        posterior = found.posteriors["block"]
-        values, weights = posterior.of("alpha_rad")[:, np.newaxis], posterior.weights[:, np.newaxis]
-        low, high = weighted_quantiles(values, weights, (0.05, 0.95))[:, 0]
-        widths.append(high - low)
-    assert widths[1] < 0.85 * widths[0]
-
-
-def test_numbers_of_runs_have_their_ranges() -> None:
-    for name, low, high in (("draws", 30, 100_000), ("gains", 1, 1000)):
-        for value in (low - 1, high + 1):
-            with pytest.raises(InputError, match=f"^{name} = .* from {low} to {high}"):
-                DrawOptions(**{name: value})
-    for draws, rounds in ((30, 1), (250, 2), (1500, 6)):
-        assert len(DrawOptions(draws=draws).per_round) == rounds
-
-
-def test_below_fifty_effective_draws_nothing_is_identified(tests: Observations) -> None:
-    """Of the draws of a concentrated posterior a handful count: no number follows from them."""
-    once = DrawOptions(draws=40, gains=2, rounds=1)
-    found = calibrate(tests, EXACT, sampling=once, model=LINEAR, temper=1.0)
-    posterior = found.posteriors["block"]
-    assert posterior.effective_draws < 50.0
-    assert all(map(math.isnan, posterior.interval("alpha_rad")))
-    for row in found.parameters:
-        assert row["verdict"] == "not identified"
-        assert (row["median"], row["low"], row["high"], row["bound"]) == (None, None, None, None)
-    headline = found.describe().headline
-    assert f"no answer yet: it rests on {posterior.effective_draws:.0f} effective draws" in headline
-    assert "too few: not identified" in posterior.describe().headline
-    predicted = found.validation.predictions
-    low = predicted.effective_draws < 50.0
-    assert low.any()
-    assert np.isnan(predicted.low[low]).all()
-    assert all(row["low"] is None for row, few in zip(predicted.rows, low, strict=True) if few)
-    drawn = plots.posterior(found, Figure().add_subplot())
-    legend = drawn.get_legend()
-    assert legend is not None
-    assert "not identified" in [
-        text.get_text() for text in (legend.get_title(), *legend.get_texts())
-    ]
-
-
-def test_full_equations_count_flips_of_their_tolerance() -> None:
-    found = calibrate(shaken([True, False]), sampling=DrawOptions(draws=30, gains=1, rounds=1))
-    assert isinstance(found.model, Nonlinear)
-    assert "tolerance 1e-06" in found.flips
-
-
-@pytest.mark.slow
-def test_intervals_of_alpha_cover_at_their_rate() -> None:
-    """Forty tests, gain error .2: 10 trials, whose share has a standard error of .095."""
-    case = next(case for case in CASES if case.sigma == "0.2")
-    assert coverage(case, 10, sampling=DrawOptions(draws=450))["covered"] >= 0.6
-
-
-def test_a_limit_is_said_of_the_object_that_meets_it() -> None:
-    outcomes = np.array([[[True, False]]])
-    fit = SimpleNamespace(runs=SimpleNamespace(fell=outcomes, unknown=0))
-    fine = {"parameter": "alpha_rad", "verdict": "identified", "bound_side": None}
-    met = {**fine, "verdict": LIMIT}
-    predictions = SimpleNamespace(mc_error=np.zeros(1), effective_draws=np.full(1, 99.0))
-    calibration: Any = SimpleNamespace(
-        tests=SimpleNamespace(warnings=()),
-        posteriors=dict.fromkeys("ab", SimpleNamespace(effective_draws=99.0)),
-        parameters=[{**fine, "object": "a"}, {**met, "object": "b"}],
-        validation=SimpleNamespace(predictions=predictions, warnings=()),
-        sampling=SimpleNamespace(error=0.01),
-    )
-    fits: Any = [fit, fit]
-    (sentence,) = _warnings(calibration, fits)
-    assert "alpha_rad of b lies at the limit" in sentence
+def test_the_same_bits_for_any_workers_threads_and_processors() -> None:
+    """Threads of BLAS, its kernels for other processors, NumPy without vectors, plain libm."""
+    hashes = set()
+    for workers, threads, kernels, others in (
+        (1, "1", "", {}),
+        (2, "4", "", {}),
+        (1, "1", "Haswell", {}),
+        (1, "2", "Prescott", {}),
+        (1, "1", "Nehalem", PLAIN),
+    ):
+        keys = {"OPENBLAS_NUM_THREADS": threads} | (
+            {"OPENBLAS_CORETYPE": kernels} if kernels else {}
+        )
+        program = [sys.executable, "-W", "ignore", "-c", PROGRAM.format(workers=workers)]
+        environment = os.environ | keys | others
+        done = subprocess.run(program, env=environment, capture_output=True, text=True, check=True)
+        hashes.add(done.stdout.split()[-1])
+    assert len(hashes) == 1

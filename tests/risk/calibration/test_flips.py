@@ -1,5 +1,7 @@
 """Changed records: what each change leaves of sines and straight lines."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -30,10 +32,7 @@ def test_a_straight_line_is_taken_off() -> None:
     time = 0.01 * np.arange(500)
     result = _levelled(record(sine(2.0, 0.01, 500) + 0.3 - 0.2 * time))
     assert result is not None
-    left = np.polyfit(time, result.acceleration_m_s2, 1)
-    assert left == pytest.approx([0.0, 0.0], abs=1e-12)
-    line = _levelled(record(0.3 - 0.2 * time))
-    assert line is None or np.abs(line.acceleration_m_s2).max() < 1e-12
+    assert np.polyfit(time, result.acceleration_m_s2, 1) == pytest.approx([0.0, 0.0], abs=1e-12)
 
 
 def test_the_high_pass_keeps_what_shakes_and_drops_what_drifts() -> None:
@@ -56,21 +55,10 @@ def test_the_high_pass_keeps_what_shakes_and_drops_what_drifts() -> None:
 
 def test_each_record_is_changed_once_and_a_vertical_one_too() -> None:
     across, up = record(sine(1.0, 0.01, 300)), record(sine(3.0, 0.01, 300))
-    calls: list[Record] = []
-
-    def change(given: Record) -> Record:
-        calls.append(given)
-        return given.scaled(2.0)
-
-    tests = [
-        ShakingTest(name=f"t{at}", record=across, vertical=vertical, object="o", fell=True)
-        for at, vertical in enumerate((None, up, up))
-    ]
-    result = _changed(tests, change)
-    assert len(calls) == 2
+    usual = ShakingTest(name="t", record=across, object="o", fell=True)
+    tests = [usual, replace(usual, vertical=up), replace(usual, vertical=up, transverse=across)]
+    result = _changed(tests, lambda given: given.scaled(2.0))
     assert result[0].vertical is None
-    assert result[1].vertical is not None
-    assert result[0].record is result[2].record
-    assert result[2].vertical is result[1].vertical
+    assert result[0].record is result[2].record is result[2].transverse
+    assert result[2].vertical is result[1].vertical is not None
     assert result[0].record.acceleration_m_s2 == pytest.approx(2.0 * across.acceleration_m_s2)
-    assert [test.name for test in result] == ["t0", "t1", "t2"]

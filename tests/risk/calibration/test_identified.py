@@ -1,32 +1,27 @@
-"""Verdicts on parameters: each from its own limit on, and bounds of outcomes of one kind."""
+"""Verdicts on parameters, each from its own limit on; bounds; priors that tests contradict."""
 
+import itertools
 from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
+from rocksteady.calibration import ObjectPrior, OutcomeErrors, PriorRange
+from rocksteady.errors import InputError
 from rocksteady.results.doubts import NOT_IDENTIFIED
-from rocksteady.risk.calibration._identified import (
-    BOUND,
-    IDENTIFIED,
-    LIMIT,
-    NARROWED,
-    RETURNED,
-    parameters_of,
-)
-from rocksteady.risk.calibration._space import Space
+from rocksteady.risk.calibration import _identified
+from rocksteady.risk.calibration._identified import CROWD, contradictions, parameters_of
 from rocksteady.risk.calibration.posterior import Posterior
-from rocksteady.risk.calibration.sampling import DrawOptions
-from rocksteady.risk.observations.object_prior import ObjectPrior
-from rocksteady.risk.observations.prior import OutcomeErrors
+from rocksteady.risk.calibration.sampler.space import Space
 from tests.every import every
 
 PRIOR = np.linspace(0.0, 1.0, 2001)
 BOTH = np.array([1.0, 0.0, np.nan])
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class One(Space):
     """A space of one number, whatever its prior."""
 
@@ -41,108 +36,123 @@ class One(Space):
 
 
 def posterior(values: np.ndarray, name: str = "alpha_rad", weights: Any = None) -> Posterior:
-    """Return draws of one number, of equal weights by default."""
+    """Return draws of one number, of equal weights by default, and an error at its prior."""
     count = len(values)
     equal = np.full(count, 1.0 / count) if weights is None else weights
-    space = One(
-        block=ObjectPrior(name="vase", alpha_rad=0.3, p_rad_s=3.0), noise=OutcomeErrors(), one=name
-    )
+    error = np.tile([0.1, 0.02], (count, 1))
     return Posterior(
         object="vase",
-        space=space,
+        space=One(block=ObjectPrior(name="vase", alpha_rad=0.3, p_rad_s=3.0), one=name),
         values=values[:, np.newaxis],
         weights=equal,
-        untempered_weights=equal,
         prior_weights=equal,
-        fates=np.zeros((count, 1)),
+        errors={"sigma_ln": error},
+        noise={"sigma_ln": PriorRange.between(0.05, 0.12)},
     )
 
 
-def row(values: np.ndarray, fell: np.ndarray = BOTH, name: str = "alpha_rad", **keys: Any) -> Any:
-    (found,) = parameters_of(posterior(values, name, **keys), {name: PRIOR}, fell)
-    return found
+def rows(
+    values: np.ndarray,
+    fell: np.ndarray = BOTH,
+    name: str = "alpha_rad",
+    ends: Any = None,
+    **keys: Any,
+) -> Any:
+    prior = {name: PRIOR, "sigma_ln": np.linspace(0.0, 0.2, 101)}
+    return parameters_of(posterior(values, name, **keys), prior, fell, ends or {}, 0.31)
 
 
 @every(
     ("part", "verdict"),
-    [(0.49, IDENTIFIED), (0.51, NARROWED), (0.69, NARROWED), (0.71, RETURNED), (1.0, RETURNED)],
+    zip((0.49, 0.51, 0.69, 0.71), ("IDENTIFIED", "NARROWED", "NARROWED", "RETURNED"), strict=True),
 )
 def test_a_number_is_identified_below_half_of_its_prior(part: float, verdict: str) -> None:
     values = 0.5 + part * (PRIOR - 0.5)
-    found = row(values)
+    found, error = rows(values)
     assert found["sd_ratio"] == pytest.approx(part)
-    assert found["verdict"] == row(values, name="p_rad_s")["verdict"] == verdict
-    few = row(values[:: len(values) // 60])
-    assert few["verdict"] == (NARROWED if verdict == IDENTIFIED else verdict)
+    assert found["verdict"] == getattr(_identified, verdict)
     assert (found["prior_low"], found["prior_high"]) == pytest.approx((0.05, 0.95))
-    assert found["median"] == pytest.approx(0.5, abs=1e-3)
-    assert (found["low"], found["high"]) == pytest.approx(
-        (0.5 - 0.45 * part, 0.5 + 0.45 * part), abs=1e-3
-    )
-    assert (found["bound"], found["bound_side"], found["outline"]) == (None, None, 0.3)
-
-
-@every("end", [0.0, 1.0])
-@every(("share", "pushed"), [(0.29, False), (0.31, True)])
-def test_a_third_at_an_end_of_the_prior_is_pushed_there(
-    end: float, share: float, pushed: bool
-) -> None:
-    count = round(1000 * share)
-    for inwards, verdict in ((0.04, LIMIT if pushed else IDENTIFIED), (0.06, IDENTIFIED)):
-        near, far = abs(end - inwards), abs(end - 0.3)
-        values = np.concatenate([np.full(count, near), np.full(1000 - count, far)])
-        assert row(values)["verdict"] == verdict
+    ends = np.array([found["low"], found["median"], found["high"]])
+    assert ends == pytest.approx(0.5 + 0.45 * part * np.array([-1.0, 0.0, 1.0]), abs=1e-3)
+    assert (found["bound"], found["bound_side"], found["outline"]) == (None, None, 0.31)
+    assert rows(values, ends={"alpha_rad": "lower"})[0]["verdict"] == _identified.LIMIT
+    # An error: normal about its mean, inside its prior.
+    assert (error["parameter"], error["verdict"]) == ("sigma_ln", _identified.IDENTIFIED)
+    assert (error["median"], error["low"]) == pytest.approx((0.1, 0.1 - 1.645 * 0.02), abs=1e-4)
+    assert (error["high"], error["sd_ratio"]) == pytest.approx((0.12, 0.02 / 0.0583), rel=0.01)
 
 
 @every(("fell", "side", "bound"), [(1.0, "upper", 0.9), (0.0, "lower", 0.1)])
 def test_outcomes_of_one_kind_bound_alpha_at_nine_tenths(
     fell: float, side: str, bound: float
 ) -> None:
-    found = row(PRIOR, np.array([fell, fell, np.nan]))
-    assert (found["verdict"], found["bound_side"]) == (BOUND, side)
+    found, _ = rows(PRIOR, np.array([fell, fell, np.nan]))
+    assert (found["verdict"], found["bound_side"]) == (_identified.BOUND, side)
     assert found["bound"] == pytest.approx(bound, abs=1e-3)
-    other = row(PRIOR, np.array([fell, fell]), name="p_rad_s")
-    assert (other["verdict"], other["bound"]) == (RETURNED, None)
-    assert row(PRIOR, np.array([np.nan]))["bound"] is None
+    other, _ = rows(PRIOR, np.array([fell, fell]), name="p_rad_s")
+    assert (other["verdict"], other["bound"]) == (_identified.RETURNED, None)
+    assert rows(PRIOR, np.array([np.nan]))[0]["bound"] is None
 
 
-def test_below_fifty_effective_draws_nothing_is_said() -> None:
-    for effective, known in ((49, False), (51, True)):
+def test_below_two_hundred_effective_draws_nothing_is_identified() -> None:
+    for effective, known in ((199, False), (201, True)):
         weights = np.zeros(len(PRIOR))
         weights[:effective] = 1.0 / effective
-        found = row(PRIOR, weights=weights)
+        found, error = rows(PRIOR, weights=weights)
         assert (found["verdict"] != NOT_IDENTIFIED) is known
         assert (found["sd_ratio"] is not None) is known
-        assert (found["median"] is not None) is known
-        one = row(PRIOR, np.array([1.0]), weights=weights)
-        assert (one["verdict"] == BOUND) is known
-        assert ("not identified" in posterior(PRIOR, weights=weights).summary()) is not known
+        assert (found["median"] is not None) is (error["low"] is not None) is known
+        one, _ = rows(PRIOR, np.array([1.0]), weights=weights)
+        assert (one["verdict"] == _identified.BOUND) is known
+        assert posterior(PRIOR, weights=weights).effective_draws == pytest.approx(effective)
+    with pytest.raises(InputError, match="there are alpha_rad; give one of them"):
+        posterior(PRIOR).interval("beta")
+    heavy = np.random.default_rng(1).pareto(1.1, 2001) + 1e-3
+    assert not posterior(PRIOR, weights=heavy / heavy.sum()).identified  # k above 0.7
 
 
-def test_what_is_known_exactly_comes_back() -> None:
-    exact = np.full(2001, 0.4)
-    (found,) = parameters_of(posterior(exact), {"alpha_rad": exact}, BOTH)
-    assert (found["verdict"], found["sd_ratio"]) == (RETURNED, 1.0)
+def fit_of(values: np.ndarray, block: ObjectPrior, cells: Any = 0.0, fell: Any = BOTH) -> Any:
+    """Return what contradictions need of a fit of draws of equal weight."""
+    count, grid = len(values), np.zeros((3, 5, 2))
+    tests = [SimpleNamespace(fell=None if np.isnan(end) else bool(end)) for end in fell]
+    return SimpleNamespace(
+        bench=SimpleNamespace(space=Space(block=block), tests=tests),
+        weights=np.full(count, 1.0 / count),
+        values=values[:, np.newaxis],
+        base=np.zeros(count),
+        cells=np.broadcast_to(grid + cells, (count, 3, 5, 2)),
+        likelihood=SimpleNamespace(grid=grid, noise=OutcomeErrors()),
+    )
 
 
-@every(
-    ("draws", "rounds", "each"),
-    [
-        (30, None, [30]),
-        (199, None, [199]),
-        (200, None, [100, 100]),
-        (1500, None, [250] * 6),
-        (32, 3, [11, 11, 10]),
-        (30, 6, [5] * 6),
-    ],
-)
-def test_draws_are_shared_by_rounds_of_a_hundred_up_to_six(
-    draws: int, rounds: int | None, each: list[int]
-) -> None:
-    assert DrawOptions(draws=draws, rounds=rounds).per_round == each
+EXACT: dict[str, Any] = {"alpha_rad": 0.2, "p_rad_s": 3.0, "scatter": 0.0}
 
 
-@every(("draws", "rounds"), [(30, 7), (30, 0), (29, None), (100_001, None)])
-def test_rounds_have_five_draws_at_least(draws: int, rounds: int | None) -> None:
-    with pytest.raises(ValueError, match=r"rounds|draws"):
-        DrawOptions(draws=draws, rounds=rounds)
+def test_a_prior_is_contradicted_where_its_ends_have_grown_tenfold() -> None:
+    """Odds of 1 % of the prior at an end: 1 to 99 before, and beyond 10 to 99 after."""
+    block = ObjectPrior(name="a", **EXACT, housner_factor="0.8:1.2")
+    for count, grown in ((80, False), (100, True)):
+        low = np.concatenate([np.full(count, 0.803), np.linspace(0.81, 1.19, 1000 - count)])
+        expected = {"housner_factor": "lower"} if grown else {}
+        assert contradictions(fit_of(low, block)) == expected
+        assert (contradictions(fit_of(2.0 - low, block)) == {"housner_factor": "upper"}) == grown
+    pushed = fit_of(np.full(400, 0.801), block)
+    assert contradictions(pushed) == {"housner_factor": "lower"}
+    pushed.weights = np.where(np.arange(400) < 49, 1.0 / 49.0, 0.0)  # too few draws
+    assert contradictions(pushed) == {}
+    assert contradictions(fit_of(np.full(400, 0.801), block, fell=[1.0, np.nan])) == {}
+    widest = ObjectPrior(name="a", **EXACT, housner_factor="0.1:2.0")
+    assert contradictions(fit_of(np.full(400, 0.1001), widest)) == {}
+
+
+def test_an_error_at_the_end_of_its_prior_is_contradicted() -> None:
+    block = ObjectPrior(name="a", **EXACT, housner_factor="0.8:1.2")
+    values = np.linspace(0.801, 1.199, 400)
+    axes = enumerate(("sigma_ln", "session_ln", "outliers"))
+    ends = ((0, "lower"), (-1, "upper"))
+    for (axis, name), (place, side), factor in itertools.product(axes, ends, (9.0, 11.0)):
+        cells = np.zeros((3, 5, 2))
+        np.moveaxis(cells, axis, 0)[place] = np.log(factor)
+        # A deviation between sessions may be 0: that is no contradiction.
+        grown = factor > CROWD and (name, side) != ("session_ln", "lower")
+        assert contradictions(fit_of(values, block, cells)) == ({name: side} if grown else {})

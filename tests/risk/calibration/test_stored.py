@@ -1,5 +1,6 @@
 """Posteriors on disk: read back, they predict to the last bit."""
 
+import json
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -7,18 +8,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import Linear, calibrate
-from rocksteady.calibration import Calibration, DrawOptions, read_posterior
+from rocksteady import calibrate
+from rocksteady.calibration import Calibration, read_posterior
 from rocksteady.errors import InputError
 from rocksteady.export import write_calibration
-from tests.risk.calibration.trials import Case, make_records, make_tests
+from rocksteady.risk.calibration.stored import fit_hash
+from tests.every import every
+from tests.risk.calibration.cases import LINEAR, SERIAL, make_records, narrow_tests
 from tests.show.calibrated import without_pictures
 
 
 @pytest.fixture(scope="module")
 def found() -> Calibration:
-    tests, _ = make_tests(Case("20 tests", tests=20), 1)
-    return calibrate(tests, sampling=DrawOptions(draws=60, gains=3, rounds=2), model=Linear())
+    tests = narrow_tests().subset(range(20))
+    return calibrate(tests, most_runs=200, model=LINEAR, run=SERIAL)
 
 
 @pytest.fixture(scope="module")
@@ -45,44 +48,57 @@ def test_a_stored_posterior_predicts_to_the_last_bit(found: Calibration, folder:
     first, second = found.predict(tests), stored.predict(tests)
     assert first.held_out == second.held_out == (False, True, True)
     assert first.rows == second.rows
-    for name, each in found.posteriors.items():
-        assert np.array_equal(stored.posteriors[name].values, each.values)
-        assert np.array_equal(stored.posteriors[name].weights, each.weights)
+    each, again = found.posteriors["stone"], stored.posteriors["stone"]
+    for key in ("values", "weights", "prior_weights"):
+        assert np.array_equal(getattr(each, key), getattr(again, key))
+    for key in each.sessions:
+        assert np.array_equal(each.sessions[key], again.sessions[key])
 
 
-def test_a_training_test_that_was_changed_is_a_new_one(found: Calibration, folder: Path) -> None:
-    changed = replace(found.tests.tests[3], gain=found.tests.tests[3].gain * 1.01)
-    assert read_posterior(folder).predict([changed]).held_out == (False,)
-
-
-@pytest.mark.parametrize("name", ["fit.json", "posterior.csv", "predictions.csv"])
-def test_a_damaged_folder_is_refused(found: Calibration, folder: Path, name: str) -> None:
-    (folder / name).write_text("{}", encoding="utf-8")
-    with pytest.raises(InputError, match="folder"):
-        read_posterior(folder).predict(found.tests)
-    (folder / name).unlink()
-    with pytest.raises(InputError, match="folder"):
-        read_posterior(folder)
-
-
-@pytest.mark.parametrize("name", ["posterior.csv", "predictions.csv"])
-def test_a_table_that_was_cut_or_edited_is_refused(folder: Path, name: str) -> None:
-    whole = (folder / name).read_bytes()
-    lines = whole.splitlines(keepends=True)
-    for content in (b"".join(lines[:-1]), whole.replace(b"0.", b"0.1", 1)):
-        assert content != whole
-        (folder / name).write_bytes(content)
-        with pytest.raises(InputError, match=f"{name} is not the file that was written"):
-            read_posterior(folder)
-    (folder / name).write_bytes(whole)
+def test_a_file_that_is_missing_cut_or_edited_is_refused(folder: Path) -> None:
+    for name in ("fit.json", "posterior.csv", "predictions.csv"):
+        whole = (folder / name).read_bytes()
+        lines = whole.splitlines(keepends=True)
+        others = [b"".join(lines[:-1]), whole.replace(b"0.", b"0.1", 1), b"{}", b"[" * 100_000]
+        for content in (*others, b'{"draws": 1e400}', b"null", b'"fit"', None):
+            (folder / name).unlink()
+            if content is not None:
+                (folder / name).write_bytes(content)
+            with pytest.raises(InputError, match=r"^folder = .*name the folder that") as refusal:
+                read_posterior(folder)
+            assert "\n" not in str(refusal.value)
+        (folder / name).write_bytes(whole)
     read_posterior(folder)
 
 
-@pytest.mark.parametrize(
-    "text", ["[" * 100_000, '{"draws": 1e400}', "[]", "null", '"fit"', '{"seed": 0}']
-)
-def test_a_fit_that_is_none_is_refused_in_one_line(folder: Path, text: str) -> None:
-    (folder / "fit.json").write_text(text, "utf-8")
-    with pytest.raises(InputError, match=r"are not those of a calibration: [^;]") as refusal:
+def test_one_digit_of_a_fit_is_enough_to_refuse_it(found: Calibration, folder: Path) -> None:
+    text = (folder / "fit.json").read_text("utf-8")
+    slope = repr(found.validation.curve.slopes[2])
+    digit = slope[:-1] + str((int(slope[-1]) + 1) % 10)
+    assert text.count(slope) == 1
+    (folder / "fit.json").write_text(text.replace(slope, digit), "utf-8")
+    with pytest.raises(InputError, match=r"fit\.json has been altered since it was written"):
         read_posterior(folder)
-    assert "\n" not in str(refusal.value)
+
+
+@every(
+    ("keys", "value", "words"),
+    [
+        (("model",), "cubic", "cubic"),
+        (("schema",), "rocksteady/calibrate/1", "its form is rocksteady/calibrate/1"),
+        (("stack", "block"), -1.0, "its slopes of block and logistic are -1.0"),
+        (("stack", "logistic"), float("inf"), "its logistic has another length, or a number"),
+        (("trained",), {}, "predictions.csv has other tests than fit.json"),
+        (("curve", "slope"), 1.0, "unexpected keyword argument 'slope'"),
+    ],
+)
+def test_a_fit_with_a_hash_of_its_own_is_complete(
+    written: Path, tmp_path: Path, keys: tuple[str, ...], value: object, words: str
+) -> None:
+    folder = shutil.copytree(written, tmp_path / "fit")
+    fit = json.loads((folder / "fit.json").read_text("utf-8"))
+    (fit[keys[0]] if len(keys) > 1 else fit)[keys[-1]] = value
+    fit["sha256"] = fit_hash(fit)
+    (folder / "fit.json").write_text(json.dumps(fit), "utf-8")
+    with pytest.raises(InputError, match=f"are not those of a calibration: .*{words}"):
+        read_posterior(folder)

@@ -246,35 +246,6 @@ def test_a_store_is_resumed_after_an_interruption(tmp_path: Path) -> None:
         compute_test_fates(BLOCKS, LIFTED, gains=GAINS, scatter=Scatter(0.07, 3, 9), run=again)
 
 
-# ------------------------------------------------------------------------------------- objects
-
-
-def test_each_object_has_its_own_blocks_and_deviation() -> None:
-    names = ("vase", "lamp", "vase", "chair", "lamp", "vase")
-    tests = [
-        ShakingTest(
-            name=test.name,
-            record=test.record,
-            object=name,
-            gain=test.gain,
-            reversed=test.reversed,
-            vertical=test.vertical,
-        )
-        for test, name in zip(LIFTED, names, strict=True)
-    ]
-    blocks = {
-        "lamp": BLOCKS[:2], "unused": BLOCKS[:1], "chair": BLOCKS[2:4], "vase": BLOCKS[4:],
-    }  # fmt: skip
-    deviation: dict[str, Any] = {"vase": 0.05, "lamp": np.array([0.0, 0.1]), "chair": 0.0}
-    found = compute_test_fates(blocks, tests, gains=GAINS, scatter=Scatter(deviation, 2, 3))
-    assert found.object.values.tolist() == list(names)
-    for place, (test, name) in enumerate(zip(tests, names, strict=True)):
-        alone = compute_test_fates(
-            blocks[name], [test], gains=GAINS, scatter=Scatter(deviation[name], 2, 3)
-        )
-        assert_same(alone, found.isel(test=[place]))
-
-
 # ------------------------------------------------------------------------------------ refusals
 
 COLUMN = BLOCKS[:2]
@@ -287,9 +258,6 @@ COLUMN = BLOCKS[:2]
         ({"tests": [SLOW[0]]}, "tests"),
         ({"tests": [TESTS[0], TESTS[0]]}, "two tests have this name"),
         ({"blocks": []}, "blocks"),
-        ({"blocks": {}}, "column"),
-        ({"blocks": {"vase": COLUMN}}, "column"),
-        ({"blocks": {"column": []}}, "blocks"),
         ({"blocks": [0.2]}, "blocks"),
         ({"gains": 0.0}, "gains"),
         ({"gains": -1.0}, "gains"),
@@ -301,7 +269,6 @@ COLUMN = BLOCKS[:2]
         ({"gains": np.ones((4, 2, 2, 1))}, "gains"),
         ({"gains": "strong"}, "gains"),
         ({"scatter": Scatter([0.1] * 3)}, "2 blocks"),
-        ({"scatter": Scatter({"column": 0.1})}, "deviation"),
         ({"scatter": 0.1}, "scatter"),
         ({"outputs": []}, "outputs"),
         ({"outputs": ["peak"]}, "outputs"),
@@ -315,15 +282,6 @@ def test_wrong_arguments_are_refused_in_one_line(arguments: dict[str, Any], word
     with pytest.raises(InputError, match=words) as refused:
         compute_test_fates(blocks, tests, **given)
     assert "\n" not in str(refused.value)
-
-
-def test_objects_have_as_many_blocks_each() -> None:
-    tests = [*TESTS, ShakingTest(name="vase", record=SLOW[0], object="vase")]
-    with pytest.raises(InputError, match="2 of 'column' and 3 of 'vase'"):
-        compute_test_fates({"column": BLOCKS[:2], "vase": BLOCKS[:3]}, tests)
-    blocks = {"column": BLOCKS[:2], "vase": BLOCKS[:2]}
-    with pytest.raises(InputError, match="deviation has no 'vase'"):
-        compute_test_fates(blocks, tests, scatter=Scatter({"column": 0.1}))
 
 
 def test_the_linear_model_has_no_vertical_motion() -> None:

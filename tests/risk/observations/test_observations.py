@@ -84,8 +84,9 @@ def test_usual_tests_have_no_warnings_and_defaults_are_named() -> None:
     shaken = made()
     assert shaken.warnings == ()
     notes = shaken.describe().notes
-    assert "base of column is not given: default 0.75+-0.2, or that of the prior." in notes
-    assert "scatter of 2 objects is not given: default 0.0:0.1, or that of the prior." in notes
+    words = "not given, so that calibrate takes priors as wide as geometry allows."
+    assert f"base, offset, housner_factor, scatter: {words}" in notes
+    assert f"housner_factor, scatter: {words}" in shaken.of("vase").describe().notes
 
 
 def test_large_gains_moving_bases_and_coarse_records_are_remarked_on() -> None:
@@ -146,11 +147,3 @@ def test_subsets_from_the_first_place_to_the_last() -> None:
         shaken.subset([])
     with pytest.raises(InputError, match="objects are column, vase; give one"):
         shaken.of("unused")
-
-
-def test_numbers_that_objects_leave_to_the_default_are_named() -> None:
-    text = " ".join(made().summary(more=True).split())
-    assert " of 2 objects is not given: default " in text or " of column is not given" in text
-    alone = " ".join(made().of("column").summary(more=True).split())
-    assert " of column is not given: default " in alone
-    assert "2 objects is not given" not in alone

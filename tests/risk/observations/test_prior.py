@@ -51,7 +51,10 @@ def test_an_empty_file_is_the_default_prior(tmp_path: Path) -> None:
         ("[object]\nbase = true\n", "prior.toml: [object] base = True is not valid"),
         ("[object]\nbase = [0.6, 1.0]\n", "[object] base = [0.6, 1.0] is not valid"),
         ("[object]\nbase = nan\n", "[object] base = nan is not valid"),
-        ("[object]\nbase = 1.2\n", "prior.toml: base = 1.2 is not valid: it must lie in [0.05, 1]"),
+        (
+            "[object]\nbase = 1.6\n",
+            "prior.toml: base = 1.6 is not valid: it must lie in [0.01, 1.5",
+        ),
         ("[noise]\noutliers = 0.6\n", "prior.toml: outliers = 0.6 is not valid"),
         ("[noise]\nsigma_ln = -0.1\n", "prior.toml: sigma_ln = -0.1 is not valid"),
         ("[object]\nrestitution = 0.9\nhousner_factor = 1\n", "prior.toml: [object] = "),

@@ -11,6 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from rocksteady.errors import RocksteadyError
+from rocksteady.records import Cleaning
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.read_tests import _YES, OUTCOMES, read_tests
 
@@ -30,13 +31,13 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def read(folder: Path, text: str | bytes, **options: Path | str | float) -> Observations:
+def read(folder: Path, text: str | bytes, **options: Path | str | float | Cleaning) -> Observations:
     file = folder / "tests.csv"
     file.write_bytes(text if isinstance(text, bytes) else text.encode())
     return read_tests(file, **options)  # type: ignore[arg-type]
 
 
-def refusal(folder: Path, text: str | bytes, **options: Path | str | float) -> str:
+def refusal(folder: Path, text: str | bytes, **options: Path | str | float | Cleaning) -> str:
     with pytest.raises(RocksteadyError) as error:
         read(folder, text, **options)
     line = str(error.value)
@@ -328,12 +329,15 @@ def test_motions_are_read_as_laboratories_leave_them(folder: Path) -> None:
     head = "Time [s] - Plot 0,command,table east [g] - Plot 0\n"
     (folder / "lab.csv").write_text(head + rows, "utf-8")
     table = f"{HEAD}\n1,lab,column,fell\n"
-    made = read(folder, table, column="table east [g] - Plot 0", baseline="mean")
+    made = read(folder, table, column="table east [g] - Plot 0", cleaning=Cleaning(baseline="mean"))
     samples = made.tests[0].record.acceleration_m_s2
     assert samples == pytest.approx([0.0, 0.2 * G, -0.2 * G, 0.0], abs=1e-12)
+    assert made.remarks == ("Each record was cleaned: baseline mean.",)
     words = refusal(folder, table, column="west")
     assert "no such column" in words
     assert len(words.splitlines()) == 1
+    words = refusal(folder, table, column="3", cleaning=Cleaning(filter_hz=":90"))
+    assert words.startswith("filter_hz = ':90' is not valid: its ends must lie in [0.0001, 50) Hz")
 
 
 def test_words_of_outcomes_and_of_reversed_tests() -> None:

@@ -12,19 +12,15 @@ from rocksteady.risk.observations.shaking_test import ShakingTest
 from tests.every import every
 
 RECORD = Record(acceleration_m_s2=np.array([0.0, 3.0, -1.0, -2.0, 0.0]), dt_s=0.02, name="run 7")
+SLOW = Record(acceleration_m_s2=RECORD.acceleration_m_s2, dt_s=0.04, name="run 8")
 WHOLE: dict[str, Any] = {"name": "t", "record": RECORD, "object": "column", "fell": False}
 
 
 def test_the_motion_is_the_record_times_the_gain_with_its_sign() -> None:
-    turned = ShakingTest(**WHOLE, gain=0.5, reversed=True, vertical=RECORD)
+    turned = ShakingTest(**WHOLE, gain=0.5, reversed=True)
     np.testing.assert_array_equal(turned.motion.acceleration_m_s2, -0.5 * RECORD.acceleration_m_s2)
-    assert turned.vertical_motion is not None
-    np.testing.assert_array_equal(
-        turned.vertical_motion.acceleration_m_s2, 0.5 * RECORD.acceleration_m_s2
-    )
     plain = ShakingTest(**WHOLE)
     assert plain.motion is RECORD
-    assert plain.vertical_motion is None
 
 
 def test_tests_of_a_record_stay_together_unless_they_have_another_group() -> None:
@@ -57,6 +53,7 @@ def test_tests_of_a_record_stay_together_unless_they_have_another_group() -> Non
         ({"fell": None, "peak_rad": 0.1, "sigma_rad": 0.01}, ModelError, "is unknown"),
         ({"fell": 1}, InputError, "fell = 1 is not valid"),
         ({"record": "run 7"}, InputError, "it must be a Record"),
+        ({"transverse": SLOW}, InputError, "the record has an interval of 0.02 s; resample one"),
     ],
 )
 def test_what_is_wrong_is_refused_in_one_line(

@@ -10,6 +10,7 @@ from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
 from rocksteady.risk.calibration.posterior import Posterior
+from rocksteady.risk.calibration.sampler.bench import in_plane
 from rocksteady.risk.observations.fates import compute_test_fates
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.sweep.run import Execution
@@ -63,10 +64,15 @@ def _fates(
     fell = np.zeros(len(tests), dtype=bool)
     for posterior in posteriors:
         places = [place for place, test in enumerate(tests) if test.object == posterior.object]
-        values = posterior.space.block_values(posterior.median_values()[np.newaxis])
-        block = posterior.space.block.block(values[0])
+        values = posterior.median_values()
+        block = posterior.space.block.block(values)
+        angle = float(posterior.space.orientation(values[np.newaxis])[0])
         dataset = compute_test_fates(
-            block, [tests[place] for place in places], outputs=("status",), model=model, run=run
+            block,
+            in_plane([tests[place] for place in places], angle),
+            outputs=("status",),
+            model=model,
+            run=run,
         )
         fell[places] = (dataset["status"].values == Status.OVERTURNED).reshape(len(places))
     return fell
@@ -88,6 +94,7 @@ def _changed(
         replace(
             test,
             record=of(test.record),
+            transverse=None if test.transverse is None else of(test.transverse),
             vertical=None if test.vertical is None else of(test.vertical),
         )
         for test in tests

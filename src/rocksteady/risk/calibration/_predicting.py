@@ -2,29 +2,39 @@
 
 import hashlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, Words
 from rocksteady.model.equations import Model
-from rocksteady.results.numbers import number, plural
-from rocksteady.risk.calibration._draw_runs import run_draws
-from rocksteady.risk.calibration._shares import pooled_shares
-from rocksteady.risk.calibration.held_out.folds import HeldOut, predict_with
+from rocksteady.results.numbers import plural
+from rocksteady.risk.calibration.held_out.leaving_out import (
+    HeldOut,
+    blank,
+    fill,
+    weighed,
+)
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
-from rocksteady.risk.calibration.held_out.recalibration import PLAIN, Platt
+from rocksteady.risk.calibration.held_out.rivals import LogisticCurve, Stack, measures_of
 from rocksteady.risk.calibration.posterior import Posterior
-from rocksteady.risk.calibration.sampling import DrawOptions
+from rocksteady.risk.calibration.sampler.bench import GAINS, Bench
+from rocksteady.risk.calibration.sampler.exact import rounded
+from rocksteady.risk.calibration.sampler.logistic import (
+    DESIGN_BITS,
+    fit_logistics,
+    probability,
+)
+from rocksteady.risk.calibration.sampler.surfaces import FAR, moments, quadratic
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.sweep.run import Execution
 
-KEPT = 0.9999
-"""Weight of the draws that are run; the rest weigh nothing and are left out."""
+DRAWS = 512
+"""Draws that other tests are predicted with, each with the same weight."""
 STREAM = 104_729
-"""Keeps the gains of predictions apart from those of the training."""
+"""Keeps the runs of predictions apart from those of the training."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -35,18 +45,17 @@ class Source:
     ----------
     posteriors
         By object.
-    sampling
-        Gains, seed, and the Monte Carlo error that is small enough.
-    model
-        The equations of motion.
-    recalibration
-        Line over the log odds.
+    curve, stack
+        The logistic on intensity measures, and how block and logistic predict together.
+    seed, model
+        Of the runs.
     """
 
     posteriors: Mapping[str, Posterior]
-    sampling: DrawOptions
+    curve: LogisticCurve
+    stack: Stack
+    seed: int
     model: Model
-    recalibration: Platt = PLAIN
 
 
 def predict_all(
@@ -75,38 +84,35 @@ def predict_all(
     places = np.array(
         [rows[test.name] if trained.get(test.name) == digest_of(test) else -1 for test in given]
     )
-    new = None
-    if (places < 0).any():
-        fresh = [test for test, place in zip(given, places.tolist(), strict=True) if place < 0]
-        new = _predict_new(fresh, source, run)
-    columns = {}
-    names = {"p": "p", "low": "low", "high": "high", "error": "mc_error"}
-    for key, name in (names | {"effective": "effective_draws"}).items():
-        column = np.full(len(given), np.nan)
-        column[places >= 0] = getattr(before, name)[places[places >= 0]]
-        if new is not None:
-            column[places < 0] = getattr(new, key)
-        columns[key] = column
-    return predictions_of(
+    fresh = np.flatnonzero(places < 0)
+    tests = [given[place] for place in fresh.tolist()]
+    held, logistic = blank(len(given)), np.full(len(given), np.nan)
+    if len(fresh):
+        fill(held, fresh, _predict_new(tests, source, run))
+        priors = {name: each.space.block for name, each in source.posteriors.items()}
+        logistic[fresh] = source.curve.of(measures_of(tests, priors))
+    made = predictions_of(
         given,
-        HeldOut(**columns),
+        held,
         [test.group or "" for test in given],
-        held_out=(places >= 0).tolist(),
-        warnings=error_warnings(columns["error"], columns["effective"], source.sampling.error),
+        logistic=logistic,
+        stacks=[source.stack] * len(given),
     )
-
-
-def error_warnings(error: Floats, effective: Floats, limit: float) -> list[str]:
-    """Return sentences on Monte Carlo errors that are too large."""
-    large = int((error > limit).sum())
-    if not large:
-        return []
+    keys = ("p", "low", "high", "block", "logistic", "mc_error", "effective_draws")
+    columns = {
+        key: np.where(places >= 0, getattr(before, key)[places], getattr(made, key)) for key in keys
+    }
+    changed = [test.name for test in tests if test.name in rows]
     words = (
-        f"the Monte Carlo error of {large} of {plural(len(error), 'prediction')} is above "
-        f"{limit:g}, {number(float(error.max()), 2)} at most, with {effective.min():.0f} effective "
-        "draws at least: make more draws"
+        f"{plural(len(changed), 'test')} of the calibration, as {', '.join(changed[:1])}, now have "
+        "another motion, gain or cleaning: predicted as new ones, though their outcomes are in it"
     )
-    return [words]
+    return replace(
+        made,
+        **columns,
+        held_out=tuple((places >= 0).tolist()),
+        warnings=(words,) if changed else (),
+    )
 
 
 def digest_of(test: ShakingTest) -> str:
@@ -114,19 +120,23 @@ def digest_of(test: ShakingTest) -> str:
     digest = hashlib.sha256()
     parts = (test.object, test.gain, test.reversed, test.sigma_ln)
     digest.update(repr(parts).encode())
-    for record in (test.record, test.vertical):
-        if record is not None:
+    for record in (test.record, test.transverse, test.vertical):
+        if record is None:
+            digest.update(b"-")
+        else:
             digest.update(repr(record.dt_s).encode() + record.acceleration_m_s2.tobytes())
     return digest.hexdigest()
 
 
-def listed(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
+def listed(
+    tests: Observations | Sequence[ShakingTest], posteriors: Mapping[str, Posterior]
+) -> list[ShakingTest]:
     """Return tests as a list.
 
     Raises
     ------
     InputError
-        If there is none.
+        If there is none, or an object is given with other sizes than the calibrated one.
     """
     rows = tests.tests if isinstance(tests, Observations) else tests
     if (
@@ -137,6 +147,17 @@ def listed(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
         raise InputError(
             "tests", tests, "it must be Observations, or one ShakingTest or more", "give some"
         )
+    objects = tests.objects if isinstance(tests, Observations) else {}
+    for name, given in objects.items():
+        known = posteriors[name].space.block.spreads if name in posteriors else {}
+        for key, spread in given.spreads.items():
+            if key in known and key not in given.defaults and known[key] != spread:
+                raise InputError(
+                    f"objects: {name}, {key}",
+                    str(spread),
+                    f"the calibrated object has {known[key]}, and only that one is predicted",
+                    "give the table of objects of the calibration, or calibrate this object",
+                )
     return list(rows)
 
 
@@ -148,61 +169,95 @@ def _predict_new(tests: Sequence[ShakingTest], source: Source, run: Execution | 
     InputError
         If an object of a test has no posterior.
     """
-    posteriors, sampling = source.posteriors, source.sampling
     for test in tests:
-        if test.object not in posteriors:
+        if test.object not in source.posteriors:
             raise InputError(
                 "tests",
                 Words(f"has {test.object!r}, the object of test {test.name!r}"),
-                f"the calibrated objects are {', '.join(posteriors)}",
+                f"the calibrated objects are {', '.join(source.posteriors)}",
                 "give tests of one of them",
             )
-    keys = ("p", "low", "high", "error", "effective")
-    columns = {key: np.full(len(tests), np.nan) for key in keys}
-    for place, (name, posterior) in enumerate(posteriors.items()):
-        rows = [row for row, test in enumerate(tests) if test.object == name]
-        if not rows:
+    held = blank(len(tests))
+    for number, (name, posterior) in enumerate(source.posteriors.items()):
+        rows = np.array([row for row, test in enumerate(tests) if test.object == name])
+        if not len(rows):
             continue
-        order = np.argsort(-posterior.weights, kind="stable")
-        heavy = int(np.searchsorted(np.cumsum(posterior.weights[order]), KEPT)) + 1
-        kept = np.sort(order[:heavy])
-        weights, values = posterior.weights[kept], posterior.values[kept]
-        picked = [tests[row] for row in rows]
-        shift = _session_gains(posterior, picked, kept)
-        runs = run_draws(
-            posterior.space,
-            values,
-            picked,
-            gains=sampling.gains,
-            seed=(sampling.seed, place, STREAM),
-            model=source.model,
-            run=run,
-            shift=shift,
-        )
-        share = pooled_shares(
-            runs.fell, runs.gain, runs.sigma, posterior.space.features(values), shift[0]
-        )
-        outliers = posterior.space.outliers(values)[:, np.newaxis]
-        share = (1.0 - outliers) * share + 0.5 * outliers
-        for key, column in predict_with((weights / weights.sum())[:, np.newaxis], share).items():
-            ends = key in ("p", "low", "high")
-            columns[key][rows] = source.recalibration.of(column) if ends else column
-    return HeldOut(**columns)
+        below = np.cumsum(posterior.weights)
+        wanted = (np.arange(DRAWS) + 0.5) / DRAWS * below[-1]
+        kept = np.minimum(np.searchsorted(below, wanted), len(below) - 1)
+        picked = [tests[row] for row in rows.tolist()]
+        bench = Bench(posterior.space, picked, source.model, run)
+        part = _count(bench, posterior, kept, (source.seed, number, STREAM))
+        carried = np.full(len(rows), min(posterior.effective_draws, DRAWS))
+        fill(held, rows, replace(part, effective=carried))
+    return held
 
 
-def _session_gains(
-    posterior: Posterior, tests: Sequence[ShakingTest], kept: Integers
-) -> tuple[Floats, Floats]:
-    """Return mean and deviation of ln(gain) of each test's session, shape (tests, draws).
+def _count(bench: Bench, posterior: Posterior, kept: Integers, seed: Sequence[int]) -> HeldOut:
+    """Return predictions by the share of runs that fall, at gains with all errors of their own.
 
-    Of a session that was not in the training they are 0 and the spread between sessions.
+    The band is that of a logistic curve of the block, fitted to these runs and moved to the share.
     """
-    between = posterior.space.between(posterior.values[kept])
-    unknown = np.column_stack([np.zeros(len(kept)), between])
-    pairs = np.array(
+    from scipy.special import ndtri
+
+    tests = bench.tests
+    uniform = np.array(
         [
-            unknown if known is None else known[kept]
-            for known in (posterior.sessions.get(test.session or "") for test in tests)
+            np.random.default_rng([*seed, int(digest_of(test)[:8], 16)]).random(GAINS * len(kept))
+            for test in tests  # so that a prediction does not depend on those beside it
         ]
     )
-    return pairs[..., 0], pairs[..., 1]
+    strata = np.tile(np.arange(GAINS), len(kept)) + np.maximum(uniform, 1e-9)
+    z = rounded(np.asarray(ndtri(strata / GAINS)), 20)
+    draws = np.repeat(kept, GAINS)
+    mean, deviation = _gains(posterior, tests, draws)
+    gain = rounded(mean + deviation * z, 20) - bench.shift[:, np.newaxis]
+    values = posterior.values[draws]
+    fell = np.vstack(
+        [
+            bench.fates(bench.motion[[place]], values, gain[place], seed[0])[0]
+            for place in range(len(tests))
+        ]
+    )
+    fall = fell.reshape(len(tests), len(kept), GAINS).mean(axis=2)
+    error = fall.std(axis=1) / np.sqrt(len(kept) - 1.0)
+    features = posterior.space.features(values)
+    middle, width = moments(features, np.full(len(features), 1.0 / len(features)))
+    design = quadratic(np.clip((features - middle) / width, -FAR, FAR))
+    at, _ = fit_logistics(
+        design,
+        fell,
+        np.ones(fell.shape),
+        precision=np.ones(design.shape[1]),
+        mean=np.zeros(design.shape[1]),
+    )
+    share = probability(rounded(design[::GAINS], DESIGN_BITS) @ at.T)
+    share = np.clip(share + fall.mean(axis=1) - rounded(share, 20).mean(axis=0), 0.0, 1.0)
+    outliers = posterior.errors["outliers"][kept, :1]
+    part = weighed(np.full(len(kept), 1.0 / len(kept)), (1.0 - outliers) * share + 0.5 * outliers)
+    p = ((1.0 - outliers) * fall.T + 0.5 * outliers).mean(axis=0)
+    return replace(part, p=p, error=error)
+
+
+def _gains(
+    posterior: Posterior, tests: Sequence[ShakingTest], draws: Integers
+) -> tuple[Floats, Floats]:
+    """Return mean and deviation of ln(gain) of each test and draw, shape (tests, draws).
+
+    The gain of a session that was in the training is known from it; that of another one has the
+    deviation between sessions, and that of a test without a session has none.
+    """
+    pairs = []
+    between = posterior.errors["session_ln"][draws, 0] if posterior.sessions else 0.0
+    for test in tests:
+        mean, apart = np.zeros(len(draws)), np.zeros(len(draws))
+        if test.session is not None and test.session in posterior.sessions:
+            mean, apart = posterior.sessions[test.session][draws].T
+        elif test.session is not None:
+            apart = apart + between
+        error = posterior.errors["sigma_ln"][draws, 0]
+        if test.sigma_ln is not None:
+            error = np.full(len(draws), test.sigma_ln)
+        pairs.append((mean, np.sqrt(error * error + apart * apart)))
+    means, deviations = zip(*pairs, strict=True)
+    return np.array(means), np.array(deviations)

@@ -1,34 +1,33 @@
 """Calibration: posteriors of objects, held-out scores, and predictions of other tests."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Model
 from rocksteady.results.answer import Answer, doubt, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.doubts import FEWEST_DRAWS
+from rocksteady.results.doubts import ANSWER_DRAWS
 from rocksteady.results.numbers import chance, interval, number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration._identified import LIMIT, MEANINGS
 from rocksteady.risk.calibration._predicting import Source, digest_of, listed, predict_all
-from rocksteady.risk.calibration.held_out.folds import Evidence
 from rocksteady.risk.calibration.held_out.learning import Trial
 from rocksteady.risk.calibration.held_out.predictions import Predictions
-from rocksteady.risk.calibration.held_out.recalibration import Platt
-from rocksteady.risk.calibration.held_out.rivals import measures_of
 from rocksteady.risk.calibration.held_out.scores import Scores
-from rocksteady.risk.calibration.held_out.validate import Validation, validate_trial
+from rocksteady.risk.calibration.held_out.validate import Validation, validate_trial, why_not
 from rocksteady.risk.calibration.posterior import Posterior
-from rocksteady.risk.calibration.sampling import DrawOptions
+from rocksteady.risk.calibration.sampler.rounds import Fit
 from rocksteady.risk.observations.observations import Observations
-from rocksteady.risk.observations.prior import NOISE, Prior
+from rocksteady.risk.observations.prior import Prior
 from rocksteady.risk.observations.shaking_test import ShakingTest
+from rocksteady.risk.observations.spread import PriorRange
 from rocksteady.sweep.run import Execution
 
 LONGEST_NAME = 20
@@ -37,65 +36,152 @@ Folds = Literal["group", "record", "test", "session"]
 MOST = 3
 """Rows of an answer."""
 FOLDS: tuple[Folds, ...] = ("group", "record", "test", "session")
+TOWARDS = {"lower": "towards lower values", "upper": "towards higher values"}
 
 
-@checked
+@dataclass(frozen=True, kw_only=True)
+class Conflict:
+    """A prior that the tests contradict.
+
+    Attributes
+    ----------
+    object, parameter
+        Names.
+    side
+        "lower" or "upper": the end of the prior that outcomes lie beyond.
+    prior
+        The prior that is contradicted.
+    widened
+        Whether it is a default, which has been widened; a prior that was given is kept.
+    """
+
+    object: str
+    parameter: str
+    side: str
+    prior: PriorRange
+    widened: bool
+
+    @property
+    def sentence(self) -> str:
+        """Prior, direction and what was done."""
+        kind, end = ("default", "was widened") if self.widened else ("given prior", "was kept")
+        ends = f"{number(self.prior.low)} to {number(self.prior.high)}"
+        return (
+            f"tests contradict the {kind} of {self.parameter} ({ends}) {TOWARDS[self.side]}; "
+            f"it {end}"
+        )
+
+
+@checked_result
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class Calibration(Result):
     """Posteriors, verdicts and held-out scores, from `rocksteady.calibrate`.
 
     Attributes
     ----------
-    tests, prior, sampling, model
-        Inputs of the calibration.
-    folds
-        Tests that are held out together.
-    temper
-        Exponent of the likelihood, 1 for none.
-    tempered_by_choice
-        Whether held-out tests have chosen it.
+    tests, prior, seed, most_runs, model
+        Inputs of the calibration; of the objects every number has its prior.
     posteriors
         Weighted draws by object; each object has its own.
     parameters
-        A row for each parameter and derived number of each object: `prior_low`, `prior_high`,
-        `median`, `low`, `high` (90 %), `sd_ratio` (standard deviation over the prior's),
-        `verdict`, and of alpha `outline`, `bound` and `bound_side`.
+        A row for each parameter, derived number and error of each object: `prior_low`,
+        `prior_high`, `median`, `low`, `high` (90 %), `sd_ratio` (standard deviation over the
+        prior's), `verdict`, and of alpha `outline`, `bound` and `bound_side`.
     validation
         Held-out scores, and predictions of each test without its group.
+    new_day
+        The same with the tests of a session held out together; None without sessions.
+    conflicts
+        Priors that the tests contradict.
     flips
         Number of fates of the median blocks that change, by how records are processed and solved.
-    warnings
-        Sentences on what limits the answer.
-    evidence
-        What the draws make of the tests, for other folds.
-    recalibrate
-        Whether held-out predictions are recalibrated; None where that helps.
+    fits
+        Draws with their surfaces, for other folds.
+    measures
+        Logarithms of intensity measures of each test, for the logistic, shape (tests, measures).
     """
 
     tests: Observations
     prior: Prior
-    sampling: DrawOptions
+    seed: int
+    most_runs: int
     model: Model
-    folds: Folds
-    temper: float
-    tempered_by_choice: bool
     posteriors: Mapping[str, Posterior]
     parameters: tuple[dict[str, Any], ...]
     validation: Validation
+    new_day: Validation | None
+    conflicts: tuple[Conflict, ...]
     flips: Mapping[str, int]
-    warnings: tuple[str, ...]
-    evidence: tuple[Evidence, ...]
-    recalibrate: bool | None = None
+    fits: tuple[Fit, ...]
+    measures: Floats
 
     @property
-    def temper_scores(self) -> Mapping[float, Scores]:
-        """Held-out scores by temper; empty without scores."""
-        return self.validation.temper_scores
+    def folds(self) -> str:
+        """What is held out together."""
+        return self.validation.folds
+
+    @property
+    def identified(self) -> bool:
+        """Whether outcomes say something, and all posteriors have the draws of an answer."""
+        silent = any(self._silent(fit) for fit in self.fits) or np.isnan(self.tests.fell).all()
+        return not silent and all(each.identified for each in self.posteriors.values())
+
+    @staticmethod
+    def _silent(fit: Fit) -> bool:
+        """Return whether in each test of an object all draws fall, or all stand."""
+        falls, runs = np.nansum(fit.bench.fell, axis=1), np.isfinite(fit.bench.fell).sum(axis=1)
+        return bool(((falls == 0) | (falls == runs)).all())
 
     @property
     def mc_error(self) -> float:
         """Largest Monte Carlo error of a held-out prediction."""
         return float(np.max(self.validation.predictions.mc_error))
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """Sentences on what limits the answer."""
+        sentences = [each.sentence for each in self.conflicts]
+        sentences += self.tests.warnings
+        settled = {(each.object, each.parameter) for each in self.conflicts if not each.widened}
+        for row in self.parameters:
+            name = str(row["object"])
+            if row["verdict"] == LIMIT and (name, row["parameter"]) not in settled:
+                sentences.append(
+                    f"{row['parameter']} of {name} lies at the limit of its prior: doubt the model"
+                )
+            if row["bound_side"] is not None:
+                outcome = "fell" if row["bound_side"] == "upper" else "stood"
+                sentences.append(
+                    f"all tests of {name} {outcome}: {row['bound']:.4g} rad is the "
+                    f"{row['bound_side']} bound of alpha at 90 %, and no estimate"
+                )
+        for fit in self.fits:
+            bench, name = fit.bench, fit.bench.space.block.name
+            if not self.posteriors[name].identified:
+                sentences.append(f"{name}: {self._missing(name)}")
+            if self._silent(fit):
+                sentences.append(
+                    f"no test of {name} is informative: in each of them all draws fall, or all "
+                    "stand"
+                )
+            if bench.unknown:
+                runs = int(np.isfinite(bench.fell).sum())
+                sentences.append(
+                    f"{bench.unknown:,} of {runs:,} runs of {name} have no answer, and count as "
+                    "standing"
+                )
+        sentences += self.validation.warnings
+        return tuple(dict.fromkeys(sentences))
+
+    @property
+    def more_runs_help(self) -> bool:
+        """Whether an answer is missing that more runs are likely to give."""
+        return any(
+            not self.posteriors[fit.bench.space.block.name].identified
+            and (len(fit.rounds) < 2 or fit.rounds[-1].temper >= 1.0
+                 or fit.rounds[-1].temper > 1.2 * fit.rounds[-2].temper)
+            for fit in self.fits
+        )  # fmt: skip
 
     def predict(
         self, tests: Observations | Sequence[ShakingTest], *, run: Execution | None = None
@@ -122,14 +208,15 @@ class Calibration(Result):
             If there is no test, or an object of one is not calibrated.
         """
         return predict_all(
-            listed(tests),
+            listed(tests, self.posteriors),
             {test.name: digest_of(test) for test in self.tests.tests},
             self.validation.predictions,
             Source(
                 posteriors=self.posteriors,
-                sampling=self.sampling,
+                curve=self.validation.curve,
+                stack=self.validation.stack,
+                seed=self.seed,
                 model=self.model,
-                recalibration=self.validation.recalibration,
             ),
             run,
         )
@@ -153,43 +240,31 @@ class Calibration(Result):
             raise ModelError(
                 "folds", Words(f"are by {folds}"), reason, "give tests of several groups"
             )
-        temper = None if self.tempered_by_choice else self.temper
-        trial = make_trial(self.tests, self.evidence, codes, temper, self.recalibrate)
-        return validate_trial(trial, self.tests.tests, names, folds=folds, seed=self.sampling.seed)
+        return validation_of(
+            self.tests, self.fits, self.measures, names, codes, folds=folds, seed=self.seed
+        )
 
     def describe(self) -> Description:
         """Return scores, parameters with their verdicts, and what limits them."""
-        validation = self.validation
-        counts = self.tests.describe().to_dict()["counts"]
-        rows = validation.rows
-        best = rows.get("calibrated")
-        scored = (
-            "no held-out scores"
-            if best is None
-            else f"held-out accuracy {chance(best.accuracy[0], best.tests)}, "
-            f"Brier score {number(best.brier[0])}"
-        )
+        rows = self.validation.rows
         effective = {name: each.effective_draws for name, each in self.posteriors.items()}
+        answer = self._answer()
         facts = [
-            Fact("seed", self.sampling.seed),
+            Fact("seed", self.seed),
             Fact("tests", len(self.tests), "tests"),
-            Fact("counts", counts),
+            Fact("counts", self.tests.describe().to_dict()["counts"]),
             Fact("folds", self.folds, "held out together"),
-            Fact("temper", self.temper, "temper of the likelihood"),
             Fact("model", self.model.name, "model"),
             Fact("tolerance", getattr(self.model, "tolerance", None)),
-            *(
-                Fact(key, None if name not in rows else rows[name].values())
-                for key, name in (
-                    ("scores", "calibrated"),
-                    ("untempered", "untempered"),
-                    ("base_rate", "base rate"),
-                    ("logistic", "logistic"),
-                )
+            Fact("scores", {name: each.values() for name, each in rows.items()}),
+            Fact(
+                "new_day",
+                None
+                if self.new_day is None
+                else {name: each.values() for name, each in self.new_day.rows.items()},
             ),
-            Fact("draws", self.sampling.draws, "draws"),
-            Fact("gains", self.sampling.gains),
-            Fact("error", self.sampling.error),
+            Fact("most_runs", self.most_runs),
+            Fact("runs", self.runs, "runs of a test", _words(self.runs)),
             Fact("effective_draws", effective, "effective draws", _words(effective)),
             Fact(
                 "pareto_k",
@@ -198,15 +273,21 @@ class Calibration(Result):
                 _words({name: each.pareto_k for name, each in self.posteriors.items()}),
             ),
             Fact(
-                "recalibration",
-                {"intercept": self._line.intercept, "slope": self._line.slope},
-                "recalibration of the log odds",
-                f"{number(self._line.intercept)} + {number(self._line.slope)} logit p",
+                "conflicts",
+                [
+                    {
+                        "object": each.object,
+                        "parameter": each.parameter,
+                        "side": each.side,
+                        "prior": str(each.prior),
+                        "widened": each.widened,
+                    }
+                    for each in self.conflicts
+                ],
             ),
-            Fact(
-                "sessions",
-                {name: list(each.sessions) for name, each in self.posteriors.items()},
-            ),
+            Fact("curve", asdict(self.validation.curve)),
+            Fact("stack", asdict(self.validation.stack)),
+            Fact("sessions", {name: list(each.sessions) for name, each in self.posteriors.items()}),
             Fact("mc_error", self.mc_error, "largest Monte Carlo error"),
             Fact("flips", dict(self.flips), "flips", _words(self.flips)),
             Fact(
@@ -216,86 +297,125 @@ class Calibration(Result):
                         name: {key: str(spread) for key, spread in each.space.block.spreads.items()}
                         for name, each in self.posteriors.items()
                     },
-                    "noise": {key: str(getattr(self.prior.noise, key)) for key in NOISE},
+                    "noise": {
+                        name: {key: str(spread) for key, spread in each.noise.items()}
+                        for name, each in self.posteriors.items()
+                    },
                 },
             ),
             Fact("trained", {test.name: digest_of(test) for test in self.tests.tests}),
             Fact("hashes", {**self.tests.sources, **self.prior.sources}),
             Fact("warnings", list(self.warnings)),
         ]
-        of_scores, *others = validation.describe().tables
+        of_scores, *others = self.validation.describe().tables
         tables = [
             self._table(),
             Table("score_rows", of_scores.rows, of_scores.columns, title=of_scores.title),
             *others,
+            *self._sessions(),
         ]
-        notes = [*self.warnings, *self._remarks()]
-        tables += self._sessions()
-        few = min(self.posteriors.values(), key=lambda each: each.effective_draws)
-        if not few.identified:
-            scored = (
-                f"no answer yet: it rests on {few.effective_draws:.0f} effective draws of "
-                f"{len(few.values):,} (at least {FEWEST_DRAWS:g} needed)"
-            )
         return Description(
             headline=f"calibration of {plural(len(self.posteriors), 'object')} by "
-            f"{plural(len(self.tests), 'test')}: {scored}",
+            f"{plural(len(self.tests), 'test')}: {answer.sentence[0].lower()}"
+            f"{answer.sentence[1:].removesuffix('.')}",
             facts=facts,
             tables=tables,
-            notes=notes,
-            answer=self._answer(few),
+            notes=[*self.warnings, *self._remarks()],
+            answer=answer,
         )
 
     @property
-    def _line(self) -> Platt:
-        return self.validation.recalibration
+    def runs(self) -> dict[str, int]:
+        """Runs of a test of each object."""
+        return {fit.bench.space.block.name: fit.bench.runs for fit in self.fits}
 
-    def _answer(self, few: Posterior) -> Answer:
-        """Return how well held-out tests are predicted, and what outcomes show of each parameter.
+    def _missing(self, name: str) -> str:
+        """Return what is missing of an answer."""
+        posterior, runs = self.posteriors[name], self.runs[name]
+        effective = posterior.effective_draws
+        draws = plural(round(effective), "effective draw")
+        missing = f"{draws} of the {ANSWER_DRAWS:g} that it takes"
+        if effective >= ANSWER_DRAWS:
+            missing = f"Pareto's k of its weights is {number(posterior.pareto_k, 2)}, above 0.7"
+        return f"{missing}, after {runs:,} runs of a test"
 
-        Parameters
-        ----------
-        few
-            The posterior of the fewest effective draws.
-        """
-        best, base = (self.validation.rows.get(name) for name in ("calibrated", "base rate"))
-        held = "no score: tests of several groups are needed"
-        sentence = f"No answer yet: {held}."
-        if best is not None and base is not None:
+    def _answer(self) -> Answer:
+        """Return how well held-out tests are predicted, and what outcomes show of parameters."""
+        rows = self.validation.rows
+        few = [name for name, each in self.posteriors.items() if not each.identified]
+        sentence = f"{self.validation.warnings[0]}." if not rows else ""
+        sentence = f"{sentence[:1].upper()}{sentence[1:]}"
+        if rows:
+            best = rows["predicted"]
             _, low, high = best.accuracy
             band = interval(None if np.isnan(low) else (low, high), 0.9)
-            share, rate = (chance(each.accuracy[0], each.tests) for each in (best, base))
+            share = chance(best.accuracy[0], best.tests)
             share += "" if " of " in share else " of"
-            held = f"{share} tests predicted; by the base rate {rate}"
-            sentence = f"{share} held-out tests are predicted{band}."
-        if not few.identified:
+            least = min(each.effective_draws for each in self.posteriors.values())
             sentence = (
-                f"No answer yet: it rests on {few.effective_draws:.0f} effective draws of "
-                f"{len(few.values):,} (at least {FEWEST_DRAWS:g} needed)."
+                f"{share} tests are predicted{band} on {self._unseen} not seen before, by "
+                f"{least:.0f} effective draws."
             )
-            held += ", provisional"
-        facts = [("held out", held)]
-        several, rows = len(self.posteriors) > 1, []
+        bounds = [row for row in self.parameters if row["bound_side"] is not None]
+        silent = [fit.bench.space.block.name for fit in self.fits if self._silent(fit)]
+        if silent:
+            sentence = (
+                f"No answer: in each test of {silent[0]} all draws fall, or all stand: check units "
+                "and gains."
+            )
+        elif few:
+            sentence = f"No answer: {self._missing(few[0])}."
+        elif bounds:
+            side = "at most" if bounds[0]["bound_side"] == "upper" else "at least"
+            outcome = "fell" if bounds[0]["bound_side"] == "upper" else "stood"
+            sentence = (
+                f"A bound and no fit: all tests of {bounds[0]['object']} {outcome}, so that alpha "
+                f"is {side} {number(bounds[0]['bound'])} rad (90 %)."
+            )
+        elif self.conflicts:
+            first = self.conflicts[0].sentence
+            sentence = f"{first[0].upper()}{first[1:]}. {sentence}"
+        several, lines = len(self.posteriors) > 1, []
         for row in self.parameters:
             name = str(row["parameter"])
             if name != "alpha_rad" and (several or name != "restitution"):
                 continue
             label = f"{row['object']}, alpha" if several else name.removesuffix("_rad")
-            words = (
-                f"not identified by so few draws; prior {_range(row, 'prior_low', 'prior_high')}"
-            )
+            words = f"no estimate yet; prior {_range(row, 'prior_low', 'prior_high')}"
             if row["median"] is not None:
                 words = f"{number(row['median'])} (90 %: {_range(row, 'low', 'high')}); "
                 words += str(row["verdict"])
-            rows.append((label, words))
-        limits = [str(row["parameter"]) for row in self.parameters if row["verdict"] == LIMIT]
-        if limits:
-            facts.append(
-                ("prior's limit", f"reached by {', '.join(dict.fromkeys(limits))}: doubt it")
-            )
-        facts[:0] = [*rows[:MOST], left_out(max(len(rows) - MOST, 0))]
-        facts.append(("doubt", doubt(self.warnings)))
-        return Answer(sentence, facts)
+            lines.append((label, words))
+        # The first facts are those that stay where a screen is short.
+        facts = [("held out", self._compared(rows))] if rows else []
+        facts += [*lines[: MOST if several else 1], left_out(max(len(lines) - MOST, 0))]
+        facts.append(("doubt", doubt(self.warnings[len(self.conflicts) :])))
+        if self.new_day is not None and self.new_day.rows:
+            day = self.new_day.rows["predicted"].accuracy[0]
+            facts.append(("new day", f"{chance(day)}; {self._compared(self.new_day.rows)}"))
+        if rows and not few and not bounds:
+            facts.append(("use", self._use()))
+        return Answer(sentence, facts if several else [*facts, *lines[1:]])
+
+    @property
+    def _unseen(self) -> str:
+        """What is held out together, in words."""
+        plain = all(test.group == test.record.name for test in self.tests.tests)
+        kind = "record" if self.folds == "group" and plain else self.folds
+        return f"{kind}s"
+
+    def _compared(self, rows: Mapping[str, Scores]) -> str:
+        """Return the Brier score of each way to predict."""
+        words = ", ".join(f"{name} {number(each.brier[0], 2)}" for name, each in rows.items())
+        return f"Brier score {words.removeprefix('predicted ')}"
+
+    def _use(self) -> str:
+        """Return which way to predict is better where it is clearly not the block's."""
+        value = {name: each.brier[0] for name, each in self.validation.rows.items()}
+        if not value["logistic"] < self.validation.rows["block"].brier[1]:
+            return ""
+        best = "the logistic" if value["logistic"] < value["predicted"] else "block and logistic"
+        return f"{best} to predict such tests; the block for what it says of the object"
 
     def _table(self) -> Table:
         before = (
@@ -337,11 +457,6 @@ class Calibration(Result):
         """Return what the verdicts and the temper mean."""
         used = dict.fromkeys(row["verdict"] for row in self.parameters)
         remarks = [f"{verdict}: {MEANINGS[verdict]}." for verdict in used]
-        if self.temper != 1.0:
-            remarks.append(
-                f"The likelihood is taken to the power {number(self.temper)}, which held-out tests "
-                "prefer; that is no Bayesian posterior, and the untempered scores stand beside."
-            )
         if len(self.posteriors) > 1:
             remarks.append("Each object has its own posterior and its own errors.")
         return remarks
@@ -378,39 +493,34 @@ def codes_of(tests: Sequence[ShakingTest], folds: Folds) -> tuple[list[str], Int
             "session": test.session,
         }[folds]
         names.append(str(name))
-    order = {name: place for place, name in enumerate(dict.fromkeys(names))}
+    order = {name: place for place, name in enumerate(sorted(set(names)))}
     return list(order), np.array([order[name] for name in names])
 
 
-def why_not(fell: Floats, codes: Integers, folds: str) -> str:
-    """Return why tests cannot be held out; an empty text where they can."""
-    known = np.isfinite(fell)
-    if not known.any():
-        return "no test has an outcome: there is nothing to score"
-    if len(np.unique(codes[known])) < 2:
-        return f"all tests with an outcome are of one {folds}: none is left to predict it from"
-    return ""
-
-
-def make_trial(
+def validation_of(
     tests: Observations,
-    evidence: Sequence[Evidence],
+    fits: Sequence[Fit],
+    measures: Floats,
+    names: Sequence[str],
     codes: Integers,
-    temper: float | None,
-    recalibrate: bool | None,
-) -> Trial:
-    """Return all that scores need."""
-    names = list(tests.objects)
-    return Trial(
-        evidence=[each.by_groups(codes) for each in evidence],
-        marginal=evidence,
+    *,
+    folds: str,
+    seed: int,
+    learning: bool = True,
+) -> Validation:
+    """Return held-out scores; `names` are those of the groups, and `codes` their numbers."""
+    objects = list(tests.objects)
+    of_object = np.array([objects.index(test.object) for test in tests.tests])
+    trial = Trial(
+        fits=fits,
+        tests=[np.flatnonzero(of_object == number) for number in range(len(objects))],
         codes=codes,
-        objects=np.array([names.index(test.object) for test in tests.tests]),
+        objects=of_object,
         fell=tests.fell,
-        measures=measures_of(tests.tests, tests.objects),
-        temper=temper,
-        recalibrate=recalibrate,
+        measures=measures,
+        seed=seed,
     )
+    return validate_trial(trial, tests.tests, names, folds=folds, learning=learning)
 
 
 def _words(values: Mapping[str, float]) -> str:

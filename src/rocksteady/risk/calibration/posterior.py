@@ -11,12 +11,14 @@ from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.doubts import FEWEST_DRAWS, NOT_IDENTIFIED, TOO_FEW
-from rocksteady.results.numbers import number
+from rocksteady.results.doubts import ANSWER_DRAWS, NOT_IDENTIFIED, TOO_FEW
+from rocksteady.results.numbers import number, number_or_none
 from rocksteady.results.result import Result
-from rocksteady.risk.calibration._importance import smoothed
-from rocksteady.risk.calibration._space import Space
-from rocksteady.risk.calibration.held_out.folds import effective, weighted_quantiles
+from rocksteady.risk.calibration.held_out.leaving_out import weighted_quantiles
+from rocksteady.risk.calibration.sampler.exact import effective
+from rocksteady.risk.calibration.sampler.mixture import MOST_K, pareto_k
+from rocksteady.risk.calibration.sampler.space import Space
+from rocksteady.risk.observations.spread import PriorRange
 
 ENDS = (0.5, 0.05, 0.95)
 NORMAL_95 = 1.6448536269514722
@@ -38,11 +40,13 @@ class Posterior(Result):
         Its parameters and their prior.
     values
         Shape (draws, parameters), in the order of `names`.
-    weights, untempered_weights, prior_weights
-        Weights of the draws, each summing to 1, shape (draws,): with the likelihood to the power of
-        the temper, with the likelihood itself, and without it.
-    fates
-        Share of the runs of each draw and test that fell, shape (draws, tests of the object).
+    weights, prior_weights
+        Weights of the draws, with the likelihood and without it, each summing to 1, shape (draws,).
+    errors
+        Mean and deviation of `sigma_ln`, `outliers` and `session_ln` at each draw, by name, shape
+        (draws, 2).
+    noise
+        Priors of these errors, by name.
     sessions
         By session mean and deviation of ln(gain) at each draw, shape (draws, 2); none without
         sessions.
@@ -52,9 +56,9 @@ class Posterior(Result):
     space: Space
     values: Floats
     weights: Floats
-    untempered_weights: Floats
     prior_weights: Floats
-    fates: Floats
+    errors: Mapping[str, Floats]
+    noise: Mapping[str, PriorRange]
     sessions: Mapping[str, Floats] = field(default_factory=dict)
 
     @property
@@ -67,20 +71,15 @@ class Posterior(Result):
         """How many draws of equal weight are worth as much, 1/sum(w^2)."""
         return float(effective(self.weights))
 
-    @property
-    def identified(self) -> bool:
-        """Whether there are enough effective draws for an estimate, 50 or more."""
-        return self.effective_draws >= FEWEST_DRAWS
-
-    @cached_property
-    def untempered_effective_draws(self) -> float:
-        """The same of the untempered weights."""
-        return float(effective(self.untempered_weights))
-
     @cached_property
     def pareto_k(self) -> float:
-        """Shape of the Pareto law of the largest untempered weights; above 0.7 doubt them."""
-        return smoothed(self.untempered_weights)[1]
+        """Shape of the Pareto law of the largest weights; above 0.7 doubt them."""
+        return pareto_k(self.weights)
+
+    @property
+    def identified(self) -> bool:
+        """Whether 200 effective draws or more, with k below 0.7, allow for an estimate."""
+        return self.effective_draws >= ANSWER_DRAWS and not self.pareto_k >= MOST_K
 
     def session_gain(self, name: str) -> tuple[float, float, float]:
         """Return median, 5 % and 95 % of the gain of a session, as a factor.
@@ -93,12 +92,15 @@ class Posterior(Result):
         if name not in self.sessions:
             known = ", ".join(self.sessions) or "none"
             raise InputError("name", name, f"sessions are {known}", "give one of them")
-        pair = self.sessions[name]
-        mean = float(self.weights @ pair[:, 0])
-        deviation = float(np.sqrt(self.weights @ (np.square(pair).sum(axis=1)) - mean * mean))
-        ends = (mean, mean - NORMAL_95 * deviation, mean + NORMAL_95 * deviation)
-        median, low, high = (math.exp(each) for each in ends)
+        median, low, high = (math.exp(each) for each in self._normal(self.sessions[name]))
         return median, low, high
+
+    def _normal(self, pair: Floats) -> tuple[float, float, float]:
+        """Return mean, 5 % and 95 % of what has a mean and a deviation at each draw."""
+        mean = float((self.weights * pair[:, 0]).sum())
+        square = float((self.weights * np.square(pair).sum(axis=1)).sum()) - mean * mean
+        far = NORMAL_95 * math.sqrt(max(square, 0.0))
+        return mean, mean - far, mean + far
 
     @cached_property
     def columns(self) -> dict[str, Floats]:
@@ -119,33 +121,43 @@ class Posterior(Result):
             raise InputError("name", name, f"there are {', '.join(columns)}", "give one of them")
         return columns[name]
 
-    def interval(self, name: str, *, untempered: bool = False) -> tuple[float, float, float]:
+    def interval(self, name: str) -> tuple[float, float, float]:
         """Return the median, the 5 % and the 95 % quantile of a number by its name.
 
-        NaN below 50 effective draws: the number is not identified by so few.
+        Of an error mean and ends of a normal law, inside its prior.  NaN of too few draws.
 
         Raises
         ------
         InputError
-            If there is none of that name, or `untempered` is not True or False.
+            If there is none of that name.
         """
-        weights = self.untempered_weights if untempered else self.weights
-        column = self.of(name)[:, np.newaxis]
-        if effective(weights) < FEWEST_DRAWS:
-            return math.nan, math.nan, math.nan
-        median, low, high = weighted_quantiles(column, weights[:, np.newaxis], ENDS)[:, 0]
-        return float(median), float(low), float(high)
+        if name in self.errors:
+            low, high = self.noise[name].low, self.noise[name].high
+            ends = [min(max(each, low), high) for each in self._normal(self.errors[name])]
+        else:
+            column = self.of(name)[:, np.newaxis]
+            ends = weighted_quantiles(column, self.weights, ENDS)[:, 0].tolist()
+        median, below, above = ends if self.identified else (math.nan,) * 3
+        return median, below, above
+
+    def deviation(self, name: str) -> float:
+        """Return the standard deviation of a number by its name."""
+        if name in self.errors:
+            mean, _, high = self._normal(self.errors[name])
+            return (high - mean) / NORMAL_95
+        values = self.of(name)
+        mean = float((self.weights * values).sum())
+        return math.sqrt(float((self.weights * np.square(values - mean)).sum()))
 
     def median_values(self) -> Floats:
         """Return the weighted median of each parameter, shape (parameters,)."""
-        wide = np.broadcast_to(self.weights[:, np.newaxis], self.values.shape)
-        medians: Floats = weighted_quantiles(self.values, wide, (0.5,))[0]
+        medians: Floats = weighted_quantiles(self.values, self.weights, (0.5,))[0]
         return medians
 
     def describe(self) -> Description:
         """Return the median and the 90 % interval of each number."""
         rows = []
-        for name in self.columns:
+        for name in (*self.columns, *self.errors):
             ends = (None if math.isnan(each) else each for each in self.interval(name))
             rows.append(
                 dict(zip(("parameter", "median", "low", "high"), (name, *ends), strict=True))
@@ -163,11 +175,7 @@ class Posterior(Result):
             facts=[
                 Fact("object", self.object, "object"),
                 Fact("effective_draws", self.effective_draws, "effective draws"),
-                Fact(
-                    "untempered_effective_draws",
-                    self.untempered_effective_draws,
-                    "effective draws without tempering",
-                ),
+                Fact("pareto_k", number_or_none(self.pareto_k), "Pareto k of the weights"),
             ],
             tables=[Table("parameters", rows, columns)],
         )

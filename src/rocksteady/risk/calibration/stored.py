@@ -5,7 +5,7 @@ import hashlib
 import io
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -20,53 +20,52 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration._predicting import Source, listed, predict_all
-from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.predictions import OUTCOMES, Predictions
-from rocksteady.risk.calibration.held_out.recalibration import PLAIN, Platt
+from rocksteady.risk.calibration.held_out.rivals import LogisticCurve, Stack
 from rocksteady.risk.calibration.posterior import Posterior
-from rocksteady.risk.calibration.sampling import DrawOptions
+from rocksteady.risk.calibration.sampler.space import Space
 from rocksteady.risk.observations.files.small_files import content_of, text_of
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.observations import Observations
-from rocksteady.risk.observations.prior import OutcomeErrors
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.risk.observations.spread import PriorRange
 from rocksteady.sweep.run import Execution
 
-FORM = "rocksteady/calibrate/1"
+FORM = "rocksteady/calibrate/2"
 """Form of fit.json: a later one has another number."""
 TABLES = ("posterior.csv", "predictions.csv")
 FILES = ("fit.json", *TABLES)
-WEIGHTS = ("weight", "untempered_weight", "prior_weight")
+WEIGHTS = ("weight", "prior_weight")
+MODELS = {"linear": Linear, "nonlinear": Nonlinear}
+LENGTHS = ("middle", "width", "slopes")
 HINT = "name the folder that calibrate --out has written"
 
 
 def posterior_rows(calibration: Calibration) -> tuple[list[str], list[list[object]]]:
     """Return header and rows of posterior.csv: a row for each draw of each object."""
     posteriors = list(calibration.posteriors.values())
+    pairs = [_pairs(each) for each in posteriors]
     names = list(dict.fromkeys(name for each in posteriors for name in each.names))
-    sessions = dict.fromkeys(session for each in posteriors for session in each.sessions)
-    names += [label for session in sessions for label in _labels(session)]
+    names += dict.fromkeys(label for each in pairs for label in each)
     rows: list[list[object]] = []
-    for name, each in calibration.posteriors.items():
-        columns = {key: each.values[:, place].tolist() for place, key in enumerate(each.names)}
-        columns |= {
-            label: each.sessions[session][:, place].tolist()
-            for session in each.sessions
-            for place, label in enumerate(_labels(session))
-        }
-        weights = (each.weights, each.untempered_weights, each.prior_weights)
-        lists = [column.tolist() for column in weights]
-        for draw in range(len(each.values)):
-            cells = [columns[key][draw] if key in columns else "" for key in names]
-            rows.append([name, draw, *cells, *(column[draw] for column in lists)])
+    for each, columns in zip(posteriors, pairs, strict=True):
+        columns |= {key: each.values[:, place] for place, key in enumerate(each.names)}
+        lists = {key: column.tolist() for key, column in columns.items()}
+        weights = zip(each.weights.tolist(), each.prior_weights.tolist(), strict=True)
+        for draw, pair in enumerate(weights):
+            cells = [lists[key][draw] if key in lists else "" for key in names]
+            rows.append([each.object, draw, *cells, *pair])
     return ["object", "draw", *names, *WEIGHTS], rows
 
 
-def _labels(session: str) -> tuple[str, str]:
-    """Return the columns of mean and deviation of a session's ln(gain)."""
-    return f"ln gain of session {session}", f"its deviation, session {session}"
+def _pairs(posterior: Posterior) -> dict[str, Floats]:
+    """Return mean and deviation of errors and of sessions' ln(gain) by their columns."""
+    columns: dict[str, Floats] = {}
+    sessions = {f"ln gain of session {key}": pair for key, pair in posterior.sessions.items()}
+    for key, pair in (dict(posterior.errors) | sessions).items():
+        columns |= {key: pair[:, 0], f"deviation of {key}": pair[:, 1]}
+    return columns
 
 
 @checked_result
@@ -82,18 +81,19 @@ class StoredPosterior(Result):
         Predictions of the training tests, each without its group.
     trained
         Hash (SHA-256) of each training test, by its name.
-    sampling, model
-        Sampling and model of the calibration.
-    recalibration
-        Line over the log odds of predictions of other tests.
+    seed, model
+        Seed and model of the calibration.
+    curve, stack
+        The logistic on intensity measures, and how block and logistic predict together.
     """
 
     posteriors: Mapping[str, Posterior]
     predictions: Predictions
     trained: Mapping[str, str]
-    sampling: DrawOptions
+    seed: int
     model: Model
-    recalibration: Platt = PLAIN
+    curve: LogisticCurve
+    stack: Stack
 
     def predict(
         self, tests: Observations | Sequence[ShakingTest], *, run: Execution | None = None
@@ -101,11 +101,14 @@ class StoredPosterior(Result):
         """Predict tests as the calibration itself does; see `Calibration.predict`."""
         source = Source(
             posteriors=self.posteriors,
-            sampling=self.sampling,
+            curve=self.curve,
+            stack=self.stack,
+            seed=self.seed,
             model=self.model,
-            recalibration=self.recalibration,
         )
-        return predict_all(listed(tests), self.trained, self.predictions, source, run)
+        return predict_all(
+            listed(tests, self.posteriors), self.trained, self.predictions, source, run
+        )
 
     def describe(self) -> Description:
         """Return objects and draws."""
@@ -117,7 +120,7 @@ class StoredPosterior(Result):
                 Fact("objects", list(draws), "objects"),
                 Fact("draws", draws),
                 Fact("tests", len(self.trained), "tests"),
-                Fact("seed", self.sampling.seed, "seed"),
+                Fact("seed", self.seed, "seed"),
             ],
         )
 
@@ -145,14 +148,12 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
     --------
     >>> from tempfile import TemporaryDirectory
     >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests, read_posterior
+    >>> from rocksteady.calibration import make_synthetic_tests, read_posterior
     >>> from rocksteady.export import write_calibration
     >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.3, height=1.2)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(2))
-    >>> calibration = calibrate(
-    ...     tests, sampling=DrawOptions(draws=30, rounds=1, gains=1), model=Linear()
-    ... )
+    >>> calibration = calibrate(tests, most_runs=200, model=Linear())
     >>> with TemporaryDirectory() as folder:
     ...     files = write_calibration(calibration, folder)
     ...     stored = read_posterior(folder)
@@ -167,39 +168,43 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
     try:
         fit = json.loads(texts["fit.json"])
         if (form := fit["schema"]) != FORM:
-            raise ValueError(f"its form is {form}, and this version of rocksteady reads {FORM}")
-        sampling = DrawOptions(
-            draws=fit["draws"], gains=fit["gains"], error=fit["error"], seed=fit["seed"]
-        )
+            raise ValueError(f"its form is {form}, and {FORM} is read: calibrate again")
+        _refuse_changed(contents, fit)
         model: Model = (
-            Linear() if fit["model"] == "linear" else Nonlinear(tolerance=fit["tolerance"])
+            MODELS[fit["model"]]()
+            if fit["model"] != "nonlinear"
+            else Nonlinear(tolerance=fit["tolerance"])
         )
-        noise = OutcomeErrors(
-            **{key: PriorRange.parse(text) for key, text in fit["inputs"]["noise"].items()}
-        )
-        spaces = {
-            name: Space(
-                block=ObjectPrior(name=name, **spreads),
-                noise=noise,
-                sessions=bool(fit["sessions"][name]),
-            )
-            for name, spreads in fit["inputs"]["objects"].items()
-        }
-        _refuse_changed(contents, fit["files"])
         rows = _rows(texts["posterior.csv"])
         predictions = _predictions(texts["predictions.csv"])
         if list(predictions.test) != list(fit["trained"]):
             raise ValueError("predictions.csv has other tests than fit.json")
+        stack = Stack(**fit["stack"])
+        parts = [*asdict(stack).values(), *map(np.ravel, fit["curve"].values())]
+        sizes = {len(fit["curve"][key]) for key in LENGTHS}
+        if not np.isfinite(np.hstack(parts)).all() or len(sizes) > 1:
+            raise ValueError("its logistic has another length, or a number that is none")
+        if not (stack.block > 0.0 and stack.logistic >= 0.0):
+            raise ValueError(
+                f"its slopes of block and logistic are {stack.block}, {stack.logistic}"
+            )
+        curve: dict[str, Any] = {
+            key: tuple(each) if isinstance(each, list) else each
+            for key, each in fit["curve"].items()
+        }
         return StoredPosterior(
             posteriors={
-                name: _posterior(name, space, rows, fit["sessions"][name])
-                for name, space in spaces.items()
+                name: _posterior(
+                    name, spreads, fit["inputs"]["noise"][name], rows, fit["sessions"][name]
+                )
+                for name, spreads in fit["inputs"]["objects"].items()
             },
             predictions=predictions,
             trained=dict(fit["trained"]),
-            sampling=sampling,
+            seed=fit["seed"],
             model=model,
-            recalibration=Platt(**fit["recalibration"]),
+            curve=LogisticCurve(**curve),
+            stack=stack,
         )
     except KeyError as error:
         why = f"{error} is missing"
@@ -208,42 +213,61 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
     raise InputError("folder", folder, f"its files are not those of a calibration: {why}", HINT)
 
 
-def _refuse_changed(contents: Mapping[str, bytes], hashes: Mapping[str, str]) -> None:
-    """Refuse tables that are not those which were written beside fit.json.
+def fit_hash(fit: Mapping[str, Any]) -> str:
+    """Return the hash (SHA-256) of what fit.json states, its own hash left out."""
+    rest = {key: value for key, value in fit.items() if key != "sha256"}
+    text = json.dumps(rest, sort_keys=True, ensure_ascii=True)
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _refuse_changed(contents: Mapping[str, bytes], fit: Mapping[str, Any]) -> None:
+    """Refuse files that are not those which were written together.
 
     A table cut at the end of a line, or of another calibration, would be read without a fault.
     """
+    if fit_hash(fit) != fit["sha256"]:
+        message = "fit.json has been altered since it was written"
+        raise ValueError(message)
     for name in TABLES:
-        if hashlib.sha256(contents[name]).hexdigest() != hashes[name]:
+        if hashlib.sha256(contents[name]).hexdigest() != fit["files"][name]:
             message = f"{name} is not the file that was written with fit.json"
             raise ValueError(message)
 
 
 def _posterior(
-    name: str, space: Space, rows: Sequence[Mapping[str, Any]], sessions: Sequence[str]
+    name: str,
+    spreads: Mapping[str, str],
+    noise: Mapping[str, str],
+    rows: Sequence[Mapping[str, Any]],
+    sessions: Sequence[str],
 ) -> Posterior:
     """Return the posterior of an object."""
+    space = Space(block=ObjectPrior(name=name, **spreads))
     rows_of_object = [row for row in rows if row["object"] == name]
-    labels = [label for session in sessions for label in _labels(session)]
-    keys = (*space.names, *WEIGHTS, *labels)
+    labels = {key: key for key in noise} | {
+        session: f"ln gain of session {session}" for session in sessions
+    }
+    pairs = [part for label in labels.values() for part in (label, f"deviation of {label}")]
+    keys = (*space.names, *WEIGHTS, *pairs)
     table = np.array([[float(row[key]) for key in keys] for row in rows_of_object]).reshape(
         len(rows_of_object), len(keys)
     )
     if not rows_of_object or not np.isfinite(table).all():
         raise ValueError(f"posterior.csv has no draws of {name}, or one is no number")
-    size = space.size
+    columns = dict(zip(keys, table.T, strict=True))
+    moments = {
+        key: np.stack([columns[label], columns[f"deviation of {label}"]], axis=1)
+        for key, label in labels.items()
+    }
     return Posterior(
         object=name,
         space=space,
-        values=np.ascontiguousarray(table[:, :size]),
-        weights=table[:, size].copy(),
-        untempered_weights=table[:, size + 1].copy(),
-        prior_weights=table[:, size + 2].copy(),
-        fates=np.empty((len(rows_of_object), 0)),
-        sessions={
-            session: table[:, size + 3 + 2 * place : size + 5 + 2 * place].copy()
-            for place, session in enumerate(sessions)
-        },
+        values=np.ascontiguousarray(table[:, : space.size]),
+        weights=columns["weight"].copy(),
+        prior_weights=columns["prior_weight"].copy(),
+        errors={key: moments[key] for key in noise},
+        noise={key: PriorRange.parse(text) for key, text in noise.items()},
+        sessions={session: moments[session] for session in sessions},
     )
 
 
@@ -268,6 +292,8 @@ def _predictions(text: str) -> Predictions:
         p=numbers("p"),
         low=numbers("low"),
         high=numbers("high"),
+        block=numbers("block"),
+        logistic=numbers("logistic"),
         mc_error=numbers("mc_error"),
         effective_draws=numbers("effective_draws"),
         held_out=(True,) * len(rows),

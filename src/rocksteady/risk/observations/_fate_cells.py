@@ -29,22 +29,21 @@ class Shaken:
     ----------
     grounds
         All shakings.
-    ground, body
-        Number of the shaking and of the object of each test, shape (tests,).
+    ground
+        Number of the shaking of each test, shape (tests,).
     factors
         On the accelerations, shape (tests, blocks, gains) or (tests, 1, gains).
     sides
-        Sides of the blocks of each object, as from `seismic.spectra.batch.sides_in_si`, shape
-        (objects, blocks, 2, 3) or (objects, blocks, 2, 5).
+        Sides of the blocks, as from `seismic.spectra.batch.sides_in_si`, shape (blocks, 2, 3) or
+        (blocks, 2, 5).
     gravity
-        Acceleration of gravity [m/s^2], shape (objects, blocks).
+        Acceleration of gravity [m/s^2], shape (blocks,).
     deviation
-        Standard deviation of the restitution from impact to impact, shape (objects, blocks).
+        Standard deviation of the restitution from impact to impact, shape (blocks,).
     """
 
     grounds: tuple[GroundShaking, ...]
     ground: Integers
-    body: Integers
     factors: Floats
     sides: Floats
     gravity: Floats
@@ -82,8 +81,7 @@ def fates_of_cells(
         Whether peaks are wanted; without them they are nan.
     """
     place, number, level = (values.astype(np.int64) for values in (test, block, gain))
-    body = shaken.body[place]
-    sides, deviation = shaken.sides[body, number], shaken.deviation[body, number]
+    sides, deviation = shaken.sides[number], shaken.deviation[number]
     if (deviation > 0.0).any():
         counted = number << DRAW_BITS | draw.astype(np.int64)
         keys = np.empty(len(place), dtype=np.int64)
@@ -97,7 +95,7 @@ def fates_of_cells(
         ground=shaken.ground[place],
         scale=shaken.factors[place, number if several else 0, level],
         sides=sides,
-        gravity=shaken.gravity[body, number],
+        gravity=shaken.gravity[number],
         peaks=peaks,
     )
     return fared._asdict()

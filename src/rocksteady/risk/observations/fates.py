@@ -2,7 +2,7 @@
 
 import functools
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Final
 
@@ -38,13 +38,6 @@ KEPT: Final = ("status", "peak_angle", "impacts")
 """Outputs of a cell."""
 
 
-def _by_object(_: str, value: object) -> "Floats | dict[str, Floats]":
-    """Return deviations as read-only arrays, of all objects or of each."""
-    if isinstance(value, Mapping):
-        return {name: _deviations(each) for name, each in value.items()}
-    return _deviations(value)
-
-
 @checked
 @dataclass(frozen=True, eq=False)
 class Scatter:
@@ -54,7 +47,7 @@ class Scatter:
     ----------
     deviation
         Standard deviation of the restitution about its mean, from 0 to 0.5: a number, or one for
-        each block, shape (blocks,), or either by the name of the object.
+        each block, shape (blocks,).
     draws
         Runs of each block with other random numbers; default 1.
     seed
@@ -72,14 +65,14 @@ class Scatter:
     8
     """
 
-    deviation: Annotated[float | ArrayLike | Mapping[str, ArrayLike], _by_object]
+    deviation: Annotated[float | ArrayLike, lambda _, value: _deviations(value)]
     draws: Annotated[int, Whole(1, MOST_DRAWS, "give the number of runs of each block, as 8")] = 1
     seed: Annotated[int, Whole(0, LARGEST_SEED, "give a whole number, as 7")] = 0
 
 
 @checked
 def compute_test_fates(
-    blocks: Block | Sequence[Block] | Mapping[str, Sequence[Block]],
+    blocks: Block | Sequence[Block],
     tests: Observations | Sequence[ShakingTest],
     *,
     gains: ArrayLike | None = None,
@@ -100,8 +93,7 @@ def compute_test_fates(
     Parameters
     ----------
     blocks
-        A block or several for all tests; or, by the name of each object, its own blocks, as many
-        for each object.
+        A block or several, for all tests.
     tests
         `Observations`, or one test or more, each of another name; their outcomes are not read.
     gains
@@ -128,8 +120,8 @@ def compute_test_fates(
     Raises
     ------
     InputError, ModelError
-        If an argument is outside its range, has another shape, or leaves an object without blocks;
-        or the linear model meets vertical motion.
+        If an argument is outside its range or has another shape, or the linear model meets vertical
+        motion.
 
     Examples
     --------
@@ -146,12 +138,9 @@ def compute_test_fates(
     """
     shaking = _tests(tests)
     names = [test.name for test in shaking]
-    bodies = _bodies(blocks, shaking)
-    objects = list(bodies)
-    body = [objects.index(test.object) if len(objects) > 1 else 0 for test in shaking]
-    count = len(bodies[objects[0]])
+    every = blocks_of(blocks)
+    count = len(every)
     factors = _factors(1.0 if gains is None else gains, shaking, count)
-    every = [block for several in bodies.values() for block in several]
     equations = chosen_model(model, every[0])
     if isinstance(equations, Linear):
         _refuse_vertical(shaking)
@@ -160,15 +149,13 @@ def compute_test_fates(
     np.maximum.at(strongest, ground, factors.max(axis=(1, 2)))
     check_grounds(grounds, strongest.tolist(), extremes_of(every), equations)
     scattering = Scatter(0.0) if scatter is None else scatter
-    shape = (len(objects), count)
     shaken = Shaken(
         grounds=tuple(grounds),
         ground=ground,
-        body=np.array(body, dtype=np.int64),
         factors=factors,
-        sides=np.stack([sides_in_si(b, equations) for b in every]).reshape(*shape, 2, -1),
-        gravity=np.array([block.gravity for block in every]).reshape(shape),
-        deviation=_deviation(scattering, objects, count),
+        sides=np.stack([sides_in_si(block, equations) for block in every]).reshape(count, 2, -1),
+        gravity=np.array([block.gravity for block in every]),
+        deviation=_deviation(scattering, count),
     )
     kept = _outputs(outputs)
     sizes = {
@@ -223,35 +210,6 @@ def _tests(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
     if doubled:
         raise InputError("tests", doubled[0], "two tests have this name", "give each another name")
     return given
-
-
-def _bodies(
-    blocks: Block | Sequence[Block] | Mapping[str, Sequence[Block]], tests: Sequence[ShakingTest]
-) -> dict[str, list[Block]]:
-    """Return the blocks of each object that is shaken; of all objects under one empty name."""
-    if not isinstance(blocks, Mapping):
-        return {"": blocks_of(blocks)}
-    bodies: dict[str, list[Block]] = {}
-    for test in tests:
-        if test.object not in blocks:
-            raise InputError(
-                "blocks",
-                Words(f"has no {test.object!r}, which test {test.name!r} shakes"),
-                "each object of a test has blocks",
-                "add its blocks, or leave the test out",
-            )
-        if test.object not in bodies:
-            bodies[test.object] = blocks_of(blocks[test.object])
-    first = next(iter(bodies))
-    for name, several in bodies.items():
-        if len(several) != len(bodies[first]):
-            raise InputError(
-                "blocks",
-                Words(f"has {len(bodies[first])} of {first!r} and {len(several)} of {name!r}"),
-                "each object has as many blocks",
-                "give as many for each",
-            )
-    return bodies
 
 
 def _factors(gains: ArrayLike, tests: Sequence[ShakingTest], blocks: int) -> Floats:
@@ -325,28 +283,17 @@ def _deviations(value: object) -> Floats:
     return deviations
 
 
-def _deviation(scatter: Scatter, objects: Sequence[str], blocks: int) -> Floats:
-    """Return the deviation of each block, shape (objects, blocks)."""
-    given = scatter.deviation
-    deviations = np.empty((len(objects), blocks))
-    for place, name in enumerate(objects):
-        if isinstance(given, Mapping) and name not in given:
-            raise InputError(
-                "deviation",
-                Words(f"has no {name!r}" if name else "has names, and blocks have none"),
-                "deviations by name go with blocks by name, one for each object",
-                "give blocks={name: [...]} and deviation={name: ...}",
-            )
-        values = np.asarray(given[name] if isinstance(given, Mapping) else given)
-        if values.shape not in ((), (blocks,)):
-            raise InputError(
-                "deviation",
-                Words(f"has the shape {values.shape}"),
-                f"it is a number or one for each of the {blocks} blocks",
-                f"give 0.05, or an array of shape ({blocks},)",
-            )
-        deviations[place] = values
-    return deviations
+def _deviation(scatter: Scatter, blocks: int) -> Floats:
+    """Return the deviation of each block, shape (blocks,)."""
+    values = np.asarray(scatter.deviation)
+    if values.shape not in ((), (blocks,)):
+        raise InputError(
+            "deviation",
+            Words(f"has the shape {values.shape}"),
+            f"it is a number or one for each of the {blocks} blocks",
+            f"give 0.05, or an array of shape ({blocks},)",
+        )
+    return np.broadcast_to(values, (blocks,))
 
 
 def _outputs(outputs: Sequence[str]) -> list[str]:

@@ -115,7 +115,7 @@ class Observations(Result):
     @cached_property
     def warnings(self) -> tuple[str, ...]:
         """Sentences on what is unusual in the tests and in how they were read."""
-        return tuple(dict.fromkeys((*self.remarks, *doubts_on(self.tests, self.objects))))
+        return tuple(dict.fromkeys((*doubts_on(self.tests, self.objects), *self.remarks)))
 
     def subset(self, indices: ArrayLike) -> "Observations":
         """Return some of the tests, with their objects.
@@ -207,11 +207,7 @@ class Observations(Result):
         )
 
     def _defaults_used(self) -> list[str]:
-        """Return a sentence on each number that is not given of some objects."""
-        names = []
-        for key, spread in DEFAULTS.items():
-            silent = [name for name, prior in self.objects.items() if key in prior.defaults]
-            if silent:
-                of = silent[0] if len(silent) == 1 else f"{len(silent)} objects"
-                names.append(f"{key} of {of} is not given: default {spread}, or that of the prior.")
-        return names
+        """Return a sentence on the numbers that are not given of some objects."""
+        silent = [key for key in DEFAULTS if any(key in p.defaults for p in self.objects.values())]
+        words = "not given, so that calibrate takes priors as wide as geometry allows"
+        return [f"{', '.join(silent)}: {words}."] if silent else []

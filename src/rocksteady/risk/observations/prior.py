@@ -21,13 +21,11 @@ GENERAL: Final = ("base", "offset", "restitution", "housner_factor", "scatter")
 
 SIGMA_LN: Final = PriorRange.between(0.05, 0.2)
 SESSION_LN: Final = PriorRange.between(0.0, 0.4)
-SESSION_RESTITUTION: Final = PriorRange.exactly(0.02)
 OUTLIERS: Final = PriorRange.between(0.01, 0.05)
 
 NOISE: Final[Mapping[str, tuple[float, str]]] = {
     "sigma_ln": (LARGEST_SIGMA, "give the standard deviation of ln(gain), as 0.1"),
     "session_ln": (LARGEST_SIGMA, "give the standard deviation of ln(gain) of sessions, as 0.15"),
-    "session_restitution": (0.2, "give a standard deviation of the restitution, as 0.02"),
     "outliers": (0.5, "give the share of tests whose outcome has nothing to do with the model"),
 }
 
@@ -47,9 +45,6 @@ class OutcomeErrors:
         to 0.05.
     session_ln
         Standard deviation of ln(gain) between sessions, from 0 to 3; default 0 to 0.4.
-    session_restitution
-        Standard deviation of the restitution between sessions, from 0 to 0.2; default 0.02.  Its
-        middle counts, in sessions of 20 tests or more.
 
     Raises
     ------
@@ -65,7 +60,6 @@ class OutcomeErrors:
     sigma_ln: PriorRange = SIGMA_LN
     outliers: PriorRange = OUTLIERS
     session_ln: PriorRange = SESSION_LN
-    session_restitution: PriorRange = SESSION_RESTITUTION
 
     def __post_init__(self) -> None:
         """Validate."""

@@ -7,6 +7,7 @@ from typing import Any, Final
 
 from rocksteady.errors import InputError, RocksteadyError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.records.processing import Cleaning
 from rocksteady.risk.observations.files.csv_table import (
     Columns,
     read_csv_table,
@@ -22,7 +23,8 @@ NUMBERS: Final = ("gain", "sigma_ln", "peak_rad", "sigma_rad")
 
 TEST_COLUMNS: Final = (
     "test", "record", "object", "outcome", "gain", "sigma_ln", "group", "session", "peak_rad",
-    "sigma_rad", "reversed", "channel", "vertical", "vertical_channel",
+    "sigma_rad", "reversed", "channel", "vertical", "vertical_channel", "transverse",
+    "transverse_channel",
 )  # fmt: skip
 
 OUTCOMES: Final[Mapping[str, bool | None]] = {
@@ -62,7 +64,7 @@ def read_tests(
     dt_s: float | None = None,
     column: str | int | None = None,
     resample: bool = False,
-    baseline: str = "none",
+    cleaning: Cleaning | None = None,
 ) -> Observations:
     r"""Read shaking tests, their objects and their records.
 
@@ -74,14 +76,15 @@ def read_tests(
         and ``outcome`` (fell, overturned, toppled or 1; stood, standing, survived or 0; empty where
         it is not known); further ``gain``, ``sigma_ln``, ``group``, ``session``, ``peak_rad``,
         ``sigma_rad``, ``reversed`` (yes or no), ``channel`` of the record's file, ``vertical`` (a
-        file) and ``vertical_channel``, as for `ShakingTest`.
+        file) and ``vertical_channel``, ``transverse`` (the file of the second horizontal channel)
+        and ``transverse_channel``, as for `ShakingTest`.
     records
         Folder of the records; default ``records`` beside the table, or else the table's own folder.
     objects
         Table of objects, whose columns are the keys of `ObjectPrior`; a cell holds a number,
         ``low:high`` or ``mean+-sd``.  Default ``objects.csv`` beside the table of tests.
-    units, dt_s, column, resample, baseline
-        How all record files are read, as for `read_record`.
+    units, dt_s, column, resample, cleaning
+        How all record files are read and cleaned, as for `read_record`.
 
     Returns
     -------
@@ -119,16 +122,17 @@ def read_tests(
         folder = Path(records)
     if not folder.is_dir():
         raise InputError("records", folder, "it must be a folder", "name the folder of the records")
+    cleaning = cleaning or Cleaning()
     files = RecordFiles(
         folder,
         units=units,
         dt_s=dt_s,
         column=column,
         resample=resample,
-        baseline=baseline,
+        cleaning=cleaning,
     )
     names: dict[str, str] = {}
-    rows: list[tuple[str, dict[str, Any], Channel, Channel | None]] = []
+    rows: list[tuple[str, dict[str, Any], dict[str, Channel]]] = []
     remarks = [*unread_remark(table.source, table.unread(_TABLE)), *known.remarks]
     coded = False
     for place, cells in table.lines():
@@ -137,38 +141,34 @@ def read_tests(
             raise _unknown_object(place, cells["object"], known.source, list(known.objects))
         coded |= cells["outcome"] in ("0", "1")
         record = files.channel(cells["record"], cells.get("channel", ""), place, "record")
-        vertical = None
-        if cells.get("vertical"):
-            channel = cells.get("vertical_channel", "")
-            vertical = files.channel(cells["vertical"], channel, place, "vertical")
-        elif cells.get("vertical_channel"):
-            raise InputError(
-                f"{place}, vertical_channel",
-                cells["vertical_channel"],
-                "it is the channel of a file of vertical motion, and vertical is empty",
-                "name the file in the column vertical, or leave the cell empty",
-            )
-        rows.append((place, _values(cells, place), record, vertical))
+        channels = {"record": record}
+        for key in ("vertical", "transverse"):
+            channel = cells.get(f"{key}_channel", "")
+            if cells.get(key):
+                channels[key] = files.channel(cells[key], channel, place, key)
+            elif channel:
+                raise InputError(
+                    f"{place}, {key}_channel",
+                    channel,
+                    f"it is the channel of a file of {key} motion, and {key} is empty",
+                    f"name the file in the column {key}, or leave the cell empty",
+                )
+        rows.append((place, _values(cells, place), channels))
     if coded:
         remarks.append(f"{table.source}: an outcome 1 is read as fell, and 0 as stood.")
     motions = files.records()
     tests = []
-    for place, values, record, vertical in rows:
+    for place, values, channels in rows:
         try:
-            tests.append(
-                ShakingTest(
-                    record=motions[record],
-                    vertical=None if vertical is None else motions[vertical],
-                    **values,
-                )
-            )
+            shaking = {key: motions[channel] for key, channel in channels.items()}
+            tests.append(ShakingTest(**values | shaking))
         except RocksteadyError as error:
             raise placed(error, place, "test" if error.name == "name" else error.name) from None
     return Observations(
         tests=tests,
         objects=known.objects,
         sources={table.source: table.sha256, known.source: known.sha256} | files.sources,
-        remarks=[*remarks, *files.remarks],
+        remarks=[*remarks, *files.remarks, *filter(None, [cleaning.remark])],
     )
 
 

@@ -35,6 +35,9 @@ class ShakingTest:
         Whether it fell; None where that is not known, as in a prediction.
     gain
         Factor on the record and on the vertical motion; default 1.
+    transverse
+        Acceleration of the second horizontal channel, with the interval of the record; none by
+        default.  The object then rocks in a plane whose angle from the record's is unknown.
     sigma_ln
         Amplitude error: standard deviation of ln(gain); default the prior's.
     vertical
@@ -81,6 +84,7 @@ class ShakingTest:
     session: str | None = None
     peak_rad: float | None = None
     sigma_rad: float | None = None
+    transverse: Record | None = None
 
     def __post_init__(self) -> None:
         """Validate."""
@@ -97,19 +101,16 @@ class ShakingTest:
                 in_range("sigma_ln", self.sigma_ln, 0.0, LARGEST_SIGMA, "[]", hint=hint),
             )
         self._check_peak()
+        if self.transverse is not None and self.transverse.dt_s != self.record.dt_s:
+            valid = f"the record has an interval of {self.record.dt_s:g} s"
+            hint = "resample one of the two"
+            raise InputError("transverse", self.transverse, valid, hint)
 
     @property
     def motion(self) -> Record:
         """The record as it acts: times the gain, and with the other sign where reversed."""
         factor = -self.gain if self.reversed else self.gain
         return self.record if factor == 1.0 else self.record.scaled(factor)
-
-    @property
-    def vertical_motion(self) -> Record | None:
-        """The vertical motion times the gain; None without one."""
-        if self.vertical is None or self.gain == 1.0:
-            return self.vertical
-        return self.vertical.scaled(self.gain)
 
     def _name_of_record(self) -> str:
         """Return the name of the record as the group."""

@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.arrays import checked_array, real_array
+from rocksteady.dynamics.arrays import checked_array
 from rocksteady.errors import InputError
-from rocksteady.kernels.elementary.arrays import log
+from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import finite, in_range, positive
 
 _NUMBER: Final = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
-_FORMS: Final = re.compile(rf"({_NUMBER})(?:\s*(:|\+-|\+/-|±)\s*({_NUMBER}))?")
+_FORMS: Final = re.compile(rf"(log:)?({_NUMBER})(?:\s*(:|\+-|\+/-|±)\s*({_NUMBER}))?")
 _LONGEST: Final = 200
 """Characters of a text that is a number; longer ones are not tried."""
 
@@ -27,8 +27,8 @@ _LONGEST: Final = 200
 class PriorRange:
     """Distribution of a number before the tests.
 
-    A value (`exactly`), a uniform density between two bounds (`between`), or a normal density that
-    is cut off at bounds (`around`).
+    A value (`exactly`), a density between two bounds that is uniform in the number (`between`) or
+    in its logarithm (`in_logarithm`), or a normal density that is cut off at bounds (`around`).
 
     Parameters
     ----------
@@ -37,6 +37,8 @@ class PriorRange:
     mean, sd
         Mean and standard deviation of the normal density before it is cut off; none for a value and
         for a uniform density.
+    logarithmic
+        Whether the density is uniform in the logarithm, of bounds above 0; default False.
 
     Raises
     ------
@@ -58,6 +60,7 @@ class PriorRange:
     high: float
     mean: float | None = None
     sd: float | None = None
+    logarithmic: bool = False
 
     def __post_init__(self) -> None:
         """Validate."""
@@ -71,6 +74,9 @@ class PriorRange:
             raise InputError(
                 "low", self.low, f"it must not be above high = {self.high:g}", "exchange the two"
             )
+        if self.logarithmic and (normal or self.low <= 0.0):
+            hint = "give bounds above 0, or leave log: out"
+            raise InputError("low", self.low, "a range in the logarithm lies above 0", hint)
         if not normal:
             return
         object.__setattr__(self, "sd", positive("sd", self.sd, hint="give a standard deviation"))
@@ -95,6 +101,11 @@ class PriorRange:
         return cls(low=low, high=high)
 
     @classmethod
+    def in_logarithm(cls, low: float, high: float) -> "PriorRange":
+        """Return a density between two bounds above 0, uniform in the logarithm."""
+        return cls(low=low, high=high, logarithmic=True)
+
+    @classmethod
     def around(
         cls, mean: float, sd: float, *, low: float = -math.inf, high: float = math.inf
     ) -> "PriorRange":
@@ -108,7 +119,7 @@ class PriorRange:
         Parameters
         ----------
         text
-            A number, ``low:high`` or ``mean+-sd``.
+            A number, ``low:high``, ``log:low:high`` or ``mean+-sd``.
         name
             What it is called in messages; default "spread".
 
@@ -123,7 +134,10 @@ class PriorRange:
             hint = "write a point for a decimal comma" if "," in str(given) else "leave units out"
             if str(given).strip().lower().startswith("housner"):
                 hint = "give a factor of Housner's value as housner_factor, 1 for the value itself"
-            valid = "it must be a number, a range as 0.3:0.5, or mean and deviation as 0.4+-0.05"
+            valid = (
+                "it must be a number, a range as 0.3:0.5 or log:0.03:1.2, or mean and deviation as "
+                "0.4+-0.05"
+            )
             raise InputError(name, text, valid, hint)
         numbers, sign = parts
         for number in numbers:
@@ -131,6 +145,8 @@ class PriorRange:
         try:
             if sign == "":
                 return cls.exactly(numbers[0])
+            if sign == "log:":
+                return cls.in_logarithm(*numbers)
             return cls.between(*numbers) if sign == ":" else cls.around(*numbers)
         except InputError as error:
             raise InputError(name, text, f"{error.name}: {error.valid}", error.hint) from None
@@ -142,7 +158,9 @@ class PriorRange:
 
     @property
     def middle(self) -> float:
-        """The value, the mean of both bounds, or the mean of the normal density."""
+        """The value, the mean of both bounds (in the logarithm), or that of the normal density."""
+        if self.logarithmic:
+            return math.sqrt(self.low * self.high)
         return 0.5 * (self.low + self.high) if self.mean is None else self.mean
 
     def within(self, name: str, low: float, high: float, *, hint: str = "") -> "PriorRange":
@@ -190,6 +208,9 @@ class PriorRange:
             If a share is no number from 0 to 1.
         """
         share = shares_of("uniforms", uniforms)
+        if self.logarithmic:
+            values = self.low * exp(share * log(self.high / self.low))
+            return np.asarray(np.clip(values, self.low, self.high))
         if self.mean is None or self.sd is None:
             return np.asarray(
                 np.clip(self.low + share * (self.high - self.low), self.low, self.high)
@@ -201,22 +222,8 @@ class PriorRange:
         from_low = below + share * inside
         from_high = (1.0 - below - inside) + (1.0 - share) * inside
         score = np.where(from_low < 0.5, ndtri(from_low), -ndtri(from_high))
+        score = np.rint(score * 2.0**30) / 2.0**30  # the same on every processor
         return np.asarray(np.clip(self.mean + self.sd * score, self.low, self.high))
-
-    def log_density(self, values: ArrayLike) -> Floats:
-        """Return the logarithm of the density at values of any shape; minus infinity outside.
-
-        For a value without any spread it is 0 there.
-        """
-        at = real_array("values", values)
-        inside = (at >= self.low) & (at <= self.high)
-        if self.fixed:
-            return np.where(inside, 0.0, -np.inf)
-        if self.mean is None or self.sd is None:
-            return np.where(inside, -log(self.high - self.low), -np.inf)
-        score = (at - self.mean) / self.sd
-        constant = log(self._mass()[1] * self.sd * math.sqrt(2.0 * math.pi))
-        return np.where(inside, -0.5 * score * score - constant, -np.inf)
 
     def _mass(self) -> tuple[float, float]:
         """Return the shares of the whole normal density below the bounds and between them."""
@@ -232,7 +239,8 @@ class PriorRange:
         """Return it as `parse` reads it."""
         if self.mean is not None:
             return f"{self.mean!r}+-{self.sd!r}"
-        return f"{self.low!r}" if self.fixed else f"{self.low!r}:{self.high!r}"
+        ends = f"{'log:' * self.logarithmic}{self.low!r}:{self.high!r}"
+        return f"{self.low!r}" if self.fixed else ends
 
     def __repr__(self) -> str:
         """Return one line."""
@@ -253,15 +261,17 @@ def shares_of(name: str, uniforms: ArrayLike) -> Floats:
 def parts_of(text: str) -> tuple[tuple[float, ...], str] | None:
     """Return the numbers of a text, one or two, and the sign between them; None where it has none.
 
-    The sign is ":" or "+-", and empty of a single number.
+    The sign is ":", "log:" or "+-", and empty of a single number.
     """
     match = _FORMS.fullmatch(text.strip()) if len(text) <= _LONGEST else None
     if match is None:
         return None
-    first, sign, second = match.groups()
+    scale, first, sign, second = match.groups()
     if sign is None:
-        return (float(first),), ""
-    return (float(first), float(second)), ":" if sign == ":" else "+-"
+        return None if scale else ((float(first),), "")
+    if scale and sign != ":":
+        return None
+    return (float(first), float(second)), scale or (":" if sign == ":" else "+-")
 
 
 def spread_of(name: str, value: "PriorRange | float | str") -> PriorRange:

@@ -172,7 +172,10 @@ def circolare_rectangle(
 
 
 MEDIAN, BETA = 0.757, 0.592
-"""Median and beta of p PGV/(g tan alpha), from 28,399 classified runs (Chu et al. 2025)."""
+"""Median and beta of p PGV/(g tan alpha), from 28,399 classified runs (Chu et al. 2025).
+
+Over 49 motions measured on shaking tables runs give 1.10 and 0.57: the median is that of motions.
+"""
 OTHER_MEDIAN, OTHER_BETA = 0.672, 0.462
 """The same of nonlinear runs of this package on 56 records."""
 SAMPLED_ALPHA, SAMPLED_P = (0.1, 0.3), (1.0, 3.0)

@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 
-from rocksteady.risk.calibration.held_out.folds import Evidence
-from rocksteady.risk.calibration.held_out.learning import _mean, best_temper
+from rocksteady.risk.calibration.held_out.learning import _mean
 from rocksteady.risk.calibration.held_out.scores import NAMES, Scores
-from tests.every import every
+from tests.risk.calibration.cases import narrow
 
 
 def test_a_mean_score_is_that_of_the_parts_with_their_quantiles() -> None:
@@ -22,17 +21,12 @@ def test_a_mean_score_is_that_of_the_parts_with_their_quantiles() -> None:
     assert (found.tests, found.groups) == (20, 3)
 
 
-@every(
-    ("outcomes", "shares", "expected"), [((1, 0), (0.9, 0.1), 1.0), ((1, 1, 0), (0.9,) * 3, 0.05)]
-)
-def test_the_temper_is_small_where_the_favoured_draw_predicts_worse_than_chance(
-    outcomes: tuple[int, ...], shares: tuple[float, ...], expected: float
-) -> None:
-    groups, each = 12, len(outcomes)
-    share = np.tile([shares, (0.5,) * each], groups)
-    logs = np.tile([[np.log(0.9)], [np.log(0.5)]], groups * each)
-    evidence = Evidence(
-        base=np.zeros(2), log_likelihood=logs, share=share, tests=np.arange(groups * each)
-    )
-    codes, fell = np.repeat(np.arange(groups), each), np.tile(np.array(outcomes, float), groups)
-    assert best_temper([evidence], codes, fell) == expected
+def test_few_groups_predict_worse_than_many() -> None:
+    rows = narrow().validation.learning
+    assert [row["groups"] for row in rows] == [1, 2, 4, 8]
+    tests = [row["tests"] for row in rows]
+    assert tests == pytest.approx([4.0, 8.0, 16.0, 32.0], rel=0.01)  # 60 tests on 15 records
+    block = [row["block"].brier[0] for row in rows]
+    assert block[-1] < 0.9 * block[0]
+    assert block[0] < rows[0]["base rate"].brier[0]
+    assert rows[0]["block"].tests == 56

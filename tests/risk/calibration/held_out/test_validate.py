@@ -8,23 +8,21 @@ import pytest
 from scipy.stats import beta
 
 from rocksteady import calibrate
-from rocksteady.calibration import DrawOptions, Observations, Validation
-from rocksteady.risk.calibration.held_out.validate import _misfits
-from tests.risk.calibration.trials import LINEAR, Case, make_tests
+from rocksteady.calibration import Observations, Validation
+from rocksteady.risk.calibration.held_out.rivals import stacks_of
+from rocksteady.risk.calibration.held_out.validate import _misfits, why_not
+from tests.risk.calibration.cases import LINEAR, SERIAL, narrow, narrow_tests
 
 
 @functools.cache
 def validated() -> tuple[Observations, Validation]:
     """Return 20 tests, of two sessions and some without, of which one has no outcome."""
-    made, _ = make_tests(Case("20 tests", tests=20), 4)
+    made = narrow_tests().subset([k for k in range(60) if k % 15 < 5])
     sessions = ["Monday", "Tuesday", None, "Tuesday"]
     tests = [replace(test, session=sessions[k % 4]) for k, test in enumerate(made.tests)]
     tests[7] = replace(tests[7], fell=None)
-    few = DrawOptions(draws=60, gains=2, rounds=1)
     given = Observations(tests=tests, objects=made.objects)
-    validation = calibrate(given, sampling=few, model=LINEAR).validation
-    assert validation is not None
-    return given, validation
+    return given, calibrate(given, most_runs=200, model=LINEAR, run=SERIAL).validation
 
 
 def test_falls_by_tenth_have_jeffreys_interval() -> None:
@@ -62,34 +60,13 @@ def test_falls_by_group_are_beside_the_sums_of_their_chances() -> None:
         rows = {row["name"]: row for row in found.residuals[kind]}
         assert set(rows) == {name for name in of if name}
         for name, row in rows.items():
-            here = [
-                k for k, test in enumerate(given.tests) if of[k] == name and test.fell is not None
-            ]
+            here = [k for k in range(20) if of[k] == name and k != 7]
             fell = sum(bool(given.tests[k].fell) for k in here)
             variance = sum(p[k] * (1.0 - p[k]) for k in here)
             assert (row["tests"], row["fell"]) == (len(here), fell)
             assert row["expected"] == pytest.approx(p[here].sum())
             assert row["deviation"] == pytest.approx(variance**0.5)
             assert row["z"] == pytest.approx((fell - p[here].sum()) / variance**0.5)
-
-
-def test_the_headline_has_the_accuracy_and_its_interval() -> None:
-    _, found = validated()
-    scores = replace(found.rows["calibrated"], accuracy=(0.84, 0.75, 0.9), brier=(0.1234, 0.1, 0.2))
-    for accuracy, words in (
-        ((0.84, 0.75, 0.9), "accuracy 84 % (90 %: 75 to 90 %), Brier score 0.123"),
-        ((0.84, np.nan, np.nan), "accuracy 84 %, Brier score 0.123"),
-        ((1.0, np.nan, np.nan), "accuracy 19 of 19, Brier score 0.123"),
-    ):
-        rows = {"calibrated": replace(scores, accuracy=accuracy)}
-        described = replace(found, rows=rows).describe()
-        assert described.headline == f"held out by {found.folds}: {words}"
-        facts = {fact.key: fact.value for fact in described.facts}
-        assert (facts["groups"], facts["tests"]) == (scores.groups, scores.tests) == (5, 19)
-    without = replace(found, rows={}).describe()
-    assert without.headline == f"held out by {found.folds}: no scores"
-    facts = {fact.key: fact.value for fact in without.facts}
-    assert (facts["groups"], facts["tests"]) == (0, 0)
 
 
 def test_a_session_that_falls_too_often_is_named() -> None:
@@ -106,3 +83,30 @@ def test_a_session_that_falls_too_often_is_named() -> None:
     assert sentence.startswith("misfit by session")
     assert "worst Tuesday, 27 of 30 fell" in sentence
     assert _misfits(rows(16)) == []
+
+
+def test_every_group_is_predicted_with_the_stack_of_the_others() -> None:
+    validation = narrow().validation
+    predictions = validation.predictions
+    assert list(validation.rows) == ["predicted", "block", "logistic", "base rate"]
+    fell = narrow_tests().fell
+    for name, p in (("predicted", predictions.p), ("block", predictions.block)):
+        assert validation.rows[name].brier[0] == pytest.approx(np.square(p - fell).mean())
+    groups, codes = np.unique(predictions.group, return_inverse=True)
+    trains = np.arange(len(groups))[:, np.newaxis] != codes
+    stacks = stacks_of(predictions.block, predictions.logistic, fell, trains)
+    for place in (0, 17, 44):
+        stack = stacks[codes[place]]
+        expected = stack.of(predictions.block[place], predictions.logistic[place])
+        assert predictions.p[place] == pytest.approx(expected, abs=1e-9)
+    rates = [(fell[codes != k].sum() + 1.0) / ((codes != k).sum() + 2.0) for k in codes]
+    brier = np.square(np.array(rates) - fell).mean()
+    assert validation.rows["base rate"].brier[0] == pytest.approx(brier)
+    assert validation.rows["predicted"].brier[0] < 0.6 * brier
+
+
+def test_what_cannot_be_held_out_has_a_reason() -> None:
+    fell, codes = np.array([1.0, 0.0, np.nan]), np.array([0, 0, 1])
+    assert "of one record" in why_not(fell, codes, "record")
+    assert "no test has an outcome" in why_not(np.full(3, np.nan), codes, "record")
+    assert why_not(fell, np.array([0, 1, 1]), "record") == ""

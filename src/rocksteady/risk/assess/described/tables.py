@@ -120,7 +120,7 @@ def _value(column: str, cell: str, name: str) -> object:
             raise InputError(name, cell, "it must be yes or no", hint)
         return ANSWERS[cell.lower()]
     parts = parts_of(cell)
-    if parts is None or parts[1] == "+-":
+    if parts is None or parts[1] in ("+-", "log:"):
         comma = "write a point for a decimal comma" if "," in cell else "leave units to the column"
         raise InputError(
             name, cell, "it must be a number, or a range as 0.3:0.5", f"{comma}, or the cell empty"

@@ -10,10 +10,18 @@ from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.answer import Answer, doubt, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.doubts import FEWEST_DRAWS
-from rocksteady.results.numbers import chance, counted, interval, number, plural
+from rocksteady.results.doubts import ANSWER_DRAWS, FEWEST_DRAWS
+from rocksteady.results.numbers import (
+    chance,
+    counted,
+    interval,
+    number,
+    number_or_none,
+    plural,
+)
 from rocksteady.results.result import Result
-from rocksteady.risk.calibration.held_out.folds import HeldOut
+from rocksteady.risk.calibration.held_out.leaving_out import HeldOut
+from rocksteady.risk.calibration.held_out.rivals import Stack
 from rocksteady.risk.observations.shaking_test import ShakingTest
 
 SHOWN = 4
@@ -33,13 +41,16 @@ class Predictions(Result):
     test, object, group
         Names, one for each row.
     p
-        Probability of a fall, outliers included, shape (rows,).
+        Probability of a fall by block and logistic together, shape (rows,).
     low, high
         5 and 95 % of it over the draws of the posterior, shape (rows,).
+    block, logistic
+        Probability by the calibrated block alone, outliers included, and by a logistic on intensity
+        measures alone (nan where tests cannot be held out), shape (rows,).
     mc_error
-        Monte Carlo error of p, shape (rows,): that of the draws and of the gains.
+        Monte Carlo error of `block`, shape (rows,).
     effective_draws
-        Effective draws behind p, shape (rows,).
+        Effective draws behind it, shape (rows,).
     held_out
         True of a test that was in the training and is predicted without its group, False of one
         that was not in it.
@@ -51,12 +62,11 @@ class Predictions(Result):
     Examples
     --------
     >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests
+    >>> from rocksteady.calibration import make_synthetic_tests
     >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
-    >>> few = DrawOptions(draws=60, gains=2, rounds=1)
-    >>> found = calibrate(tests, sampling=few, model=Linear()).validation.predictions
+    >>> found = calibrate(tests, most_runs=200, model=Linear()).validation.predictions
     >>> len(found.p), all(found.held_out)
     (16, True)
     """
@@ -67,6 +77,8 @@ class Predictions(Result):
     p: Floats
     low: Floats
     high: Floats
+    block: Floats
+    logistic: Floats
     mc_error: Floats
     effective_draws: Floats
     held_out: tuple[bool, ...]
@@ -78,14 +90,22 @@ class Predictions(Result):
         return len(self.test)
 
     @property
+    def identified(self) -> bool:
+        """Whether there are draws enough: 50 of a fold, 200 of a posterior."""
+        least = np.where(self.held_out, FEWEST_DRAWS, ANSWER_DRAWS)
+        return bool((self.effective_draws >= least).all())
+
+    @property
     def rows(self) -> list[dict[str, Any]]:
         """One mapping of plain values for each test."""
         return [
             {
                 "test": self.test[k],
                 "p": float(self.p[k]),
-                "low": None if np.isnan(self.low[k]) else float(self.low[k]),
-                "high": None if np.isnan(self.high[k]) else float(self.high[k]),
+                "low": number_or_none(self.low[k]),
+                "high": number_or_none(self.high[k]),
+                "block": float(self.block[k]),
+                "logistic": number_or_none(self.logistic[k]),
                 "mc_error": float(self.mc_error[k]),
                 "held_out": self.held_out[k],
                 "outcome": OUTCOMES[self.fell[k]],
@@ -103,7 +123,8 @@ class Predictions(Result):
             Column("p", "p", number),
             Column("low", "5 %", number),
             Column("high", "95 %", number),
-            Column("mc_error", "MC error", number),
+            Column("block", "block", number),
+            Column("logistic", "logistic", number),
             *([Column("held_out", "held out")] if any(self.held_out) else []),
             *([Column("outcome", "outcome", left=True)] if set(self.fell) - {None} else []),
         )
@@ -140,16 +161,15 @@ class Predictions(Result):
             + interval(None if row["low"] is None else (row["low"], row["high"]), 0.9)
             for row in rows
         ]
-        least = min(row["effective_draws"] for row in rows)
-        few = least < FEWEST_DRAWS
+        few = not self.identified
         fall = self._likely(likely)
         sentence = f"{fall[0].upper()}{fall[1:]}."
         if len(rows) == 1:
             sentence = f"It falls in {rows[0]['test']} with {words[0]}."
         if few:
             sentence = (
-                f"No answer yet, provisional: {least:.0f} effective draws "
-                f"(at least {FEWEST_DRAWS:g} needed)."
+                f"No answer, provisional: {self.effective_draws.min():.0f} effective draws of the "
+                f"{ANSWER_DRAWS:g} that it takes."
             )
         left = rows[SHOWN:]
         falling = sum(row["p"] >= 0.5 for row in left)
@@ -169,22 +189,42 @@ def predictions_of(
     held: HeldOut,
     groups: Sequence[str],
     *,
-    held_out: Sequence[bool],
-    warnings: Sequence[str] = (),
+    logistic: Floats,
+    stacks: Sequence[Stack] = (),
+    held_out: bool = True,
 ) -> Predictions:
-    """Return predictions with the names and outcomes of their tests."""
+    """Return predictions with the names and outcomes of their tests.
+
+    Parameters
+    ----------
+    tests, groups
+        The tests, and the group of each.
+    held, logistic
+        What block and logistic predict.
+    stacks
+        How both are put together for each test; by default the block predicts alone.
+    held_out
+        Whether they were in the training.
+    """
+    p, low, high = (
+        np.array([stack.of(*pair) for stack, *pair in zip(stacks, block, logistic, strict=True)])
+        if stacks
+        else block
+        for block in (held.p, held.low, held.high)
+    )
     return Predictions(
         test=tuple(test.name for test in tests),
         object=tuple(test.object for test in tests),
         group=tuple(groups),
-        p=held.p,
-        low=held.low,
-        high=held.high,
+        p=p,
+        low=low,
+        high=high,
+        block=held.p,
+        logistic=logistic,
         mc_error=held.error,
         effective_draws=held.effective,
-        held_out=tuple(held_out),
+        held_out=(held_out,) * len(tests),
         fell=tuple(test.fell for test in tests),
-        warnings=tuple(warnings),
     )
 
 

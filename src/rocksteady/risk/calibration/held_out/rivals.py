@@ -1,78 +1,60 @@
-"""What a calibration has to beat: the base rate, and a logistic curve on intensity measures."""
+"""What a calibrated block has to beat, a logistic on intensity measures, and both together."""
 
-import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from rocksteady.arrays import Bools, Floats, Integers
-from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
+from rocksteady.kernels.elementary.arrays import log, tan
+from rocksteady.risk.calibration.sampler.exact import rounded
+from rocksteady.risk.calibration.sampler.logistic import DESIGN_BITS, fit_logistics, probability
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.shaking_test import ShakingTest
-from rocksteady.seismic.measures.intensity import Measures, compute_measures
+from rocksteady.seismic.measures.intensity import compute_measures
+from rocksteady.seismic.measures.response_spectrum import compute_response_spectrum
 
-MEASURES = (
-    "ln(gain PGA/(g tan alpha))",
-    "ln(gain p PGV/(g tan alpha))",
-    "ln(PGV/PGA)",
-    "ln(significant duration, 5-95 %)",
-    "ln(gain p^2 PGD/(g tan alpha))",
-    "ln(gain^2 Arias intensity)",
-    "ln(gain CAV)",
-    "ln(gain RMS)",
-    "ln(gain Housner intensity)",
-    "ln(significant duration, 5-75 %)",
-    "ln(mean period)",
-    "ln(PGD/PGV)",
-    "ln(g tan alpha)",
-    "ln p",
-)
-RIDGE = 1.0 / 0.5**2
-"""Precision of a slope over a standard deviation of its measure: its prior has the scale 0.5."""
-STEPS = 50
-LEAST = 1e-9
+PERIODS_S = (0.15, 0.25, 0.4, 0.6, 0.9, 1.3, 2.0, 3.0)
+"""Of the spectral ordinates."""
+POWERS = (1.0, 1.0, 1.0, 2.0, *(1.0 for _ in PERIODS_S), 0.0, 0.0)
+"""Powers of the gain in the measures."""
+RIDGES = (0.1, 0.3, 1.0, 3.0, 10.0, 30.0)
+"""Precisions of a slope over a standard deviation of its measure, among which one is chosen."""
+INNER = 4
+"""Folds of the training groups in which the ridge is chosen."""
+SUREST = 5.3
+"""Largest log odds of the logistic: of 200 to 1."""
+MOST_ODDS = 6.9
+STACKED = (0.0, 1.0, 0.0)
+"""Intercept and slopes of block and logistic where tests say nothing: the block alone."""
+LEAST_SLOPE = 0.05
+"""Of the block: what it thinks likelier stays likelier.  That of the logistic is 0 at least."""
+PRECISION, FEW = 16.0, 100.0
+"""Of these, from so many tests on; of fewer it grows as their number falls."""
 
 
 def measures_of(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]) -> Floats:
-    """Return the measures of each test, shape (tests, 14).
+    """Return logarithms of the measures of each test, shape (tests, 14) or (tests, 15).
 
-    alpha is that of the object's outline, and p that of the middle of its prior: what is known
-    before any test.
+    PGA, PGV, cumulative absolute velocity, Arias intensity and eight spectral ordinates (5 %), each
+    with the gain of the test, significant duration and mean period; of several objects also the
+    slenderness of the outline.
     """
-    courses: dict[int, Measures] = {}
-    scales = {name: _scale_of(given) for name, given in objects.items()}
+    courses: dict[int, Floats] = {}
     rows = []
     for test in tests:
         if id(test.record) not in courses:
-            courses[id(test.record)] = compute_measures(test.record)
-        of = courses[id(test.record)]
-        gain, (uplift, rate) = test.gain, scales[test.object]
-        measures = (
-            gain * of.pga_m_s2 / uplift,
-            gain * rate * of.pgv_m_s / uplift,
-            of.pgv_m_s / max(of.pga_m_s2, LEAST),
-            of.significant_5_95_s,
-            gain * rate**2 * of.pgd_m / uplift,
-            gain**2 * of.arias_m_s,
-            gain * of.cav_m_s,
-            gain * of.rms_m_s2,
-            gain * of.housner_intensity_m,
-            of.significant_5_75_s,
-            of.mean_period_s,
-            of.pgd_m / max(of.pgv_m_s, LEAST),
-            uplift,
-            rate,
-        )
-        rows.append([math.log(max(measure, LEAST)) for measure in measures])
-    return np.array(rows)
-
-
-def _scale_of(given: ObjectPrior) -> tuple[float, float]:
-    """Return the uplift acceleration of the outline [m/s^2] and p of the middle [rad/s]."""
-    middle = given.draw(np.full((1, len(given.parameters)), 0.5))
-    side = given.sides(middle)[0]
-    return STANDARD_GRAVITY * float(tan(given.outline_alpha_rad)), float(side[:, 2].mean())
+            each = compute_measures(test.record)
+            psa = compute_response_spectrum(test.record, PERIODS_S).pseudo_acceleration_m_s2
+            course = [each.pga_m_s2, each.pgv_m_s, each.cav_m_s, each.arias_m_s, *psa]
+            course += [each.significant_5_95_s, each.mean_period_s]
+            courses[id(test.record)] = log(np.maximum(np.array(course), 1e-9))
+        rows.append(courses[id(test.record)] + log(test.gain) * np.array(POWERS))
+    measures = np.array(rows)
+    if len(objects) > 1:
+        lean = {name: log(tan(given.outline_alpha_rad)) for name, given in objects.items()}
+        measures = np.column_stack([measures, [lean[test.object] for test in tests]])
+    return measures
 
 
 def base_rate(fell: Floats, objects: Integers, train: Bools) -> Floats:
@@ -85,57 +67,153 @@ def base_rate(fell: Floats, objects: Integers, train: Bools) -> Floats:
     return rates
 
 
-def fit_logistic(measures: Floats, fell: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return centre, scale and coefficients of a logistic curve with a ridge on its slopes.
+@dataclass(frozen=True, kw_only=True)
+class LogisticCurve:
+    """A logistic curve on intensity measures.
 
-    Measures are taken in standard deviations, as in [1], and each slope has a normal prior of scale
-    0.5: measures are many, and hang together.  The constant has none except a tenth of a trial of
-    each kind, so that outcomes of one kind have a fit.
-
-    References
+    Attributes
     ----------
-    .. [1] A. Gelman and others, Annals of Applied Statistics 2, 1360-1383 (2008).
+    middle, width, slopes
+        Centre, scale and slope of each measure.
+    intercept
+        Log odds at the centres.
     """
-    centre, scale = measures.mean(axis=0), measures.std(axis=0)
-    scale = np.where(scale > 1e-9, scale, 1.0)
-    design = np.column_stack([np.ones(len(fell)), (measures - centre) / scale])
-    added = np.zeros((2, design.shape[1]))
-    added[:, 0] = 1.0
-    rows, target = np.vstack([design, added]), np.append(fell, [1.0, 0.0])
-    trials = np.append(np.ones(len(fell)), [0.1, 0.1])
-    ridge = np.full(design.shape[1], RIDGE)
-    ridge[0] = 0.0
-    at = np.zeros(design.shape[1])
-    for _ in range(STEPS):
-        p = 1.0 / (1.0 + np.exp(-np.clip(rows @ at, -30.0, 30.0)))
-        slope = rows.T @ (trials * (target - p)) - ridge * at
-        bend = (rows.T * (trials * p * (1.0 - p))) @ rows + np.diag(ridge + 1e-9)
-        step = np.linalg.solve(bend, slope)
-        largest = float(np.abs(step).max())
-        at = at + step * min(1.0, 3.0 / largest) if largest > 0.0 else at
-        if largest < 1e-9:
-            break
-    return centre, scale, at
+
+    middle: tuple[float, ...]
+    width: tuple[float, ...]
+    slopes: tuple[float, ...]
+    intercept: float
+
+    def of(self, measures: Floats) -> Floats:
+        """Return the probability of a fall of each row of measures."""
+        z = np.clip((measures - np.array(self.middle)) / np.array(self.width), -8.0, 8.0)
+        odds = self.intercept + rounded(z, DESIGN_BITS) @ np.array(self.slopes)
+        return probability(np.clip(odds, -SUREST, SUREST))
 
 
-def logistic(measures: Floats, fell: Floats, train: Bools) -> Floats:
-    """Return the probability of a fall of each test, by a curve fitted to the training tests."""
-    used = train & np.isfinite(fell)
-    if not used.any():
-        return np.full(len(fell), 0.5)
-    centre, scale, at = fit_logistic(measures[used], fell[used])
-    odds = at[0] + (measures - centre) / scale @ at[1:]
-    p: Floats = 1.0 / (1.0 + np.exp(-np.clip(odds, -30.0, 30.0)))
-    return p
+@dataclass(frozen=True, kw_only=True)
+class Stack:
+    """Log odds of a fall: intercept + block * logit p(block) + logistic * logit p(logistic)."""
+
+    intercept: float = STACKED[0]
+    block: float = STACKED[1]
+    logistic: float = STACKED[2]
+
+    def of(self, block: Floats, logistic: Floats) -> Floats:
+        """Return probabilities by block and logistic together."""
+        line = np.array([self.intercept, self.block, self.logistic])
+        return probability((_odds(block, logistic) * line).sum(axis=-1))
 
 
-def out_of_group(
-    measures: Floats, fell: Floats, objects: Integers, codes: Integers
-) -> tuple[Floats, Floats]:
-    """Return base rate and logistic curve of each test from the tests of other groups."""
-    rates, curves = np.empty(len(fell)), np.empty(len(fell))
-    for group in np.unique(codes):
-        held = codes == group
-        rates[held] = base_rate(fell, objects, ~held)[held]
-        curves[held] = logistic(measures, fell, ~held)[held]
-    return rates, curves
+def logistic_of(measures: Floats, fell: Floats, codes: Integers, trains: Bools) -> Floats:
+    """Return the probability of a fall of each test, by curves fitted to training tests.
+
+    The ridge is chosen by the log score in folds of the training groups.
+
+    Parameters
+    ----------
+    measures, fell, codes
+        Measures, outcomes (nan of unknown ones) and groups of the tests.
+    trains
+        Training tests of each curve, shape (curves, tests).
+
+    Returns
+    -------
+    ndarray
+        Shape (curves, tests).
+    """
+    design, _, _ = _design(measures)
+    at = _fit(design, fell, codes, trains)
+    return probability(np.clip(at @ design.T, -SUREST, SUREST))
+
+
+def logistic_curve(measures: Floats, fell: Floats, codes: Integers) -> LogisticCurve:
+    """Return the curve that is fitted to all tests."""
+    design, middle, width = _design(measures)
+    (at,) = _fit(design, fell, codes, np.ones((1, len(fell)), dtype=bool)).tolist()
+    return LogisticCurve(
+        middle=tuple(middle.tolist()),
+        width=tuple(width.tolist()),
+        slopes=tuple(at[1:]),
+        intercept=at[0],
+    )
+
+
+def stacks_of(block: Floats, logistic: Floats, fell: Floats, trains: Bools) -> list[Stack]:
+    """Return how block and logistic are put together, by each of several sets of training tests.
+
+    Log odds of both are the measures of a logistic regression whose prior is the block alone,
+    stronger below 100 tests.
+
+    Parameters
+    ----------
+    block, logistic
+        Held-out probabilities, shape (tests,).
+    fell
+        Outcomes, nan of unknown ones.
+    trains
+        Shape (stacks, tests).
+    """
+    known = np.isfinite(fell)
+    counts = (trains & known).sum(axis=1)
+    strength = PRECISION * np.maximum(1.0, FEW / np.maximum(counts, 1))
+    at, _ = fit_logistics(
+        _odds(block, logistic),
+        np.broadcast_to(np.nan_to_num(fell), trains.shape),
+        (trains & known).astype(np.float64),
+        precision=np.broadcast_to(strength[:, np.newaxis], (len(trains), 3)),
+        mean=np.array(STACKED),
+        steps=40,
+        close=1e-3,
+    )
+    at[:, 1:] = np.maximum(at[:, 1:], (LEAST_SLOPE, 0.0))
+    return [Stack(intercept=a, block=b, logistic=c) for a, b, c in at.tolist()]
+
+
+def _odds(block: Floats, logistic: Floats) -> Floats:
+    """Return rows of 1 and the log odds of both."""
+    p = np.clip(np.stack([block, logistic], axis=-1), 1e-3, 1.0 - 1e-3)
+    odds = log(p / (1.0 - p))
+    return np.concatenate([np.ones((*odds.shape[:-1], 1)), odds], axis=-1)
+
+
+def _design(measures: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return 1 and measures in standard deviations, with their centres and scales."""
+    middle, width = measures.mean(axis=0), measures.std(axis=0)
+    middle, width = rounded(middle, 20), rounded(width, 20)
+    width = np.where(width > 1e-4, width, 1.0)
+    z = np.clip((measures - middle) / width, -8.0, 8.0)
+    return rounded(np.column_stack([np.ones(len(z)), z]), DESIGN_BITS), middle, width
+
+
+def _fit(design: Floats, fell: Floats, codes: Integers, trains: Bools) -> Floats:
+    """Return coefficients of curves with their ridges chosen, shape (curves, coefficients)."""
+    known, size = np.isfinite(fell), design.shape[1]
+    outcome = np.nan_to_num(fell)
+    folds = np.array(
+        [np.unique(np.where(train, codes, -1), return_inverse=True)[1] % INNER for train in trains]
+    )
+
+    def fitted(weight: Bools, ridge: Floats) -> Floats:
+        precision = np.repeat(ridge[:, np.newaxis], size, axis=1)
+        precision[:, 0] = 0.01
+        return fit_logistics(
+            design,
+            np.broadcast_to(outcome, weight.shape),
+            (weight & known).astype(np.float64),
+            precision=precision,
+            mean=np.zeros(size),
+            steps=40,
+            close=1e-3,
+        )[0]
+
+    # Of each curve, fold and ridge a regression, all at once.
+    inner = np.arange(INNER)[:, np.newaxis, np.newaxis]
+    train, asked = trains & (folds != inner), trains & (folds == inner) & known
+    weight = np.repeat(train.reshape(-1, len(fell)), len(RIDGES), axis=0)
+    at = fitted(weight, np.tile(RIDGES, len(weight) // len(RIDGES)))
+    p = probability(np.clip(at @ design.T, -SUREST, SUREST))
+    happened = log(np.where(outcome > 0.5, p, 1.0 - p)).reshape(*train.shape[:2], len(RIDGES), -1)
+    scores = (happened * asked[:, :, np.newaxis]).sum(axis=(0, 3))
+    chosen = np.argmax(np.rint(scores * 2.0**20), axis=1)
+    return fitted(trains, np.array(RIDGES)[chosen])

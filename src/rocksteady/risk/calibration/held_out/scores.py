@@ -1,21 +1,17 @@
 """Scores of probabilities against outcomes, with intervals by a bootstrap of groups."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Annotated
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats, Integers
-from rocksteady.errors import InputError
-from rocksteady.model.checks.arguments import checked
+from rocksteady.kernels.elementary.arrays import log
 from rocksteady.model.checks.arrays import compare_by_value
-from rocksteady.model.checks.bounds import Whole
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_GROUPS
 from rocksteady.results.numbers import chance, number
 from rocksteady.results.result import Result
+from rocksteady.risk.calibration.sampler.exact import rounded
 
 Interval = tuple[float, float, float]
 """A value and the ends of its interval of 90 %."""
@@ -92,64 +88,6 @@ class Scores(Result):
         return {key: dict(zip(ends, getattr(self, key), strict=True)) for key in NAMES}
 
 
-@checked
-def compute_scores(
-    probabilities: ArrayLike,
-    fell: ArrayLike,
-    *,
-    groups: Sequence[str] | None = None,
-    replicates: Annotated[int, Whole(0, 100_000, "give a whole number, as 1000")] = REPLICATES,
-    seed: Annotated[int, Whole(0, None, "give a whole number, as 1000")] = 0,
-) -> Scores:
-    """Score probabilities of a fall against outcomes.
-
-    Intervals come from redrawn groups: tests of one group depend on each other.
-
-    Parameters
-    ----------
-    probabilities
-        Probabilities of a fall, shape (tests,).
-    fell
-        Outcomes, 1 of a test that fell and 0 of one that stood, shape (tests,).
-    groups
-        Group of each test; by default each is its own.
-    replicates
-        Redrawn sets, default 1000; 0 leaves the intervals at nan.
-    seed
-        Seed of the redrawing; default 0.
-
-    Returns
-    -------
-    Scores
-        Five scores with intervals of 90 %.
-
-    Raises
-    ------
-    InputError
-        If the shapes differ, there is no test, or a number is no probability or no outcome.
-
-    Examples
-    --------
-    >>> from rocksteady.calibration import compute_scores
-    >>> scores = compute_scores([0.9, 0.2, 0.6], [1, 0, 0], replicates=0)
-    >>> print(f"{scores.accuracy[0]:.3f} {scores.brier[0]:.3f}")
-    0.667 0.137
-    """
-    p, y = np.asarray(probabilities, dtype=np.float64), np.asarray(fell)
-    hint = "give one probability and one outcome for each test"
-    if p.ndim != 1 or p.shape != y.shape or len(p) == 0:
-        raise InputError("probabilities", p.shape, f"fell has the shape {y.shape}", hint)
-    if not ((p >= 0.0) & (p <= 1.0)).all():
-        raise InputError("probabilities", probabilities, "all must lie in [0, 1]", hint)
-    if not np.isin(y, (0, 1)).all():
-        raise InputError("fell", fell, "each must be 1 or 0", hint)
-    names = [str(place) for place in range(len(p))] if groups is None else list(groups)
-    if len(names) != len(p):
-        raise InputError("groups", len(names), f"there are {len(p)} tests", "name each one's group")
-    codes = np.unique(names, return_inverse=True)[1]
-    return scores_of(p, y.astype(np.float64), codes, replicates=replicates, seed=seed)
-
-
 def scores_of(
     p: Floats, fell: Floats, codes: Integers, *, replicates: int = REPLICATES, seed: int = 0
 ) -> Scores:
@@ -191,11 +129,11 @@ def _sums(p: Floats, fell: Floats, codes: Integers) -> Floats:
     columns[:, 2] = called & (fell > 0.0)
     columns[:, 3] = called + fell
     columns[:, 4] = np.square(p - fell)
-    columns[:, 5] = -np.log(np.maximum(happened, LEAST))
+    columns[:, 5] = -log(np.maximum(happened, LEAST))
     columns[np.arange(len(p)), 6 + bin_of(p)] = p - fell
     totals = np.zeros((int(codes.max()) + 1, columns.shape[1]))
     np.add.at(totals, codes, columns)
-    return totals
+    return rounded(totals, 30)  # so that sums of redrawn groups are exact
 
 
 def _from_sums(sums: Floats) -> Floats:

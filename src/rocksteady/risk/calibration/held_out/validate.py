@@ -1,7 +1,7 @@
 """Validation: scores of each group's tests from the others, beside those of simpler rules."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,24 +12,24 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
 from rocksteady.results.numbers import chance, interval, number
 from rocksteady.results.result import Result
-from rocksteady.risk.calibration.held_out.folds import LADDER, choose_tempers, hold_out
-from rocksteady.risk.calibration.held_out.learning import Trial, best_temper, learning_curve
+from rocksteady.risk.calibration.held_out.learning import Trial, learning_curve
+from rocksteady.risk.calibration.held_out.leaving_out import hold_out
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
-from rocksteady.risk.calibration.held_out.recalibration import (
-    PLAIN,
-    Platt,
-    fit_platt,
-    it_helps,
-    recalibrated,
+from rocksteady.risk.calibration.held_out.rivals import (
+    LogisticCurve,
+    Stack,
+    base_rate,
+    logistic_curve,
+    logistic_of,
+    stacks_of,
 )
-from rocksteady.risk.calibration.held_out.rivals import out_of_group
 from rocksteady.risk.calibration.held_out.scores import BINS, NAMES, Scores, bin_of, scores_of
 from rocksteady.risk.observations.shaking_test import ShakingTest
 
 Row = dict[str, Any]
 ODD, LEAST_VARIANCE = 0.01, 0.5
 """Chance below which a misfit is named, and the variance of the falls of a group that counts."""
-ROWS = ("calibrated", "untempered", "base rate", "logistic")
+ROWS = ("predicted", "block", "logistic", "base rate")
 
 
 @checked
@@ -42,12 +42,8 @@ class Validation(Result):
     folds
         What stays together: "group", "record", "test" or "session".
     rows
-        `Scores` of "calibrated", "untempered", "base rate" and "logistic", on the same folds;
-        empty where tests cannot be held out, and `warnings` have the reason.
-    tempers
-        Temper by the name of each group, chosen among the tests of the others.
-    temper_scores
-        `Scores` by temper, of all groups at that temper.
+        `Scores` of "predicted" (block and logistic together), "block", "logistic" and "base rate",
+        on the same folds; empty where tests cannot be held out, and `warnings` have the reason.
     predictions
         Predictions of each test without its group.
     reliability
@@ -58,36 +54,34 @@ class Validation(Result):
         gain times PGA) a row for each: `name`, `tests`, `fell`, `expected`,
         `deviation` of it, and `z`, the difference over the deviation.
     learning
-        By the number of training `groups` the `Scores` of "calibrated", "logistic" and
-        "base rate", with `tests`, the mean number of the training.
-    recalibration
-        Line over log odds by all held-out predictions, for tests that were not in the training;
-        held-out predictions have that of the other groups.
+        By the number of training `groups` the `Scores` of "block", "logistic" and "base rate",
+        with `tests`, the mean number of the training.
+    curve, stack
+        The logistic of all tests, and how it and the block make a prediction together; held-out
+        predictions have those of the other groups.
     warnings
         Sentences on what limits the scores.
 
     Examples
     --------
     >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests
+    >>> from rocksteady.calibration import make_synthetic_tests
     >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
-    >>> few = DrawOptions(draws=60, gains=2, rounds=1)
-    >>> validation = calibrate(tests, sampling=few, model=Linear()).validation
+    >>> validation = calibrate(tests, most_runs=200, model=Linear()).validation
     >>> validation.folds, sorted(validation.rows)
-    ('group', ['base rate', 'calibrated', 'logistic', 'untempered'])
+    ('group', ['base rate', 'block', 'logistic', 'predicted'])
     """
 
     folds: str
     rows: Mapping[str, Scores]
-    tempers: Mapping[str, float]
-    temper_scores: Mapping[float, Scores]
     predictions: Predictions
     reliability: tuple[Row, ...]
     residuals: Mapping[str, tuple[Row, ...]]
     learning: tuple[Row, ...]
-    recalibration: Platt = PLAIN
+    curve: LogisticCurve
+    stack: Stack
     warnings: tuple[str, ...] = ()
 
     def describe(self) -> Description:
@@ -114,7 +108,7 @@ class Validation(Result):
             Column("log_score", "log score", number),
             Column("ece", "ECE", number),
         )
-        best = self.rows.get("calibrated")
+        best = self.rows.get("predicted")
         words = "no scores"
         if best is not None:
             share, low, high = best.accuracy
@@ -131,19 +125,12 @@ class Validation(Result):
             ],
             tables=[
                 Table("scores", rows, columns, title="scores of tests that were held out"),
-                Table("temper_scores", self._tempers(), title=""),
                 Table("reliability", self.reliability),
                 Table("residuals", residuals),
                 Table("learning", learning),
             ],
             notes=self.warnings,
         )
-
-    def _tempers(self) -> list[Row]:
-        return [
-            {"temper": temper, "log_score": scores.log_score[0], "brier": scores.brier[0]}
-            for temper, scores in self.temper_scores.items()
-        ]
 
 
 def validate_trial(
@@ -152,96 +139,80 @@ def validate_trial(
     names: Sequence[str],
     *,
     folds: str,
-    seed: int,
+    learning: bool,
 ) -> Validation:
     """Return held-out scores of a trial; `names` are those of the groups, by their numbers."""
     known = np.isfinite(trial.fell)
     fell, codes = trial.fell[known], np.unique(trial.codes[known], return_inverse=True)[1]
-
-    def scored(p: Floats) -> Scores:
-        return scores_of(p[known], fell, codes, seed=seed)
-
-    if trial.temper is None:
-        tempers = choose_tempers(trial.evidence, trial.codes, trial.fell)
-    else:
-        tempers = np.full(len(names), trial.temper)
-    held = hold_out(trial.evidence, trial.codes, tempers)
-    line = PLAIN
-    helps = trial.recalibrate
-    if helps is None:
-        helps = it_helps(held.p, trial.fell, trial.codes)
-    if helps:
-        line = fit_platt(held.p[known], fell)
-        mended = recalibrated(held.p, trial.fell, trial.codes, held.low, held.high)
-        held = replace(held, **dict(zip(("p", "low", "high"), mended, strict=True)))
-    rates, curves = out_of_group(trial.measures, trial.fell, trial.objects, trial.codes)
-    at_tempers = {
-        temper: hold_out(trial.evidence, trial.codes, temper, ends=False).p for temper in LADDER
-    }
-    rules = (held.p, at_tempers[1.0], rates, curves)
+    held = hold_out(trial.fits, trial.tests, trial.codes)
     groups = [names[code] for code in trial.codes.tolist()]
+    curve = logistic_curve(trial.measures, trial.fell, trial.codes)
+    reason = why_not(trial.fell, trial.codes, folds)
+    if reason:
+        return Validation(
+            folds=folds,
+            rows={},
+            predictions=predictions_of(tests, held, groups, logistic=np.full(len(tests), np.nan)),
+            reliability=(),
+            residuals={"record": (), "session": (), "order": (), "intensity": ()},
+            learning=(),
+            curve=curve,
+            stack=Stack(),
+            warnings=(f"no held-out scores: {reason}",),
+        )
+    trains = np.arange(len(names))[:, np.newaxis] != trial.codes
+    place = np.arange(len(tests))
+    logistic = logistic_of(trial.measures, trial.fell, trial.codes, trains)[trial.codes, place]
+    stacks = stacks_of(held.p, logistic, trial.fell, np.vstack([trains, np.ones(len(tests), bool)]))
+    rates = np.empty(len(tests))
+    for train in trains:
+        rates[~train] = base_rate(trial.fell, trial.objects, train)[~train]
+    apart = [stacks[code] for code in trial.codes.tolist()]
+    predictions = predictions_of(tests, held, groups, logistic=logistic, stacks=apart)
+    rules = (predictions.p, held.p, logistic, rates)
+    scores = {
+        name: scores_of(p[known], fell, codes, seed=trial.seed)
+        for name, p in zip(ROWS, rules, strict=True)
+    }
     low = np.flatnonzero(held.effective < FEWEST_DRAWS)
     warnings = []
     if len(low):
-        few = sorted({groups[place] for place in low.tolist()})
+        few = {groups[each] for each in low.tolist()}
         warnings.append(
             f"{len(few)} of {len(names)} folds rest on fewer than {FEWEST_DRAWS:g} effective "
-            f"draws, {held.effective.min():.0f} at least: make more draws"
+            f"draws, {held.effective.min():.0f} at least"
         )
-    scores = {name: scored(p) for name, p in zip(ROWS, rules, strict=True)}
-    if scores["calibrated"].brier[0] >= scores["base rate"].brier[0]:
-        score, rate = (number(scores[name].brier[0]) for name in ("calibrated", "base rate"))
+    if scores["predicted"].brier[0] >= scores["base rate"].brier[0]:
+        score, rate = (number(scores[name].brier[0]) for name in ("predicted", "base rate"))
         warnings.append(
             f"held-out predictions are no better than the base rate: Brier score {score}, by the "
             f"base rate {rate}: doubt the prior of the outline, or the model"
         )
-    residuals = _residuals(held.p, trial.fell, tests)
+    residuals = _residuals(predictions.p, trial.fell, tests)
     warnings += _misfits(residuals)
     if len(names) < 10:
         warnings.append(f"with {len(names)} groups the intervals of the scores are rough")
     return Validation(
         folds=folds,
         rows=scores,
-        tempers=dict(zip(names, tempers.tolist(), strict=True)),
-        temper_scores={temper: scored(p) for temper, p in at_tempers.items()},
-        predictions=predictions_of(tests, held, groups, held_out=[True] * len(tests)),
-        reliability=tuple(_reliability(held.p[known], fell)),
+        predictions=predictions,
+        reliability=tuple(_reliability(predictions.p[known], fell)),
         residuals=residuals,
-        learning=tuple(learning_curve(trial, seed=seed)),
-        recalibration=line,
+        learning=tuple(learning_curve(trial)) if learning else (),
+        curve=curve,
+        stack=stacks[-1],
         warnings=tuple(warnings),
     )
 
 
-def without_scores(
-    trial: Trial,
-    tests: Sequence[ShakingTest],
-    names: Sequence[str],
-    *,
-    folds: str,
-    reason: str,
-) -> Validation:
-    """Return predictions of tests that cannot be scored, each without its group."""
-    held = hold_out(trial.evidence, trial.codes, 1.0 if trial.temper is None else trial.temper)
-    groups = [names[code] for code in trial.codes.tolist()]
-    return Validation(
-        folds=folds,
-        rows={},
-        tempers={},
-        temper_scores={},
-        predictions=predictions_of(tests, held, groups, held_out=[True] * len(tests)),
-        reliability=(),
-        residuals={"record": (), "session": (), "order": (), "intensity": ()},
-        learning=(),
-        warnings=(f"no held-out scores: {reason}",),
-    )
-
-
-def temper_of(trial: Trial) -> float:
-    """Return the temper of all tests: the given one, or that of the best held-out log score."""
-    if trial.temper is not None:
-        return trial.temper
-    return best_temper(trial.evidence, trial.codes, trial.fell)
+def why_not(fell: Floats, codes: Integers, folds: str) -> str:
+    """Return why tests cannot be held out; an empty text where they can."""
+    known = np.isfinite(fell)
+    if not known.any():
+        return "no test has an outcome: there is nothing to score"
+    if len(np.unique(codes[known])) < 2:
+        return f"all tests with an outcome are of one {folds}: none is left to predict it from"
+    return ""
 
 
 def _plain(scores: Scores) -> Row:

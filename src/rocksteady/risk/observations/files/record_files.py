@@ -10,7 +10,7 @@ from typing import Any
 from rocksteady.errors import InputError, RocksteadyError, Words
 from rocksteady.model.motions.record import Record
 from rocksteady.records.core.recording import Recording
-from rocksteady.records.processing import correct_baseline
+from rocksteady.records.processing import Cleaning
 from rocksteady.records.read import chosen, read_recordings
 
 Channel = tuple[Path, int]
@@ -24,7 +24,7 @@ class RecordFiles:
     ----------
     folder
         Where they lie.
-    baseline, options
+    cleaning, options
         As for `rocksteady.read_record`: units, dt_s, format, column and resample.
 
     Attributes
@@ -35,9 +35,9 @@ class RecordFiles:
         Warnings about them.
     """
 
-    def __init__(self, folder: Path, *, baseline: str = "none", **options: Any) -> None:
+    def __init__(self, folder: Path, *, cleaning: Cleaning, **options: Any) -> None:
         self._folder = folder.resolve()
-        self._baseline, self._options = baseline, options
+        self._cleaning, self._options = cleaning, options
         self._found: dict[str, Path] = {}
         self._read: dict[Path, tuple[Recording, ...]] = {}
         self._named: dict[Channel, Record] = {}
@@ -66,6 +66,8 @@ class RecordFiles:
                 self._read[path] = self._all_channels(path)
             recording = chosen(self._read[path], channel or None)
         except RocksteadyError as error:
+            if error.name in Cleaning.__dataclass_fields__:
+                raise
             if error.name == "channel":
                 raise InputError(
                     f"{place}, {option}", error.value, error.valid, error.hint
@@ -92,7 +94,7 @@ class RecordFiles:
     def _all_channels(self, path: Path) -> tuple[Recording, ...]:
         """Return the channels of a file, and keep its hash and its warnings."""
         read = read_recordings(path, **self._options)
-        recordings = tuple(correct_baseline(each, self._baseline) for each in read)
+        recordings = tuple(map(self._cleaning.apply, read))
         shown = self._shown(path)
         self.sources[shown] = hashlib.sha256(path.read_bytes()).hexdigest()
         remarks = dict.fromkeys(text for each in recordings for text in each.warnings)
