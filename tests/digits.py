@@ -95,7 +95,7 @@ def measures() -> Numbers:
 def recordings() -> Numbers:
     given = Recording(record=record(), format="table", path=Path("none"), units_in_file="m/s^2")
     for baseline in ("mean", "linear", "polynomial:5"):
-        yield from rs.records.correct_baseline(given, baseline).record.acceleration_m_s2
+        yield from rs.records.Cleaning(baseline=baseline).apply(given).record.acceleration_m_s2
     yield from rs.records.resample(given, 0.0037).record.acceleration_m_s2
 
 

@@ -23,7 +23,6 @@ from .show.plots.observations.reliability import plot_reliability as reliability
 from .show.plots.observations.residuals import plot_residuals as residuals
 from .show.plots.observations.restitution import plot_restitution as restitution
 from .show.plots.observations.scores import plot_learning as learning
-from .show.plots.observations.scores import plot_temper as temper
 from .show.plots.observations.survey import plot_survey as survey
 from .show.plots.orbits import plot_multipliers as multipliers
 from .show.plots.orbits import plot_poincare_section as poincare_section
@@ -125,7 +124,6 @@ __all__ = [
     "steady_states",
     "suite_spectrum",
     "survey",
-    "temper",
     "test_ladders",
     "tornado",
     "trajectory",

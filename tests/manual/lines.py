@@ -101,7 +101,7 @@ def shortened(line: str) -> str:
         few = {"--levels": "0.4,0.8,1.6", "--restitution": "0.9"}
         line += "".join(f" {flag} {value}" for flag, value in few.items() if flag not in line)
     if line.startswith("calibrate"):
-        line = re.sub(r" --draws \d+", "", line) + " --draws 30 --gains 2 --rounds 1 --model linear"
+        line = re.sub(r" --most-runs \d+", "", line) + " --most-runs 100 --model linear"
     if line.startswith("back-analyse --survey"):
         line = re.sub(r" --draws \d+", "", line) + " --draws 2 --levels 8 --trials 8"
     return AXIS.sub(lambda axis: axis[1] + str(min(FEW, int(axis[2]))), line)
@@ -195,7 +195,7 @@ def fit() -> Path:
     tests = [replace(test, object="column") for test in made.tests]
     found = rs.calibrate(
         replace(made, tests=tests, objects=given),
-        sampling=rs.calibration.DrawOptions(draws=30, gains=2, rounds=1),
+        most_runs=100,
         model=rs.Linear(),
     )
     with without_pictures():

@@ -21,6 +21,7 @@ from rocksteady.results.rendering import printable
 from rocksteady.risk.assess.described import _validation as object_bounds
 from rocksteady.risk.assess.described.schema import TABLES as OBJECT_TABLES
 from rocksteady.risk.assess.described.tables import COLUMNS as OBJECT_COLUMNS
+from rocksteady.risk.calibration.sampler.space import WIDEST
 from rocksteady.risk.facades._facade_schema import FILE as FACADE_FILE
 from rocksteady.risk.facades.actions import BOUNDS as FACADE_BOUNDS
 from rocksteady.risk.facades.spectrum_table import COLUMNS as SPECTRUM_COLUMNS
@@ -384,7 +385,10 @@ def test_numbers_of_objects_and_priors_are_those_of_the_readers() -> None:
     parts = sections("observations")
     objects = rows_of(parts["Objects before the tests"])
     assert keys(objects) == ["name", *object_prior.BOUNDS]
-    defaults = {key: str(spread) for key, spread in object_prior.DEFAULTS.items()}
+    defaults = {
+        key: str(WIDEST[key][0] if key in WIDEST else spread)
+        for key, spread in object_prior.DEFAULTS.items()
+    }
     general = rows_of(parts["`[object]`"])
     assert tuple(keys(general)) == prior.GENERAL
     for row in [*objects[1:], *general]:
@@ -400,10 +404,11 @@ def test_numbers_of_objects_and_priors_are_those_of_the_readers() -> None:
     noise = rows_of(parts["`[noise]`"])
     given = prior.OutcomeErrors()
     assert {row["key"]: row["default"].strip("`") for row in noise} == {
-        "sigma_ln": str(given.sigma_ln),
-        "outliers": str(given.outliers),
+        key: str(getattr(given, key)) for key in prior.NOISE
     }
-    assert [limits(row) for row in noise] == [("[", 0.0, 3.0, "]"), ("[", 0.0, 0.5, "]")]
+    assert {row["key"]: limits(row) for row in noise} == {
+        key: ("[", 0.0, most, "]") for key, (most, _) in prior.NOISE.items()
+    }
 
 
 @every(

@@ -264,7 +264,8 @@ def calls() -> dict[str, Call]:
             "max_cycles": 20,
         },
         rs.measures.compute_average_acceleration: {"record": record, "period_s": 0.5},
-        rs.records.correct_baseline: {"recording": t["recording"], "baseline": "mean"},
+        rs.records.Cleaning: {"baseline": "mean", "filter_hz": "0.1:2", "trim_s": "0:1"},
+        rs.records.Cleaning(baseline="mean").apply: {"recording": t["recording"]},
         rs.compute_basins: {
             "block": bare,
             "motion": shaking,

@@ -14,7 +14,6 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
     """Return the arguments of each call by its function, from things of `tests.public.things`."""
     one, spread = t["object prior"], t["spread"]
     calibration = t["calibration"]
-    few = rs.calibration.DrawOptions(draws=30, gains=1, rounds=1)
     found = t["back analysis"]
     stored = rs.calibration.read_posterior(t["calibrated"])
     row = [0.11, 0.8, 1.0, 0.05]
@@ -29,11 +28,11 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.calibration.PriorRange: fields(spread),
         rs.calibration.PriorRange.exactly: {"value": 0.3},
         rs.calibration.PriorRange.between: {"low": 0.3, "high": 0.4},
+        rs.calibration.PriorRange.in_logarithm: {"low": 0.3, "high": 0.4},
         rs.calibration.PriorRange.around: {"mean": 0.3, "sd": 0.1},
         rs.calibration.PriorRange.parse: {"text": "0.3:0.4"},
         spread.within: {"name": "width", "low": 0.0, "high": 1.0},
         spread.quantile: {"uniforms": [0.2, 0.7]},
-        spread.log_density: {"values": [0.2, 0.7]},
         rs.calibration.ShakingTest: {
             "name": "1",
             "record": t["record"],
@@ -43,7 +42,6 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.calibration.ObjectPrior: {"name": "vase", "width_m": "0.10:0.12", "height_m": 0.5},
         one.describe: {},
         one.draw: {"uniforms": [[0.5] * 4]},
-        one.log_density: {"values": [row]},
         one.scatter_of: {"values": [row]},
         one.sides: {"values": [row]},
         one.block: {"row": row},
@@ -71,8 +69,7 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
             "motions": [t["record"]],
             "gains": [0.5],
         },
-        rs.calibration.DrawOptions: fields(few),
-        rs.calibrate: {"tests": t["observations"], "sampling": few, "model": rs.Linear()},
+        rs.calibrate: {"tests": t["observations"], "most_runs": 100, "model": rs.Linear()},
         rs.calibration.Calibration: fields(calibration),
         rs.calibration.Validation: fields(t["validation"]),
         rs.calibration.Predictions: fields(t["predictions"]),
@@ -91,6 +88,7 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         t["posterior"].describe: {},
         t["posterior"].of: {"name": "alpha_rad"},
         t["posterior"].interval: {"name": "alpha_rad"},
+        t["posterior"].deviation: {"name": "sigma_ln"},
         t["posterior"].median_values: {},
         replace(
             t["posterior"], sessions={"day": np.zeros((len(t["posterior"].weights), 2))}
@@ -100,12 +98,10 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.plots.test_ladders: {"calibration": calibration},
         rs.plots.posterior: {"calibration": calibration},
         rs.plots.reliability: {"calibration": calibration},
-        rs.plots.temper: {"calibration": calibration},
         rs.plots.learning: {"calibration": calibration},
         rs.plots.residuals: {"calibration": calibration},
         rs.plots.predictions: {"predictions": t["predictions"]},
         rs.export.write_calibration: {"calibration": calibration, "folder": "fit", "force": True},
-        rs.calibration.compute_scores: {"probabilities": [0.3, 0.8], "fell": [0, 1]},
         rs.calibration.Survey: fields(t["survey"]),
         t["survey"].describe: {},
         rs.calibration.ScanOptions: {"limits": (0.05, 2.0), "levels": 10, "draws": 4, "seed": 1},

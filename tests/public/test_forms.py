@@ -72,12 +72,12 @@ def files(tmp_path: Path) -> Path:
 def test_a_calibration_of_version_0_1_0_is_read(files: Path) -> None:
     stored = read_posterior(files / "fit")
     posterior = stored.posteriors["synthetic block"]
-    assert posterior.values.shape == (30, len(posterior.space.names))
-    assert posterior.values[0, :2].tolist() == [0.23174240548602404, 6.23504185098]
-    assert posterior.weights[:2].tolist() == [0.07812519052344345, 0.028880493239126642]
-    assert stored.predictions.p[:2].tolist() == [0.014805745693544547, 0.06687097989735255]
-    assert sorted(stored.trained) == [f"test {number}" for number in range(1, 5)]
-    assert (stored.model, stored.sampling.draws) == (rs.Linear(), 30)
+    assert posterior.values.shape == (50, len(posterior.space.names))
+    assert posterior.values[0, :2].tolist() == [0.2317424160267462, 6.235041780124618]
+    assert posterior.weights[:2].tolist() == [0.016309456967446876, 0.0008454720119823452]
+    assert stored.predictions.p[:2].tolist() == [0.015986117078231228, 0.302647743736466]
+    assert sorted(stored.trained) == [f"test {number}" for number in (1, 3, 5, 7)]
+    assert (stored.model, stored.seed) == (rs.Linear(), 0)
 
 
 @every("kind", CERTIFIED)
@@ -88,9 +88,10 @@ def test_a_certificate_of_version_0_1_0_holds(kind: str, files: Path) -> None:
 
 def test_a_form_to_come_is_refused_with_both_names(files: Path) -> None:
     def refused(file: Path, form: str, read: Callable[[Path], object], read_from: Path) -> None:
-        text = file.read_text(encoding="utf-8")
-        file.write_text(text.replace(f'{form}/1"', f'{form}/2"', 1), encoding="utf-8")
-        with pytest.raises(rs.errors.InputError, match=f"its form is .*{form}/2.* reads .*/1"):
+        text, now = file.read_text(encoding="utf-8"), 2 if form == "calibrate" else 1
+        file.write_text(text.replace(f'{form}/{now}"', f'{form}/{now + 1}"', 1), encoding="utf-8")
+        words = f"its form is .*{form}/{now + 1}.* .*/{now}"
+        with pytest.raises(rs.errors.InputError, match=words):
             read(read_from)
 
     refused(files / "fit" / "fit.json", "calibrate", read_posterior, files / "fit")

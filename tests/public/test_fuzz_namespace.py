@@ -303,7 +303,6 @@ def test_results_are_compared_by_identity_and_can_be_kept_in_sets() -> None:
         ("MatchingOptions", {"threshold": np.array([1.0, 2.0])}, "threshold = array([1., 2.])"),
         ("HilltopSaddle.direction", {"phase": (1.0,)}, "it must be a finite number"),
         ("HilltopSaddle.direction", {"kind": "stabel"}, "it must be 'unstable' or 'stable'"),
-        ("Posterior.interval", {"untempered": np.arange(3.0)}, "it must be True or False"),
         ("RestitutionFit.peaks_of", {"ratios": 0.5}, "ratios = 0.5 is not valid"),
         ("RestitutionFit.peaks_of", {"ratios": (0.9,)}, "there are two impacts"),
         ("ElasticSpectrum", {"tc_star_s": None}, "tc_star_s = None is not valid"),

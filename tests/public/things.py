@@ -122,9 +122,7 @@ def things() -> dict[str, Any]:
     demand = rs.Demand(pga_g=0.5, pgv_m_s=0.6)
     screens = rs.screen_block(block, demand)
     observations = rs.calibration.Observations(tests=tests, objects={"vase": vase})
-    calibration = rs.calibrate(
-        observations, sampling=rs.calibration.DrawOptions(draws=30, gains=1, rounds=1), folds="test"
-    )
+    calibration = rs.calibrate(observations, most_runs=100, folds="test")
     if not Path("calibrated").exists():
         with without_pictures():
             rs.export.write_calibration(calibration, "calibrated")
@@ -271,7 +269,7 @@ def things() -> dict[str, Any]:
         "validation": calibration.validation,
         "predictions": calibration.validation.predictions,
         "posterior": calibration.posteriors["vase"],
-        "scores": calibration.validation.rows["calibrated"],
+        "scores": calibration.validation.rows["predicted"],
         "installation": rs.installation.check_installation(),
         **proof_things(),
     }

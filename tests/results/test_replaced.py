@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import rocksteady as rs
+from rocksteady.risk.calibration.sampler.surfaces import Surfaces
 from tests.public.things import things
 from tools.namespace import THINGS
 
@@ -33,7 +34,6 @@ def one_of_each() -> list[Any]:
         *(
             rs.branches.BranchOptions(),
             rs.branches.CurveOptions(),
-            rs.calibration.DrawOptions(),
             rs.Nonlinear(),
             rs.Steady(),
         ),
@@ -67,6 +67,8 @@ def state(value: Any) -> Any:
         return [state(each) for each in value]
     if isinstance(value, float):
         return value.hex()
+    if isinstance(value, Surfaces):
+        return state(vars(value))
     return repr(value) if hasattr(value, "to_dict") else value
 
 

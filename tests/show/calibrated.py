@@ -8,7 +8,7 @@ from typing import Any
 from unittest.mock import patch
 
 from rocksteady import Block, Linear, calibrate
-from rocksteady.calibration import Calibration, DrawOptions, Observations, make_synthetic_tests
+from rocksteady.calibration import Calibration, Observations, make_synthetic_tests
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.show.calibration import _calibration_report
 
@@ -34,9 +34,8 @@ def observations() -> Observations:
 
 
 def few(tests: Observations) -> Calibration:
-    """Calibrate with few draws of the linear model."""
-    sampling = DrawOptions(draws=120, gains=2, rounds=2)
-    return calibrate(tests, sampling=sampling, model=Linear())
+    """Calibrate with few runs of the linear model."""
+    return calibrate(tests, most_runs=200, model=Linear())
 
 
 @cache

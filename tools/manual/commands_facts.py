@@ -123,7 +123,7 @@ PYTHON = {
     "facade": ("read_facade", "run_facade", "check_facade", "write_facade"),
     "screens": ("screen_block",),
     "calibrate": ("read_tests", "calibrate", "write_calibration"),
-    "predict": ("read_posterior", "compute_scores"),
+    "predict": ("read_posterior",),
     "back-analyse": ("read_survey", "back_analyse"),
     "restitution": ("read_peaks", "fit_restitution"),
     "doctor": ("check_installation",),

@@ -33,7 +33,7 @@ from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError, ModelError
 from rocksteady.measures import compute_response_spectrum
 from rocksteady.motions import Floor, FourierSeries, Impulses, Segment, cut, make_synthetic_suite
-from rocksteady.records import correct_baseline, resample
+from rocksteady.records import Cleaning, resample
 from rocksteady.risk import Levels
 from tests.records import ABSENT, FOLDER, recording, synthetic
 
@@ -354,7 +354,7 @@ def test_what_is_made_of_a_floor_keeps_its_ground() -> None:
     moved = floor_motion(ground, frequencies_hz=1.0, shapes=1.3)
     given = recording(moved.acceleration_m_s2, moved.dt_s)
     given = replace(given, record=moved)
-    for processed in (resample(given, moved.dt_s / 2.0), correct_baseline(given, "linear")):
+    for processed in (resample(given, moved.dt_s / 2.0), Cleaning(baseline="linear").apply(given)):
         assert processed.record.reference == ground
     upstairs = floor_motion(moved, frequencies_hz=3.0)
     assert upstairs.reference == ground

@@ -38,13 +38,14 @@ def test_every_file_is_there_and_has_the_numbers_of_the_result(tmp_path: Path) -
     assert [file.name for file in written] == names(out) == FILES
 
     fit = json.loads((out / "fit.json").read_text(encoding="utf-8"))
-    assert fit["schema"] == "rocksteady/calibrate/1"
-    assert fit["scores"]["brier"]["value"] == found.validation.rows["calibrated"].brier[0]
+    assert fit["schema"] == "rocksteady/calibrate/2"
+    for name, scores in found.validation.rows.items():
+        assert fit["scores"][name]["brier"]["value"] == scores.brier[0]
     assert fit["hashes"] == {"tests.csv": "ab" * 32}
-    assert fit["temper"] == found.temper
+    assert fit["runs"] == {"synthetic block": 200}
 
     predicted = rows(out / "predictions.csv")
-    assert list(predicted[0])[:6] == ["test", "p", "low", "high", "mc_error", "held_out"]
+    assert list(predicted[0])[:6] == ["test", "p", "low", "high", "block", "logistic"]
     assert [float(row["p"]) for row in predicted] == found.validation.predictions.p.tolist()
     medians = [
         float(row["median"]) if row["median"] else None for row in rows(out / "parameters.csv")

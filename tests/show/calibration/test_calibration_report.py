@@ -24,7 +24,6 @@ SECTIONS = [
     "Tests by record",
     "Outcomes that were not expected",
     "Residuals",
-    "Temper",
     "Learning",
     "Method",
     "What is guaranteed",
@@ -49,21 +48,24 @@ def test_every_section_and_picture_is_there() -> None:
     assert headings[1:] == SECTIONS, "the first is that of the contents"
     check_alone(read)
     words = " ".join(each["alt"] for each in read.of("img"))
-    parameters = len(calibrated().parameters)
-    # reliability, ladder, temper, learning, residuals by record and by session
-    assert len(read.of("img")) == 6 + parameters
-    for start in ("Share that fell", "Outcomes over the gain", "alpha_rad of", "Held-out log"):
+    (posterior,) = calibrated().posteriors.values()
+    # reliability, ladder, learning, residuals by record and by session
+    assert len(read.of("img")) == 5 + len(posterior.columns)
+    for start in ("Share that fell", "Outcomes over the gain", "alpha_rad of", "Held-out acc"):
         assert start in words
 
 
 @pytest.mark.slow
 def test_numbers_are_those_of_the_result() -> None:
     found, text = calibrated(), Page(page("usual")).text
-    scores = found.validation.rows
+    scores, new = found.validation.rows, found.new_day
+    assert new is not None
     for name in ("accuracy", "f1", "brier", "log_score"):
-        for rule in ("calibrated", "base rate", "logistic"):
-            assert number(getattr(scores[rule], name)[0]) in text
-    right = round(scores["calibrated"].accuracy[0] * len(found.tests))
+        for rule in ("predicted", "block", "base rate", "logistic"):
+            for rows in (scores, new.rows):
+                assert number(getattr(rows[rule], name)[0]) in text
+    assert "on a new day" in text
+    right = round(scores["predicted"].accuracy[0] * len(found.tests))
     assert f"{right} of {len(found.tests)} outcomes" in text
     alpha = next(each for each in found.parameters if each["parameter"] == "alpha_rad")
     row = (
@@ -103,22 +105,18 @@ def test_without_scores_the_page_says_so() -> None:
     assert "none of which can be held out" in read.text
     assert "No held-out scores: all tests with an outcome are of one group" in read.text
     headings = [text for level, text in read.headings if level == 2]
-    assert not any(name in "".join(headings) for name in ("Residuals", "Temper", "Learning"))
+    assert not any(name in "".join(headings) for name in ("Residuals", "Learning"))
 
 
 def test_where_all_outcomes_are_predicted_their_number_is_stated_once() -> None:
     usual = calibrated()
-    scores = replace(usual.validation.rows["calibrated"], accuracy=(1.0, 1.0, 1.0), tests=8)
-    rows = {**usual.validation.rows, "calibrated": scores}
+    scores = replace(usual.validation.rows["predicted"], accuracy=(1.0, 1.0, 1.0), tests=8)
+    rows = {**usual.validation.rows, "predicted": scores}
     found = replace(usual, validation=replace(usual.validation, rows=rows))
-    assert "8 of 8 outcomes came as the calibrated block expects" in sentence_of(found)
-    described = found.describe().answer
-    assert described is not None
-    facts = dict(described.facts)
-    assert str(facts["held out"]).startswith("8 of 8 tests predicted")
+    assert "8 of 8 outcomes came as block and logistic together expect" in sentence_of(found)
 
 
-@every("promise", ["only alpha is identified", "0.42 g", "is Bayesian", "0.09"])
+@every("promise", ["only alpha is identified", "0.42 g", "finer than the surfaces"])
 def test_what_is_not_promised_stands_on_every_page(promise: str) -> None:
     text = Page(page("unscored")).text.replace("α", "alpha")
     assert promise in text
@@ -127,6 +125,6 @@ def test_what_is_not_promised_stands_on_every_page(promise: str) -> None:
 def test_nothing_of_the_page_is_left_to_guess() -> None:
     values: Any = json.loads(json.dumps(calibrated().to_dict(), default=str))
     assert set(values) >= {
-        "inputs", "hashes", "seed", "temper", "scores", "untempered", "base_rate", "logistic",
-        "parameters", "effective_draws", "mc_error", "warnings",
+        "inputs", "hashes", "seed", "most_runs", "runs", "scores", "new_day", "conflicts",
+        "parameters", "effective_draws", "pareto_k", "mc_error", "warnings",
     }  # fmt: skip

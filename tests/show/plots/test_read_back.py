@@ -358,8 +358,8 @@ CASES: dict[str, Case] = {
     "plot_reliability": lambda t: (
         {"calibration": t["calibration"]},
         [
-            sorted(t["predictions"].p.tolist()),
-            [float(test.fell) for test in t["observations"].tests],
+            [row["predicted"] for row in t["validation"].reliability],
+            [row["observed"] for row in t["validation"].reliability],
         ],
     ),
     "plot_proved_region": lambda t: (
@@ -432,13 +432,6 @@ CASES: dict[str, Case] = {
     "plot_suite_spectrum": lambda t: (
         {"summary": t["summary"]},
         [t["summary"].period.values, t["summary"].peak_angle.sel(quantile=0.5).values.ravel()],
-    ),
-    "plot_temper": lambda t: (
-        {"calibration": t["calibration"]},
-        [
-            sorted(t["validation"].temper_scores),
-            [each.log_score[0] for each in t["validation"].temper_scores.values()],
-        ],
     ),
     "plot_tornado": lambda _: (
         {"rows": [("one", 0.1, 0.4), ("two", 0.25, 0.28)], "base": 0.26},

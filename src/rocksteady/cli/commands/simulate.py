@@ -242,7 +242,7 @@ def with_neighbours(
         answer = neighbours.answer_with(friction)
     for key, lines in notes.items():
         label = key.partition("_")[0] if lines else ""
-        facts.append(Fact(key, lines, label, "\n".join(lines)))
+        facts.append(Fact(key, lines, label, "; ".join(lines)))
     return replace(description, facts=facts, notes=remarks, answer=answer)
 
 

@@ -165,8 +165,9 @@ class Meter:
 
     def end(self) -> None:
         """Take the cells that are done for all: there were fewer than there might have been."""
-        self.cells = self.passed
-        self._show(self)
+        if self.cells != self.passed:
+            self.cells = self.passed
+            self._show(self)
 
     @property
     def computed(self) -> int:
@@ -251,7 +252,7 @@ def _cells_lines(task: str) -> Callable[[Meter], None]:
         nonlocal due
         if due is None:
             due = Due(meter.cells, meter.there)
-        if meter.seconds < QUIET or not due(meter.passed):
+        if meter.seconds < QUIET or not (due(meter.passed) or meter.passed == meter.cells):
             return
         percent = 100 * meter.passed // meter.cells
         speed = f", {meter.text}" if meter.text else ""

@@ -137,6 +137,8 @@ FLAG_OF_ARGUMENT = {name: "--" + name.replace("_", "-") for name in NAMESAKES.sp
     "cap_mass_ratio": "--cap-mass-ratio",
     "sa_v_per_sa_h": "--vertical-per-horizontal",
     "width_mm": "--width",
+    "filter_hz": "--filter",
+    "trim_s": "--trim",
 }
 """Which flag an argument of the library is, for error lines."""
 

@@ -1,37 +1,37 @@
-"""Flags for tables of shaking tests, and how outcomes become draws."""
+"""Flags for tables of shaking tests."""
 
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, cast
+from typing import TYPE_CHECKING
 
-from rocksteady.cli.console.refusals import FlagError, flags_of, missing
+from rocksteady.cli.console.refusals import flags_of, missing
 from rocksteady.cli.flags.options import Panel, given_in
-from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import (
     baseline_flag,
+    cleaning_of,
     column_flag,
     dt_s_flag,
+    filter_flag,
     in_flags,
     resample_flag,
+    trim_flag,
     units_flag,
 )
 from rocksteady.errors import InputError
 
 if TYPE_CHECKING:
-    from rocksteady.risk.calibration.sampling import DrawOptions
     from rocksteady.risk.observations.observations import Observations
     from rocksteady.risk.observations.prior import Prior
 
 test_flag = Panel("Tests")
-sampling_flag = Panel("Calibration")
 
 tests_flag = partial(
     test_flag,
     "--tests FILE",
     "Read a table of tests: test, record, object and outcome (fell or stood), further "
     "gain, sigma_ln, group, session, peak_rad, sigma_rad, reversed, channel, vertical, "
-    "vertical_channel.",
+    "vertical_channel, transverse, transverse_channel.",
 )
 objects_flag = partial(
     test_flag,
@@ -42,8 +42,8 @@ objects_flag = partial(
 PRIOR = (
     "--prior FILE",
     (
-        "Read the priors of objects and of errors from a file in TOML: \\[noise] sigma_ln and "
-        "outliers, \\[object] base, offset, restitution or housner_factor, scatter."
+        "Read the priors of objects and of errors from a file in TOML: \\[noise] sigma_ln, "
+        "outliers and session_ln, \\[object] base, offset, restitution or housner_factor, scatter."
     ),
 )
 records_flag = partial(
@@ -65,6 +65,8 @@ class TableFlags:
     column: str | None = column_flag()
     resample: bool = resample_flag()
     baseline: str = baseline_flag()
+    filter: str | None = filter_flag()
+    trim: str | None = trim_flag()
 
     @property
     def given(self) -> dict[str, object]:
@@ -114,7 +116,7 @@ class TableFlags:
                     dt_s=self.dt_s,
                     column=self.column,
                     resample=self.resample,
-                    baseline=self.baseline,
+                    cleaning=cleaning_of(self),
                 )
         except InputError as error:
             hint = in_flags(error.hint.partition(", else ")[0])  # --ignore-header is of one file
@@ -129,90 +131,3 @@ def prior_of(file: Path | None) -> "Prior | None":
 
     with flags_of({"prior": "--prior"}):
         return read_prior(file)
-
-
-@dataclass(frozen=True, kw_only=True)
-class SamplingFlags:
-    """Draws, gains and rounds; folds and temper."""
-
-    fold: str = sampling_flag(
-        "--folds NAME",
-        "Hold out together the tests of one record, test, session or group.",
-        default="group",
-    )
-    temper: str = sampling_flag(
-        "--temper auto|T",
-        "Set the exponent of the likelihood, in (0, 1]; auto chooses it by held-out score.",
-        default="auto",
-    )
-    draws: int = sampling_flag("--draws N", "Set the number of draws of each object.", default=1500)
-    gains: int = sampling_flag(
-        "--gains N",
-        "Set the number of gains of each draw and test, over the error of its amplitude.",
-        default=5,
-    )
-    rounds: int | None = sampling_flag(
-        "--rounds N",
-        "Set the number of rounds of draws; default one for every 100 draws, 6 at most.",
-    )
-    seed: int = sampling_flag("--seed N", "Set the seed of all draws.", default=0)
-
-    def sampling(self) -> "DrawOptions":
-        """Return how many draws are made.
-
-        Raises
-        ------
-        FlagError
-            If a number is outside its range.
-        """
-        from rocksteady.risk.calibration.sampling import DrawOptions
-
-        with flags_of({name: f"--{name}" for name in ("draws", "gains", "rounds", "seed")}):
-            return DrawOptions(
-                draws=self.draws, gains=self.gains, rounds=self.rounds, seed=self.seed
-            )
-
-    @property
-    def exponent(self) -> 'Literal["auto"] | float':
-        """The temper: a number, or "auto".
-
-        Raises
-        ------
-        FlagError
-            If it is neither.
-        """
-        return temper_of(self.temper)
-
-    @property
-    def folds(self) -> 'Literal["record", "test", "session", "group"]':
-        """What is held out together.
-
-        Raises
-        ------
-        FlagError
-            If there is no such grouping.
-        """
-        known = ("record", "test", "session", "group")
-        if self.fold not in known:
-            raise FlagError(
-                "--folds", self.fold, "tests are grouped by " + ", ".join(known), "name one"
-            )
-        return cast("Literal['record', 'test', 'session', 'group']", self.fold)
-
-
-def temper_of(text: str) -> 'Literal["auto"] | float':
-    """Return the temper of a flag: a number, or "auto".
-
-    Raises
-    ------
-    FlagError
-        If it is neither.
-    """
-    if text == "auto":
-        return "auto"
-    try:
-        return number("--temper", text)
-    except InputError:
-        raise FlagError(
-            "--temper", text, "it must be auto or a number in (0, 1]", "write auto, or 0.3"
-        ) from None

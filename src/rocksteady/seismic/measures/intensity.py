@@ -145,7 +145,7 @@ class Measures(Result):
             f"PGD = {self.pgd_m:.3g} m is that of an error of the baseline, not of a ground: it is "
             f"{self.pgd_m / self.pgv_m_s:.2g} s times PGV, and the record ends with "
             f"{abs(self.final_velocity_m_s) / self.pgv_m_s:.0%} of PGV; --baseline linear "
-            "(correct_baseline) may help"
+            "(records.Cleaning) may help"
         )
 
     def describe(self) -> Description:

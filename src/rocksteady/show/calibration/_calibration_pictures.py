@@ -14,7 +14,7 @@ from rocksteady.show.plots.observations.posteriors import plot_posterior
 from rocksteady.show.plots.observations.reliability import plot_reliability
 from rocksteady.show.plots.observations.residuals import MOST as MOST_RESIDUALS
 from rocksteady.show.plots.observations.residuals import plot_residuals
-from rocksteady.show.plots.observations.scores import plot_learning, plot_temper
+from rocksteady.show.plots.observations.scores import plot_learning
 from rocksteady.show.report import picture
 from rocksteady.show.style.page import Page
 
@@ -42,19 +42,13 @@ def pictures_of(calibration: Calibration) -> dict[str, Any]:
     pictures["reliability"] = picture(
         partial(plot_reliability, calibration), 3.7, _words_of_reliability(validation)
     )
-    pictures["temper"] = picture(
-        partial(plot_temper, calibration),
-        3.1,
-        f"Held-out log score over {plural(len(validation.temper_scores), 'temper')}; the chosen "
-        f"one is {number(calibration.temper)}.",
-    )
     if len(validation.learning) > 1:
         first, last = (validation.learning[place]["groups"] for place in (0, -1))
         pictures["learning"] = picture(
             partial(plot_learning, calibration),
             3.1,
-            f"Held-out accuracy after {first} to {last} groups, of the calibrated block, of a "
-            "logistic on intensity and of the base rate.",
+            f"Held-out accuracy after {first} to {last} groups, of the block, of a logistic on "
+            "intensity and of the base rate.",
         )
     for by in ("record", "session"):
         rows = validation.residuals[by]
@@ -105,7 +99,9 @@ def _posteriors(calibration: Calibration) -> list[Picture]:
             page=HALF,
         )
         for row in ordered(calibration.parameters)
-        if row["object"] in names and (not several or row["parameter"] == FIRST)
+        if row["object"] in names
+        and row["parameter"] in calibration.posteriors[row["object"]].columns
+        and (not several or row["parameter"] == FIRST)
     ]
 
 

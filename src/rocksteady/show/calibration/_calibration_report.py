@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from rocksteady.results.numbers import chance, number, plural
+from rocksteady.results.numbers import number, plural
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.show.calibration._calibration_pictures import MOST_PICTURES, pictures_of
 from rocksteady.show.calibration._calibration_tables import (
@@ -37,7 +37,7 @@ def calibration_html(calibration: Calibration, manifest: Mapping[str, Any]) -> s
     manifest
         From `rocksteady.export.make_manifest`: versions and command.
     """
-    tests, validation = calibration.tests.tests, calibration.validation
+    tests = calibration.tests.tests
     unexpected = unexpected_rows(calibration)
     names = list(calibration.posteriors)
     heading = names[0] if len(names) == 1 else plural(len(names), "object")
@@ -49,20 +49,26 @@ def calibration_html(calibration: Calibration, manifest: Mapping[str, Any]) -> s
         "heading_words": heading,
         "method": _method(calibration),
         "not_promised": NOT_PROMISED,
+        "new_day": calibration.new_day is not None and bool(calibration.new_day.rows),
         "parameters": parameter_rows(calibration),
         "provenance": _provenance(calibration, manifest),
         "records_left_out": max(
             0, len({(test.group, test.object) for test in tests}) - MOST * MOST_PICTURES
         ),
+        "remarks": [sentence(greek(each)) for each in calibration.tests.remarks],
         "running": plain_name(heading),
-        "scores": score_rows(validation.rows),
+        "scores": score_rows(calibration),
         "sentence": sentence_of(calibration),
         "sessions": session_rows(calibration)[:LONGEST_TABLE],
         "several": len(names) > 1,
         "unexpected": unexpected[:MOST_ROWS],
         "unexpected_all": len(unexpected),
         "verdicts": verdict_words(calibration),
-        "warnings": [sentence(greek(each)) for each in dict.fromkeys(calibration.warnings)],
+        "warnings": [
+            sentence(greek(each))
+            for each in calibration.warnings
+            if each not in calibration.tests.remarks  # stated among the inputs
+        ],
     }
     return render(
         __package__,
@@ -77,21 +83,19 @@ def _method(calibration: Calibration) -> dict[str, Any]:
     tests = calibration.tests.tests
     fell = sum(test.fell is True for test in tests)
     stood = sum(test.fell is False for test in tests)
-    effective = [each.effective_draws for each in calibration.posteriors.values()]
+    fits, posteriors = calibration.fits, calibration.posteriors.values()
     return {
         "counts": f"{plural(len(tests), 'test')}: {fell} fell, {stood} stood",
-        "share": chance(fell / max(fell + stood, 1), fell + stood),
         "records": plural(len({id(test.record) for test in tests}), "record"),
         "groups": plural(len({test.group for test in tests}), "group"),
-        "temper": number(calibration.temper),
-        "tempered": calibration.temper != 1.0,
-        "draws": plural(max(len(each.weights) for each in calibration.posteriors.values()), "draw"),
-        "effective": number(min(effective)),
+        "draws": plural(max(len(each.weights) for each in posteriors), "draw"),
+        "rounds": plural(max(len(each.rounds) for each in fits), "round"),
+        "runs": f"{max(calibration.runs.values()):,}",
+        "effective": f"{min(each.effective_draws for each in posteriors):.0f}",
         "error": number(float(calibration.mc_error), 2),
-        "seed": str(calibration.sampling.seed),
+        "seed": str(calibration.seed),
         "flips": [f"{name}: {count:,}" for name, count in calibration.flips.items()],
         "folds": calibration.folds,
-        "chosen": calibration.tempered_by_choice,
     }
 
 

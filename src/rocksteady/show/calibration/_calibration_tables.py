@@ -8,19 +8,20 @@ from typing import Any
 
 from markupsafe import Markup
 
-from rocksteady.results.doubts import FEWEST_DRAWS, NOT_IDENTIFIED
+from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.results.numbers import chance, number, plural
+from rocksteady.risk.calibration._identified import BOUND, IDENTIFIED, LIMIT, MEANINGS
 from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.risk.calibration.held_out.scores import NAMES, WORDS, Scores
+from rocksteady.risk.calibration.held_out.scores import NAMES, WORDS
 from rocksteady.show.style.markup import Cell, Row, badge, beside, figure, isolated, named, under
 from rocksteady.show.style.wording import NOTHING, greek, sentence, span
 
 LEAST_SCORE = 5e-5
 LABELS = {
-    "calibrated": "calibrated block",
-    "untempered": "the same, untempered",
+    "predicted": "block and logistic",
+    "block": "block alone",
+    "logistic": "logistic alone",
     "base rate": "base rate",
-    "logistic": "logistic on intensity",
 }
 SHORT = {
     "accuracy": "accuracy",
@@ -35,55 +36,58 @@ FIRST = "alpha_rad"
 PARAMETERS = {
     "alpha_rad": "α [rad]",
     "p_rad_s": "p [rad/s]",
-    "housner_factor": "restitution over that of Housner",
+    "housner_factor": "restitution over Housner’s",
     "sigma_ln": "amplitude error σ",
     "outliers": "outliers ε",
     "scatter": "scatter of restitution",
+    "gyration_m": "radius of gyration [m]",
+    "session_ln": "deviation between sessions",
     "base": "base over outline",
+    "offset": "offset over half the base",
+    "orientation_rad": "orientation [rad]",
 }
-VERDICTS = {
-    NOT_IDENTIFIED: ("differs", f"fewer than {FEWEST_DRAWS:g} effective draws: make more draws"),
-    "identified": ("agrees", "the tests narrow it inside what was known before"),
-    "narrowed": ("open", "narrower than before, though outcomes alone identify alpha only"),
-    "prior returned": ("open", "it comes back as it was put in, and the tests do not inform it"),
-    "bound": ("differs", "all outcomes are alike and bound it from one side, at 90 %"),
-    "at the prior's limit": (
-        "differs",
-        "the tests push it to an end of what was thought possible: widen that, or doubt the model",
-    ),
-}
-"""Look and meaning of each verdict; verdicts that limit the answer stand out."""
+LOOKS = {NOT_IDENTIFIED: "differs", BOUND: "differs", LIMIT: "differs", IDENTIFIED: "agrees"}
+"""Looks of verdicts: those that limit the answer stand out."""
 MOST_ROWS = 12
 """Rows of the table of tests that were not expected."""
 
 
 def sentence_of(calibration: Calibration) -> str:
-    """Return the answer in one sentence: how many outcomes are called, and by less than physics."""
-    if not calibration.validation.rows:
-        count = plural(len(calibration.tests), "test")
-        return f"By {count}, none of which can be held out: their predictions cannot be scored."
-    rows = calibration.validation.rows
-    mine, base = rows["calibrated"], rows["base rate"]
-    right = round(mine.accuracy[0] * mine.tests)
-    share = f" ({chance(mine.accuracy[0])})" if 0 < right < mine.tests else ""
-    words = (
-        f"Predicted without the tests of its own group, {right} of {plural(mine.tests, 'outcome')}"
-        f"{share} came as the calibrated block expects; the more frequent outcome alone is right "
-        f"in {chance(base.accuracy[0], base.tests)}"
+    """Return how many outcomes are predicted, by block and logistic and by each rule alone."""
+    rows, tests = calibration.validation.rows, plural(len(calibration.tests), "test")
+    if not rows:
+        return f"By {tests}, none of which can be held out: their predictions cannot be scored."
+    best = rows["predicted"]
+    right = round(best.accuracy[0] * best.tests)
+    share = f" ({chance(best.accuracy[0])})" if 0 < right < best.tests else ""
+    block, logistic, base = (
+        chance(rows[name].accuracy[0], best.tests) for name in ("block", "logistic", "base rate")
     )
-    logistic = chance(rows["logistic"].accuracy[0], mine.tests)
-    return f"{words}, a logistic on intensity in {logistic}."
+    answer = calibration.describe().answer
+    use = dict(answer.facts).get("use") if answer else None
+    return (
+        f"Predicted without the tests of its own group, {right} of "
+        f"{plural(best.tests, 'outcome')}{share} came as block and logistic together expect; "
+        f"the block alone is right in {block}, the logistic alone in {logistic}, the more frequent "
+        f"outcome in {base}.{f' Use {use}.' if use else ''}"
+    )
 
 
-def score_rows(rows: Mapping[str, Scores]) -> list[Row]:
-    """Return a row for each predictor: scores with their bands."""
-    return [
-        {
-            "predictor": Cell(LABELS.get(key, key), "name"),
-            **{SHORT[name]: _score_cell(name, getattr(scores, name)) for name in NAMES},
-        }
-        for key, scores in rows.items()
-    ]
+def score_rows(calibration: Calibration) -> list[Row | str]:
+    """Return a row for each predictor, scores with their bands; those of a new day below."""
+    rows: list[Row | str] = []
+    new = calibration.new_day
+    for heading, validation in (("", calibration.validation), ("on a new day", new)):
+        scores = {} if validation is None else validation.rows
+        rows += [heading] if heading and scores else []
+        rows += [
+            {
+                "predictor": Cell(LABELS[key], "name"),
+                **{SHORT[name]: _score_cell(name, getattr(each, name)) for name in NAMES},
+            }
+            for key, each in scores.items()
+        ]
+    return rows
 
 
 def _score_cell(name: str, value: Sequence[float]) -> Cell:
@@ -110,7 +114,6 @@ def parameter_rows(calibration: Calibration) -> list[Row | str]:
     for each in ordered(calibration.parameters):
         if len(calibration.posteriors) > 1 and each["parameter"] == FIRST:
             rows.append(each["object"])
-        look, _ = VERDICTS[each["verdict"]]
         rows.append(
             {
                 "parameter": parameter_words(each["parameter"]),
@@ -123,7 +126,9 @@ def parameter_rows(calibration: Calibration) -> list[Row | str]:
                 "outline": figure(
                     NOTHING if each.get("outline") is None else number(each["outline"])
                 ),
-                "verdict": beside(badge(each["verdict"], look), _bound(each)),
+                "verdict": beside(
+                    badge(each["verdict"], LOOKS.get(each["verdict"], "open")), _bound(each)
+                ),
             }
         )
     return rows
@@ -132,7 +137,7 @@ def parameter_rows(calibration: Calibration) -> list[Row | str]:
 def verdict_words(calibration: Calibration) -> str:
     """Return the meaning of each verdict that a parameter has."""
     verdicts = dict.fromkeys(each["verdict"] for each in ordered(calibration.parameters))
-    return " ".join(sentence(f"{each}: {greek(VERDICTS[each][1])}") for each in verdicts)
+    return " ".join(sentence(f"{each}: {greek(MEANINGS[each])}") for each in verdicts)
 
 
 def ordered(rows: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -182,22 +187,31 @@ def unexpected_rows(calibration: Calibration) -> list[Row]:
             Markup("90&nbsp;% of draws"): figure(
                 NOTHING if math.isnan(low) else span(low, high), "90 % of draws"
             ),
-            "± by draws": figure(number(float(predictions.mc_error[place]), 2)),
+            **{
+                key: figure(NOTHING if math.isnan(at[place]) else number(float(at[place])))
+                for key, at in (("block", predictions.block), ("logistic", predictions.logistic))
+            },
         }
         unlikely.append((chance, row))
     return [row for _, row in sorted(unlikely, key=itemgetter(0))]
 
 
 def session_rows(calibration: Calibration) -> list[Row]:
-    """Return a row for each session, the largest misfit first."""
+    """Return a row for each session, the largest misfit first; of one object with its gain."""
+    (first, *others) = calibration.posteriors.values()
+    known = {} if others or not first.identified else first.sessions
+    gains = {name: first.session_gain(name) for name in known}
     residuals = calibration.validation.residuals.get("session", ())
-    return [
-        {
+    rows = []
+    for each in sorted(residuals, key=lambda each: (-abs(each["z"]), each["name"])):
+        row: Row = {
             "session": named(each["name"]),
             "tests": figure(f"{each['tests']}"),
             "fell": figure(f"{each['fell']}"),
             "predicted": figure(number(each["expected"])),
-            "over its deviation": figure(number(each["z"], 2)),
         }
-        for each in sorted(residuals, key=lambda each: (-abs(each["z"]), each["name"]))
-    ]
+        if each["name"] in gains:
+            gain, low, high = gains[each["name"]]
+            row["gain"] = figure(beside(number(gain), under(span(low, high))))
+        rows.append(row)
+    return rows

@@ -3,21 +3,30 @@
 from typing import Final
 
 GUARANTEES: Final = (
-    "The same inputs and the same seed give the same numbers, with any number of workers.",
-    "Every fate is that of a complete run: no fate and no record is interpolated.",
     (
-        "A test is predicted without its own group: neither the posterior, nor the temper, nor the "
-        "logistic beside it has seen that group."
+        "The same inputs and the same seed give the same numbers to the last bit, on any processor "
+        "and with any number of threads and workers."
     ),
     (
-        "Each prediction has its Monte Carlo error, each posterior its effective draws; draws are "
-        "added until that error is below 0.01, or a warning names those where it is not."
+        "Every run is complete, and no record is interpolated; probabilities come from surfaces "
+        "that are fitted to these runs."
+    ),
+    (
+        "A test is predicted without its own group: posterior, logistic and the weights of both "
+        "are fitted to the tests of other groups."
+    ),
+    (
+        "Each prediction has its Monte Carlo error, each posterior its effective draws: with fewer "
+        "than 200, or Pareto's k above 0.7, there is no answer."
+    ),
+    (
+        "Where tests contradict a default prior it is widened, and the first line says so; a prior "
+        "that was given is kept, and the conflict named."
     ),
     (
         "Tests that all fell, or all stood, give a bound of alpha and no estimate; the table of "
         "parameters names it so."
     ),
-    "A parameter that ends at a limit of its prior is named: another prior would move it.",
 )
 NOT_PROMISED: Final = (
     (
@@ -37,11 +46,11 @@ NOT_PROMISED: Final = (
         "of 59 records leave one standing whose static limit by West is 0.42 g."
     ),
     (
-        "That a tempered likelihood is Bayesian: its exponent is chosen by the score of held-out "
-        "tests, since model errors make tests alike. The untempered result stands beside it."
+        "That the Monte Carlo error holds all that a prediction misses: falls and survivals "
+        "alternate in bands of gain and size that are finer than the surfaces."
     ),
     (
-        "That physics wins with many tests: 20 beat a logistic on intensity measures by 0.09 of "
-        "accuracy in one laboratory; with 400 both come near the ceiling."
+        "That the block predicts better than a logistic on intensity measures: with many tests "
+        "both come near the ceiling."
     ),
 )

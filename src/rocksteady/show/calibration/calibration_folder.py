@@ -1,11 +1,12 @@
 """The folder of a calibration: page, fit, posterior, predictions and parameters."""
 
 import hashlib
+import json
 from pathlib import Path
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.risk.calibration.stored import FORM, TABLES, posterior_rows
+from rocksteady.risk.calibration.stored import FORM, TABLES, fit_hash, posterior_rows
 from rocksteady.show.calibration._calibration_report import calibration_html
 from rocksteady.show.export.files import json_text, save_csv, save_text
 from rocksteady.show.export.folders import CALIBRATION
@@ -48,13 +49,12 @@ def write_calibration(
     --------
     >>> from tempfile import TemporaryDirectory
     >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests
+    >>> from rocksteady.calibration import make_synthetic_tests
     >>> from rocksteady.export import write_calibration
     >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(2), model=Linear())
-    >>> few = DrawOptions(draws=30, gains=2, rounds=1)
-    >>> calibration = calibrate(tests, sampling=few, model=Linear())
+    >>> calibration = calibrate(tests, most_runs=200, model=Linear())
     >>> with TemporaryDirectory() as folder:
     ...     [file.name for file in write_calibration(calibration, folder)]
     ['fit.json', 'parameters.csv', 'posterior.csv', 'predictions.csv', 'report.html']
@@ -69,8 +69,9 @@ def write_calibration(
         ):
             save_csv("out", stage / f"{name}.csv", table.header, table.records())
         hashes = {name: hashlib.sha256((stage / name).read_bytes()).hexdigest() for name in TABLES}
-        fit = json_text(FORM, {**calibration.to_dict(), "files": hashes}, indent=2)
-        save_text("out", stage / "fit.json", fit + "\n")
+        fit = json.loads(json_text(FORM, {**calibration.to_dict(), "files": hashes}))
+        text = json.dumps(fit | {"sha256": fit_hash(fit)}, indent=2, ensure_ascii=False)
+        save_text("out", stage / "fit.json", text + "\n")
         page = calibration_html(calibration, make_manifest(command=command))
         save_text("out", stage / "report.html", page)
 

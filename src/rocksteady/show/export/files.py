@@ -22,7 +22,7 @@ FORMATS = ("png", "svg", "pdf")
 """Formats of pictures."""
 STRAY = "backslashreplace"
 """Writes a byte of a file's name that is no UTF-8 as \\udcff; JSON reads the same name back."""
-NUMBERS = {"facade": 2, "facade-checks": 2}
+NUMBERS = {"calibrate": 2, "facade": 2, "facade-checks": 2}
 """Number of each command's schema that is not its first."""
 
 

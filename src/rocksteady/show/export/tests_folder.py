@@ -21,7 +21,7 @@ _LONGEST_NAME: Final = 80
 
 _HEADER: Final = (
     "test", "record", "object", "outcome", "gain", "sigma_ln", "group", "session", "peak_rad",
-    "sigma_rad", "reversed", "vertical",
+    "sigma_rad", "reversed", "vertical", "transverse",
 )  # fmt: skip
 
 
@@ -72,7 +72,7 @@ def write_tests(folder: Path | str, observations: Observations, *, force: bool =
         "objects.csv": _objects(observations.objects),
     }
     for test in observations.tests:
-        for record in (test.record, test.vertical):
+        for record in (test.record, test.vertical, test.transverse):
             if record is not None:
                 texts.setdefault(files[id(record)], _samples(record))
 
@@ -89,7 +89,7 @@ def _names(tests: Sequence[ShakingTest]) -> dict[int, str]:
     used = {name.removesuffix(".csv") for name in TABLES}
     files: dict[int, str] = {}
     for test in tests:
-        for record in (test.record, test.vertical):
+        for record in (test.record, test.vertical, test.transverse):
             if record is None or id(record) in files:
                 continue
             stem = _SAFE.sub("_", record.name or "record").strip(" .")[:_LONGEST_NAME] or "record"
@@ -107,10 +107,10 @@ def _row(test: ShakingTest, files: Mapping[int, str]) -> list[object]:
     outcomes = {True: "fell", False: "stood", None: ""}
     numbers = [test.gain, test.sigma_ln, test.peak_rad, test.sigma_rad]
     gain, sigma_ln, peak, sigma = ["" if each is None else repr(each) for each in numbers]
-    vertical = "" if test.vertical is None else files[id(test.vertical)]
+    more = ["" if each is None else files[id(each)] for each in (test.vertical, test.transverse)]
     return [
         test.name, files[id(test.record)], test.object, outcomes[test.fell], gain, sigma_ln,
-        test.group, test.session or "", peak, sigma, "yes" if test.reversed else "", vertical,
+        test.group, test.session or "", peak, sigma, "yes" if test.reversed else "", *more,
     ]  # fmt: skip
 
 

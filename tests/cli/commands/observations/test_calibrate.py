@@ -15,7 +15,7 @@ from tests.descriptions import fits
 from tests.every import every
 from tests.show.calibrated import without_pictures
 
-FEW = "--draws 60 --gains 2 --rounds 1 --model linear"
+FEW = "--most-runs 100 --model linear"
 
 
 @pytest.fixture(scope="module", name="table")
@@ -28,11 +28,11 @@ def _table(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_json_has_the_scores_and_one_object(table: Path) -> None:
     ran = rocksteady(f"calibrate {FEW} --json --tests", table)
-    assert (ran.code, ran.json["schema"]) == (0, "rocksteady/calibrate/1")
+    assert (ran.code, ran.json["schema"]) == (3, "rocksteady/calibrate/2")
     values = ran.json
-    assert 0.0 <= values["scores"]["brier"]["value"] <= 1.0
+    assert set(values["scores"]) == {"predicted", "block", "logistic", "base rate"}
     assert values["tests"] == 16
-    assert values["draws"] == 60
+    assert values["runs"] == {"synthetic block": 100}
     assert values["model"] == "linear"
     assert values["folds"] == "group"
     assert values["synthetic"] is False
@@ -43,20 +43,22 @@ def test_json_has_the_scores_and_one_object(table: Path) -> None:
 def test_the_folder_predicts_without_the_records(table: Path, tmp_path: Path) -> None:
     out, rows = tmp_path / "fit", tmp_path / "rows.csv"
     with without_pictures():
-        ran = rocksteady(f"calibrate {FEW} --temper 1 --tests", table, "--out", out, "--csv", rows)
-    assert ran.code == 0
+        ran = rocksteady(f"calibrate {FEW} --seed 1 --tests", table, "--out", out, "--csv", rows)
+    assert ran.code == 3
     assert fits("\n".join(line for line in ran.out.splitlines() if str(tmp_path) not in line))
     assert "report.html" in ran.err
-    assert json.loads((out / "fit.json").read_text(encoding="utf-8"))["temper"] == 1.0
+    assert json.loads((out / "fit.json").read_text(encoding="utf-8"))["seed"] == 1
     assert rows.read_bytes() == (out / "predictions.csv").read_bytes()
-    command = f"rocksteady calibrate {FEW} --temper 1 --tests"
+    command = f"rocksteady calibrate {FEW} --seed 1 --tests"
     assert command in (out / "report.html").read_text(encoding="utf-8")
 
     record = next(table.parent.glob("synthetic*"))
-    found = rocksteady("predict --json --fit", out, "--record", record, "--scale", "0.2:20:2")
-    assert (found.code, found.json["schema"]) == (0, "rocksteady/predict/1")
-    weak, strong = found.json["predictions"]
-    assert weak["p"] < 0.5 < strong["p"]
+    found = rocksteady("predict --json --fit", out, "--record", record, "--scale", "0.2,1,20")
+    assert (found.code, found.json["schema"]) == (3, "rocksteady/predict/1")
+    weak, even, strong = found.json["predictions"]
+    assert [row["test"].partition(" x ")[2] for row in (weak, even, strong)] == ["0.2", "", "20"]
+    assert weak["p"] < even["p"] < strong["p"]
+    assert weak["block"] < strong["block"]
     assert not weak["held_out"]
 
     again = tmp_path / "again.csv"
@@ -82,9 +84,10 @@ def test_sessions_that_the_table_does_not_have_are_refused(table: Path) -> None:
 
 def test_the_example_needs_no_file() -> None:
     ran = rocksteady(f"calibrate --example {FEW} --more")
-    assert ran.code == 0
-    assert ran.out.startswith("No answer yet: it rests on ")
-    assert "\nnext: rocksteady calibrate --example " in ran.out
+    assert ran.code == 3
+    assert ran.out.startswith("No answer: ")
+    assert "of the 200 that it takes, after 100 runs of a test" in " ".join(ran.out.split())
+    assert "\nnext: rocksteady calibrate --example --model linear --most-runs 6000" in ran.out
     assert "The tests are synthetic" in ran.out
     assert "alpha_rad" in ran.out
 
@@ -97,17 +100,13 @@ def test_the_example_needs_no_file() -> None:
         ("calibrate --example --tests x.csv", ["--tests", "reads no file"]),
         ("calibrate --example --records x", ["--records", "reads no file"]),
         ("calibrate --example --prior x.toml", ["--prior", "reads no file"]),
-        ("calibrate --example --draws 5", ["--draws = 5"]),
-        ("calibrate --example --gains 0", ["--gains = 0"]),
-        ("calibrate --example --rounds 0", ["--rounds = 0"]),
+        ("calibrate --example --most-runs 5", ["--most-runs = 5", "from 100"]),
         ("calibrate --example --seed -1", ["--seed = -1"]),
-        ("calibrate --example --folds day", ["--folds = 'day'", "record, test, session"]),
-        ("calibrate --example --temper 2", ["--temper = 2"]),
-        ("calibrate --example --temper hot", ["--temper = 'hot'", "auto"]),
+        ("calibrate --example --folds day", ["--folds = 'day'", "group, record, test, session"]),
         ("calibrate --example --model quadratic", ["--model = 'quadratic'"]),
         ("calibrate --example --workers 0", ["--workers = 0"]),
         ("calibrate --example --plot x.doc", ["--plot", ".png, .svg, .pdf"]),
-        ("calibrate --draws 60 --draws 70", ["--draws is given more than once"]),
+        ("calibrate --seed 1 --seed 2", ["--seed is given more than once"]),
         ("predict", ["--fit is not given"]),
         ("predict --fit none", ["--tests or --record is not given"]),
         ("predict --fit none --tests a.csv --record b.at2", ["--tests and --record"]),
@@ -132,3 +131,22 @@ def test_no_file_that_is_read_is_written_over(table: Path) -> None:
         assert ran.code == 2
         assert "this file is read" in ran.err
         assert file.read_bytes() == before
+
+
+def test_the_flags_that_clean_a_record_clean_those_of_a_table(table: Path, tmp_path: Path) -> None:
+    out = tmp_path / "fit"
+    flags = "--baseline pre:0.5 --filter 0.2:15 --trim 0.5:"
+    with without_pictures():
+        ran = rocksteady(f"calibrate {FEW} {flags} --json --tests", table, "--out", out)
+    remark = "Each record was cleaned: baseline pre:0.5, filter 0.2 to 15 Hz, trim from 0.5 s."
+    assert remark in ran.json["warnings"]
+    assert remark in (out / "report.html").read_text(encoding="utf-8")
+    record = next(table.parent.glob("synthetic*"))
+    for tests in (["--tests", table], ["--record", record]):
+        assert remark in rocksteady(f"predict {flags} --json --fit", out, *tests).json["warnings"]
+    run = rocksteady(f"simulate {flags} --width-m 0.15 --height-m 0.6 --json --record", record)
+    steps = [words.partition(":")[0] for words in run.json["record_processing"]]
+    assert steps[-3:] == ["baseline", "filter", "trim"]
+    for flag, value in (("--filter", ":900"), ("--trim", "0:9999"), ("--baseline", "pre:999")):
+        line = refused(f"calibrate {FEW} {flag} {value} --tests", table)
+        assert line.startswith(f"rocksteady: {flag} = '{value}'")

@@ -58,5 +58,7 @@ def test_the_interval_and_the_outline_are_those_of_the_table() -> None:
 def test_what_is_not_there_is_refused() -> None:
     with pytest.raises(InputError, match="parameter = 'alfa' is not valid: the parameters are"):
         drawn("alfa")
+    with pytest.raises(InputError, match="parameter = 'sigma_ln' is not valid"):
+        drawn("sigma_ln")  # errors are integrated: there are no draws
     with pytest.raises(InputError, match="object = 'vase' is not valid: the objects are"):
         plots.posterior(calibrated(), Figure().add_subplot(), object="vase")

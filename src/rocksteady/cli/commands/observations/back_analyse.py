@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import typer
 
@@ -14,7 +14,7 @@ from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags
-from rocksteady.cli.flags.shaking_tests import PRIOR, prior_of, temper_of
+from rocksteady.cli.flags.shaking_tests import PRIOR, prior_of
 from rocksteady.cli.flags.sweep import executor_flag, workers_flag
 from rocksteady.errors import InputError
 from rocksteady.show.export.files import check_apart
@@ -179,9 +179,27 @@ def _scan(*, temper: str, **options: object) -> "ScanOptions":
     """Return the scan, whose errors name the flags."""
     from rocksteady.risk.back_analysis.scan import ScanOptions
 
-    exponent = temper_of(temper)
+    exponent = _temper(temper)
     with flags_of({name: f"--{name}" for name in FLAGS}):
         return ScanOptions(temper=exponent, **options)  # type: ignore[arg-type]
+
+
+def _temper(text: str) -> Literal["auto"] | float:
+    """Return the temper of a flag: a number, or "auto".
+
+    Raises
+    ------
+    FlagError
+        If it is neither.
+    """
+    if text == "auto":
+        return "auto"
+    try:
+        return number("--temper", text)
+    except InputError:
+        raise FlagError(
+            "--temper", text, "it must be auto or a number in (0, 1]", "write auto, or 0.3"
+        ) from None
 
 
 def _example(

@@ -6,25 +6,14 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from rocksteady.cli.console.outputs import (
-    again,
-    announce_file,
-    report_command,
-)
+from rocksteady.cli.console.outputs import again, announce_file, report_command
 from rocksteady.cli.console.progress import sweeping
-from rocksteady.cli.console.refusals import FlagError, flags_of, refuse
+from rocksteady.cli.console.refusals import flags_of, refuse
 from rocksteady.cli.console.shell import command_of
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.flags.shaking_tests import (
-    PRIOR,
-    SamplingFlags,
-    TableFlags,
-    prior_of,
-    sampling_flag,
-    test_flag,
-)
+from rocksteady.cli.flags.shaking_tests import PRIOR, TableFlags, prior_of, test_flag
 from rocksteady.cli.flags.sweep import executor_flag, workers_flag
 from rocksteady.show.export.folders import CALIBRATION
 
@@ -34,40 +23,42 @@ if TYPE_CHECKING:
 
 HELP = (
     "Fit objects to the shaking tests in which they fell or stood.\n\n"
-    "Draws of each object are run under the record of each test at gains about its own, and "
-    "weighted by how well they explain the outcomes. Scores are of tests that are predicted "
-    "without their group, beside the base rate and a logistic on intensity measures. --out "
-    "keeps the posterior for `rocksteady predict`, with a report. Outcomes identify alpha "
-    "alone: height, p and restitution come back about as they were put in."
+    "Draws of each object are run under the record of each test, in rounds that close in on the "
+    "blocks that explain the outcomes, until 200 effective draws or more agree. Scores are of "
+    "tests that are predicted without their group, by block and logistic together and by each "
+    "alone, beside the base rate. --out keeps the posterior for `rocksteady predict`, with a "
+    "report. Outcomes say most of alpha: height, p and restitution mostly come back as they were "
+    "put in."
 )
-MAIN = "tests objects records prior draws gains out plot example"
+MAIN = "tests objects records prior folds most_runs out plot example"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady calibrate --example --out fit\n\n"
     "rocksteady calibrate --tests tests.csv --records suite --out own\n\n"
     "rocksteady calibrate --tests tests.csv --records suite --prior prior.toml "
-    "--folds session --draws 3000 --json\n\n"
-    "rocksteady calibrate --tests tests.csv --records suite --temper 1 --csv predictions.csv "
-    "--plot fit.png\n\n"
+    "--folds session --json\n\n"
+    "rocksteady calibrate --tests tests.csv --records suite --most-runs 12000 "
+    "--csv predictions.csv --plot fit.png\n\n"
     "Your files: tests.csv and objects.csv, tables; prior.toml, a prior; suite, a folder of "
     "records."
 )
-ARGUMENTS = {"folds": "--folds", "model": "--model", "temper": "--temper"}
+ARGUMENTS = {
+    "folds": "--folds", "model": "--model", "most_runs": "--most-runs", "seed": "--seed"
+}  # fmt: skip
 """Flags of arguments of `rocksteady.calibrate`."""
-_WHEN = {"auto": None, "yes": True, "no": False}
-USUAL_DRAWS = 3000
-"""Draws to go on with where there are too few effective ones."""
+USUAL_RUNS = 6000
+"""Default of --most-runs, and the fewest that a next command asks for."""
 EXAMPLE_MOTIONS = 8
 EXAMPLE_SIZE = (0.15, 0.6)
 """Width and height of the block of --example [m]."""
+sampling_flag = options.Panel("Calibration")
 
 
 @grouped
 def calibrate(
     context: typer.Context,
     table: TableFlags,
-    sampled: SamplingFlags,
     output: OutputFlags,
     prior: Path | None = test_flag(*PRIOR),
     model: str = sampling_flag(
@@ -76,12 +67,15 @@ def calibrate(
         "blocks, faster, without vertical motion).",
         default="nonlinear",
     ),
-    recalibrate: str = sampling_flag(
-        "--recalibrate WHEN",
-        "Mend held-out predictions by a line over their log odds, fitted without the group: auto "
-        "(where it helps), yes or no.",
-        default="auto",
+    folds: str = sampling_flag(
+        "--folds NAME",
+        "Hold out together the tests of one record, test, session or group.",
+        default="group",
     ),
+    most_runs: int = sampling_flag(
+        "--most-runs N", "Stop after this number of runs of a test.", default=USUAL_RUNS
+    ),
+    seed: int = sampling_flag("--seed N", "Set the seed of all draws.", default=0),
     executor: str = executor_flag(),
     workers: int | None = workers_flag(),
     out: Path | None = options.output_flag(
@@ -104,13 +98,9 @@ def calibrate(
     if example:
         valid = "--example has synthetic tests and reads no file"
         refuse({**table.given, "--prior": prior}, valid, "leave one out")
-    sampling, exponent, folds = sampled.sampling(), sampled.exponent, sampled.folds
     # The default of calibrate has a tolerance of its own.
     equations = None if model == "nonlinear" else named_model(model)
     run = Execution(executor=executor, workers=workers)
-    if recalibrate not in _WHEN:
-        valid = f"it must be one of {', '.join(_WHEN)}"
-        raise FlagError("--recalibrate", recalibrate, valid, "leave it out for auto")
     tests, known = _tests(table, example=example), prior_of(prior)
     read += table.record_files(tests)
     output.check_folder(CALIBRATION, out, read)
@@ -118,18 +108,18 @@ def calibrate(
     from rocksteady.risk.calibration.calibrate import calibrate as calibrated
 
     checks = 3 if model == "linear" else 4  # what `Calibration.flips` counts
-    cells = len(tests) * (sampling.draws * sampling.gains + checks)
+    cells = len(tests) * (most_runs + checks)
     with sweeping("running draws", cells) as meter, flags_of(ARGUMENTS):
         calibration = calibrated(
             tests,
             known,
-            sampling=sampling,
-            folds=folds,
-            temper=exponent,
-            recalibrate=_WHEN[recalibrate],
+            folds=folds,  # type: ignore[arg-type]  # checked there
+            seed=seed,
+            most_runs=most_runs,
             model=equations,
             run=replace(run, progress=meter),
         )
+        meter.end()
     _write(context, calibration, out, output)
     description = calibration.describe()
     notes = list(description.notes)
@@ -141,17 +131,22 @@ def calibrate(
         "calibrate",
         replace(description, notes=notes),
         after={"synthetic": example},
+        decided=calibration.identified,
         follow_up=_next_command(context, calibration, out),
     )
 
 
 def _next_command(context: typer.Context, calibration: "Calibration", out: Path | None) -> str:
-    """Return the command of more draws where there are too few, else that of the report."""
-    few = min(calibration.posteriors.values(), key=lambda each: each.effective_draws)
-    if few.identified:
+    """Return the command that opens the report, or makes more runs where they help."""
+    if calibration.identified:
         return report_command(context, out)
-    flags = [f"--draws {max(USUAL_DRAWS, 2 * len(few.values))}", *(["--force"] if out else [])]
-    return again(context, *flags, but=("--draws",))
+    if not calibration.more_runs_help:
+        return ""
+    flags = [
+        f"--most-runs {max(2 * calibration.most_runs, USUAL_RUNS)}",
+        *(["--force"] if out else []),
+    ]
+    return again(context, *flags, but=("--most-runs",))
 
 
 def _tests(table: TableFlags, *, example: bool) -> "Observations":

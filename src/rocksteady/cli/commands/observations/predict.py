@@ -1,13 +1,14 @@
 """`rocksteady predict`: the probability of falling in tests or records, from a calibration."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import Panel
-from rocksteady.cli.flags.record_files import FLOOR_FLAGS, ReadingFlags, RecordFlags
+from rocksteady.cli.flags.record_files import FLOOR_FLAGS, ReadingFlags, RecordFlags, cleaning_of
 from rocksteady.cli.flags.shaking_tests import TableFlags, objects_flag, records_flag, tests_flag
 from rocksteady.cli.flags.sweep import executor_flag, workers_flag
 from rocksteady.errors import InputError
@@ -29,7 +30,7 @@ MAIN = "fit record scale tests objects records object plot csv"
 """Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
-    "rocksteady predict --fit fit --record example:near-fault --scale log:0.5:2:9 "
+    "rocksteady predict --fit fit --record example:near-fault --scale 0.5,1,2 "
     "--plot quake.png\n\n"
     "rocksteady predict --fit fit --record example:firm-ground --record example:soft-soil "
     "--json\n\n"
@@ -78,6 +79,8 @@ def predict(
         column=reading.column,
         resample=reading.resample,
         baseline=reading.baseline,
+        filter=reading.filter,
+        trim=reading.trim,
     )
     _refuse_idle(table, recorded, reading, object)
     from rocksteady.risk.calibration.stored import FILES, read_posterior
@@ -90,17 +93,25 @@ def predict(
         observed = table.observations()
         check_apart(output.files, read=table.record_files(observed))
         shaken: Sequence[ShakingTest] = observed.tests
+        remarks = observed.remarks
     else:
         shaken = _tests_of(recorded, reading, _object(stored, object))
+        remarks = list(filter(None, [cleaning_of(reading).remark]))
     with flags_of({"tests": "--tests"}):
         predictions = stored.predict(shaken, run=run)
+    predictions = replace(predictions, warnings=(*predictions.warnings, *remarks))
     description = predictions.describe()
     output.write_csv(lambda: description.tables[0])
     if output.plot is not None:
         from rocksteady.show.figures.observations import predictions_figure
 
         output.write_plot(lambda page: predictions_figure(predictions, page=page))
-    output.leave("predict", description, after={"model": stored.model.name})
+    output.leave(
+        "predict",
+        description,
+        after={"model": stored.model.name},
+        decided=predictions.identified,
+    )
 
 
 def _refuse_idle(

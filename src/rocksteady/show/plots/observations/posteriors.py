@@ -31,8 +31,7 @@ AXIS = {
     "base": "base that rocks over the outline's",
     "offset": "mass centre off the middle over half the base",
     "scatter": "scatter of the restitution",
-    "sigma_ln": r"amplitude error  $\sigma_{\ln}$",
-    "outliers": "share of outliers",
+    "orientation_rad": "orientation [rad]",
 }
 """Labels of parameters; those in metres have their own names."""
 
@@ -58,7 +57,7 @@ def plot_posterior(
     ax
         Axes to draw on; default: axes of a new figure.
     parameter
-        Name of a row of the parameters; default "alpha_rad".
+        Name of a parameter of the block; default "alpha_rad".
     object
         Name of the object; default the first.
     legend
@@ -78,12 +77,11 @@ def plot_posterior(
     --------
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests
+    >>> from rocksteady.calibration import make_synthetic_tests
     >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
-    >>> few = DrawOptions(draws=60, gains=2, rounds=1)
-    >>> calibration = calibrate(tests, sampling=few, model=Linear())
+    >>> calibration = calibrate(tests, most_runs=200, model=Linear())
     >>> axes = plot_posterior(calibration, Figure().add_subplot())
     >>> axes.get_ylabel()
     'density'
@@ -94,16 +92,17 @@ def plot_posterior(
     name = objects[0] if object is None else object
     if name not in objects:
         raise InputError("object", name, "the objects are " + ", ".join(objects), "name one")
-    rows = [each for each in calibration.parameters if each["object"] == name]
-    names = [each["parameter"] for each in rows]
-    if parameter not in names:
-        raise InputError(
-            "parameter", parameter, "the parameters are " + ", ".join(names), "name one"
-        )
-    row = rows[names.index(parameter)]
+    posterior = calibration.posteriors[name]
+    if parameter not in posterior.columns:
+        valid = "the parameters are " + ", ".join(posterior.columns)
+        raise InputError("parameter", parameter, valid, "name one")
+    (row,) = (
+        each
+        for each in calibration.parameters
+        if (each["object"], each["parameter"]) == (name, parameter)
+    )
     axes = axes_or_new(ax)
     inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
-    posterior = calibration.posteriors[name]
     values = posterior.of(parameter)
     known = row["low"] is not None
     edges = _edges(

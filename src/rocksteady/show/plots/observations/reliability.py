@@ -56,12 +56,11 @@ def plot_reliability(
     --------
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests
+    >>> from rocksteady.calibration import make_synthetic_tests
     >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
-    >>> few = DrawOptions(draws=60, gains=2, rounds=1)
-    >>> calibration = calibrate(tests, sampling=few, model=Linear())
+    >>> calibration = calibrate(tests, most_runs=200, model=Linear())
     >>> axes = plot_reliability(calibration, Figure().add_subplot())
     >>> axes.get_ylabel()
     'share that fell'

@@ -1,4 +1,4 @@
-"""Plots of held-out scores: over the temper, and over the number of groups learnt from."""
+"""Plots of held-out scores over the number of groups learnt from."""
 
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ from rocksteady.show.plots.observations._validated import checked_validation
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
 from rocksteady.show.style.line_ends import LineEnd, name_line_ends
-from rocksteady.show.style.tokens import DOUBT, inks_of
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,86 +25,11 @@ AXIS = {
 }
 """Labels of scores; of the Brier and the log score and of the error small ones are good."""
 RULES = {
-    "calibrated": "calibrated block",
+    "block": "calibrated block",
     "logistic": "logistic on intensity",
     "base rate": "base rate",
 }
 """Names of the rules of a learning curve."""
-
-
-@checked
-def plot_temper(
-    calibration: Calibration,
-    ax: "Axes | None" = None,
-    *,
-    score: str = "log_score",
-    legend: LegendPlace | None = None,
-) -> "Axes":
-    """Draw a held-out score over the temper, with the chosen one and the untempered.
-
-    Parameters
-    ----------
-    calibration
-        From `rocksteady.calibrate`.
-    ax
-        Axes to draw on; default: axes of a new figure.
-    score
-        "accuracy", "f1", "brier", "log_score" (default) or "ece".
-    legend
-        "inside" the axes, to their "right", "below" them (default) or "none".
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        The axes: the exponent of the likelihood, and the score with intervals of 90 %.
-
-    Raises
-    ------
-    InputError
-        If there is no such score, or no test could be held out.
-
-    Examples
-    --------
-    >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests
-    >>> from rocksteady.motions import make_synthetic_suite
-    >>> column = Block.rectangle(width=0.15, height=0.6)
-    >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
-    >>> few = DrawOptions(draws=60, gains=2, rounds=1)
-    >>> calibration = calibrate(tests, sampling=few, model=Linear())
-    >>> axes = plot_temper(calibration, Figure().add_subplot())
-    >>> axes.get_ylabel()
-    'log score, held out'
-    """
-    _check_score(score)
-    tried = checked_validation(calibration).temper_scores
-    axes = axes_or_new(ax)
-    inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
-    at = np.array(sorted(tried))
-    value, low, high = np.array([getattr(tried[each], score) for each in at.tolist()]).T
-    axes.fill_between(at, low, high, color=inks.motion, alpha=DOUBT, lw=0.0, zorder=1.6)
-    (line,) = axes.plot(
-        at, value, "o-", ms=3.5 * size, color=inks.motion, lw=1.2 * size, zorder=2.4,
-        label="score, 90\N{NO-BREAK SPACE}% band",
-    )  # fmt: skip
-    handles = [line]
-    for temper, face, words in (
-        (1.0, inks.paper, "untempered"),
-        (calibration.temper, inks.ink, f"chosen, T = {calibration.temper:g}"),
-    ):
-        where = np.flatnonzero(np.isclose(at, temper))
-        if len(where):
-            handles += axes.plot(
-                at[where], value[where], "D", ms=7.0 * size, color=face, mec=inks.ink,
-                mew=1.2 * size, label=words, ls="none", zorder=3.0,
-            )  # fmt: skip
-    axes.set_xscale("log")
-    axes.set(xlim=(0.85 * at[0], at[-1] / 0.85), xlabel="temper T, the exponent of the likelihood")
-    axes.set_ylabel(AXIS[score])
-    plain_ticks(axes)
-    draw_legend(axes, place, handles=handles)
-    return axes
 
 
 @checked
@@ -146,12 +71,11 @@ def plot_learning(
     --------
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests
+    >>> from rocksteady.calibration import make_synthetic_tests
     >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
-    >>> few = DrawOptions(draws=60, gains=2, rounds=1)
-    >>> calibration = calibrate(tests, sampling=few, model=Linear())
+    >>> calibration = calibrate(tests, most_runs=200, model=Linear())
     >>> axes = plot_learning(calibration, Figure().add_subplot())
     >>> axes.get_ylabel()
     'accuracy, held out'
