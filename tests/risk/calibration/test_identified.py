@@ -11,8 +11,8 @@ import pytest
 from rocksteady.calibration import ObjectPrior, OutcomeErrors, PriorRange
 from rocksteady.errors import InputError
 from rocksteady.results.doubts import NOT_IDENTIFIED
-from rocksteady.risk.calibration import _identified
-from rocksteady.risk.calibration._identified import CROWD, contradictions, parameters_of
+from rocksteady.risk.calibration import identified
+from rocksteady.risk.calibration.identified import CROWD, contradictions, parameters_of
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampler.space import Space
 from tests.every import every
@@ -70,14 +70,14 @@ def test_a_number_is_identified_below_half_of_its_prior(part: float, verdict: st
     values = 0.5 + part * (PRIOR - 0.5)
     found, error = rows(values)
     assert found["sd_ratio"] == pytest.approx(part)
-    assert found["verdict"] == getattr(_identified, verdict)
+    assert found["verdict"] == getattr(identified, verdict)
     assert (found["prior_low"], found["prior_high"]) == pytest.approx((0.05, 0.95))
     ends = np.array([found["low"], found["median"], found["high"]])
     assert ends == pytest.approx(0.5 + 0.45 * part * np.array([-1.0, 0.0, 1.0]), abs=1e-3)
     assert (found["bound"], found["bound_side"], found["outline"]) == (None, None, 0.31)
-    assert rows(values, ends={"alpha_rad": "lower"})[0]["verdict"] == _identified.LIMIT
+    assert rows(values, ends={"alpha_rad": "lower"})[0]["verdict"] == identified.LIMIT
     # An error: normal about its mean, inside its prior.
-    assert (error["parameter"], error["verdict"]) == ("sigma_ln", _identified.IDENTIFIED)
+    assert (error["parameter"], error["verdict"]) == ("sigma_ln", identified.IDENTIFIED)
     assert (error["median"], error["low"]) == pytest.approx((0.1, 0.1 - 1.645 * 0.02), abs=1e-4)
     assert (error["high"], error["sd_ratio"]) == pytest.approx((0.12, 0.02 / 0.0583), rel=0.01)
 
@@ -87,10 +87,10 @@ def test_outcomes_of_one_kind_bound_alpha_at_nine_tenths(
     fell: float, side: str, bound: float
 ) -> None:
     found, _ = rows(PRIOR, np.array([fell, fell, np.nan]))
-    assert (found["verdict"], found["bound_side"]) == (_identified.BOUND, side)
+    assert (found["verdict"], found["bound_side"]) == (identified.BOUND, side)
     assert found["bound"] == pytest.approx(bound, abs=1e-3)
     other, _ = rows(PRIOR, np.array([fell, fell]), name="p_rad_s")
-    assert (other["verdict"], other["bound"]) == (_identified.RETURNED, None)
+    assert (other["verdict"], other["bound"]) == (identified.RETURNED, None)
     assert rows(PRIOR, np.array([np.nan]))[0]["bound"] is None
 
 
@@ -103,7 +103,7 @@ def test_below_two_hundred_effective_draws_nothing_is_identified() -> None:
         assert (found["sd_ratio"] is not None) is known
         assert (found["median"] is not None) is (error["low"] is not None) is known
         one, _ = rows(PRIOR, np.array([1.0]), weights=weights)
-        assert (one["verdict"] == _identified.BOUND) is known
+        assert (one["verdict"] == identified.BOUND) is known
         assert posterior(PRIOR, weights=weights).effective_draws == pytest.approx(effective)
     with pytest.raises(InputError, match="there are alpha_rad; give one of them"):
         posterior(PRIOR).interval("beta")

@@ -10,7 +10,7 @@ from scipy import special
 from rocksteady.arrays import Floats, Integers
 from rocksteady.calibration import ObjectPrior, OutcomeErrors, ShakingTest
 from rocksteady.risk.calibration.sampler.bench import Bench
-from rocksteady.risk.calibration.sampler.likelihood import Likelihood
+from rocksteady.risk.calibration.sampler.outcome_likelihood import Likelihood
 from rocksteady.risk.calibration.sampler.space import Space
 from tests.risk.calibration.cases import LINEAR, make_records
 

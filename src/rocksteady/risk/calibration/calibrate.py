@@ -11,7 +11,6 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.equations import Model, ModelChoice, Nonlinear, as_model
 from rocksteady.risk.calibration._flips import count_flips
-from rocksteady.risk.calibration._identified import contradictions, parameters_of
 from rocksteady.risk.calibration.calibration import (
     Calibration,
     Conflict,
@@ -20,12 +19,13 @@ from rocksteady.risk.calibration.calibration import (
     validation_of,
 )
 from rocksteady.risk.calibration.held_out.rivals import measures_of
+from rocksteady.risk.calibration.identified import contradictions, parameters_of
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampler.bench import Bench
 from rocksteady.risk.calibration.sampler.exact import softmax
-from rocksteady.risk.calibration.sampler.likelihood import sessions_of
 from rocksteady.risk.calibration.sampler.mixture import Mixture
 from rocksteady.risk.calibration.sampler.moments import error_moments, session_moments
+from rocksteady.risk.calibration.sampler.outcome_likelihood import sessions_of
 from rocksteady.risk.calibration.sampler.rounds import Fit, find_posterior
 from rocksteady.risk.calibration.sampler.space import WIDEST, Space, widened
 from rocksteady.risk.observations.object_prior import ObjectPrior

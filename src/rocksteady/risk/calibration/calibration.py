@@ -16,12 +16,12 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import ANSWER_DRAWS
 from rocksteady.results.numbers import chance, interval, number, number_or_none, plural
 from rocksteady.results.result import Result
-from rocksteady.risk.calibration._identified import LIMIT, MEANINGS
 from rocksteady.risk.calibration._predicting import Source, digest_of, listed, predict_all
 from rocksteady.risk.calibration.held_out.learning import Trial
 from rocksteady.risk.calibration.held_out.predictions import Predictions
 from rocksteady.risk.calibration.held_out.scores import Scores
 from rocksteady.risk.calibration.held_out.validate import Validation, validate_trial, why_not
+from rocksteady.risk.calibration.identified import LIMIT, MEANINGS
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampler.rounds import Fit
 from rocksteady.risk.observations.observations import Observations

@@ -10,9 +10,9 @@ from markupsafe import Markup
 
 from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.results.numbers import chance, number, plural
-from rocksteady.risk.calibration._identified import BOUND, IDENTIFIED, LIMIT, MEANINGS
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.scores import NAMES, WORDS
+from rocksteady.risk.calibration.identified import BOUND, IDENTIFIED, LIMIT, MEANINGS
 from rocksteady.show.style.markup import Cell, Row, badge, beside, figure, isolated, named, under
 from rocksteady.show.style.wording import NOTHING, greek, sentence, span
 

@@ -72,7 +72,7 @@ def test_no_outcome_of_a_group_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     assert (first.p == second.p).all()
     assert (first.error == second.error).all()
     assert (first.p != other.p).all()
-    monkeypatch.setattr("rocksteady.risk.calibration.sampler.likelihood.CHUNK", 1)
+    monkeypatch.setattr("rocksteady.risk.calibration.sampler.outcome_likelihood.CHUNK", 1)
     assert (predict_cases(toy_draws(), [Case(left=left, asked=left)])[0][0].p == first.p).all()
 
 

@@ -10,7 +10,7 @@ from rocksteady.arrays import Bools, Floats, Integers
 from rocksteady.risk.calibration.held_out.leaving_out import Case, Draws, blank, fill, predict_cases
 from rocksteady.risk.calibration.held_out.rivals import base_rate, logistic_of
 from rocksteady.risk.calibration.held_out.scores import NAMES, Scores, scores_of
-from rocksteady.risk.calibration.sampler.likelihood import Likelihood
+from rocksteady.risk.calibration.sampler.outcome_likelihood import Likelihood
 from rocksteady.risk.calibration.sampler.rounds import ROUGH, Fit
 from rocksteady.risk.calibration.sampler.surfaces import Surfaces
 

@@ -9,8 +9,8 @@ from rocksteady.arrays import Bools, Floats, Integers
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.results.doubts import ENOUGH_DRAWS, FEWEST_DRAWS
 from rocksteady.risk.calibration.sampler.exact import effective, rounded, softmax
-from rocksteady.risk.calibration.sampler.likelihood import Likelihood
 from rocksteady.risk.calibration.sampler.mixture import MOST_K, balance, pareto_k
+from rocksteady.risk.calibration.sampler.outcome_likelihood import Likelihood
 from rocksteady.risk.calibration.sampler.rounds import ROUGH, Fit, explore
 from rocksteady.risk.calibration.sampler.surfaces import Surfaces
 

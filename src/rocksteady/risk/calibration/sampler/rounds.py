@@ -8,7 +8,6 @@ import numpy as np
 from rocksteady.arrays import Bools, Floats, Integers
 from rocksteady.risk.calibration.sampler.bench import GAINS, Bench
 from rocksteady.risk.calibration.sampler.exact import effective, rounded, softmax
-from rocksteady.risk.calibration.sampler.likelihood import Likelihood
 from rocksteady.risk.calibration.sampler.mixture import (
     MOST_K,
     Mixture,
@@ -17,6 +16,7 @@ from rocksteady.risk.calibration.sampler.mixture import (
     pareto_k,
     temper_of,
 )
+from rocksteady.risk.calibration.sampler.outcome_likelihood import Likelihood
 from rocksteady.risk.calibration.sampler.surfaces import Surfaces
 from rocksteady.risk.observations.prior import OutcomeErrors
 

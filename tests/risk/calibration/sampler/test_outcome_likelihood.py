@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from rocksteady.risk.calibration.sampler.likelihood import Likelihood, sessions_of
+from rocksteady.risk.calibration.sampler.outcome_likelihood import Likelihood, sessions_of
 from tests.risk.calibration.toys import FEATURES, Known, chance, make_toy
 
 FIVE = ("a", "a", "b", "a", "b")
@@ -71,7 +71,7 @@ def test_some_of_the_tests_are_the_likelihood_of_these_alone(
     whole, part = make_toy(FIVE, FELL), make_toy(FIVE, (True, None, None, True, None))
     found = whole.joint(Known(), FEATURES, np.array([0, 3]))
     assert found == pytest.approx(part.joint(Known(), FEATURES, np.arange(5)), abs=1e-4)
-    monkeypatch.setattr("rocksteady.risk.calibration.sampler.likelihood.CHUNK", 1)
+    monkeypatch.setattr("rocksteady.risk.calibration.sampler.outcome_likelihood.CHUNK", 1)
     assert len(whole.parts(9)) == 9
     assert (whole.joint(Known(), FEATURES, np.array([0, 3])) == found).all()
 
