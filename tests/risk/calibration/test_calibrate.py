@@ -194,7 +194,7 @@ def test_only_defaults_are_widened(
 
     def find(bench: Any, noise: OutcomeErrors, **_: Any) -> Any:
         seen.append((bench.space.block.spreads["base"], noise.sigma_ln))
-        return SimpleNamespace(turn=len(seen))
+        return SimpleNamespace(turn=len(seen), bench=bench)
 
     monkeypatch.setattr(module, "find_posterior", find)
     monkeypatch.setattr(module, "contradictions", lambda fit: ends if fit.turn == 1 else {})

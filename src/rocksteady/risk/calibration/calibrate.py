@@ -191,29 +191,31 @@ def _fit(
     silent = dict.fromkeys(_silent(given, tests), False)
     usual = OutcomeErrors()
     errors = [name for name in WIDER if getattr(noise, name) == getattr(usual, name)]
-    conflicts: dict[str, Conflict] = {}
-    while True:
-        block = widened(given, silent)
-        bench = Bench(
-            Space(block=block), tests.tests, plan.model, plan.run, sigma=noise.sigma_ln.high
+
+    def fitted(noise: OutcomeErrors, turn: int) -> Fit:
+        space, widest = Space(block=widened(given, silent)), noise.sigma_ln.high
+        bench = Bench(space, tests.tests, plan.model, plan.run, sigma=widest)
+        seed = (plan.seed, number, turn)
+        return find_posterior(bench, noise, seed=seed, most_runs=plan.most_runs)
+
+    fit = fitted(noise, 0)
+    spreads = fit.bench.space.block.spreads
+    conflicts = [
+        Conflict(
+            object=given.name,
+            parameter=name,
+            side=side,
+            prior=getattr(noise, name) if name in WIDER else spreads[name],
+            widened=name in silent or name in errors,
         )
-        seed = (plan.seed, number, len(conflicts))
-        fit = find_posterior(bench, noise, seed=seed, most_runs=plan.most_runs)
-        fresh = {name: side for name, side in contradictions(fit).items() if name not in conflicts}
-        if conflicts or not fresh:
-            break
-        for name, side in fresh.items():
-            default = name in silent or name in errors
-            spread = getattr(noise, name) if name in WIDER else block.spreads[name]
-            conflicts[name] = Conflict(
-                object=given.name, parameter=name, side=side, prior=spread, widened=default
-            )
-        silent |= {name: True for name in fresh if name in silent}
-        wider = {name: WIDER[name] for name in fresh if name in errors}
-        noise = replace(noise, **wider)
-        if not any(each.widened for each in conflicts.values()):
-            break
-    return fit, sorted(conflicts.values(), key=lambda each: each.widened)
+        for name, side in contradictions(fit).items()
+    ]
+    wide = [each.parameter for each in conflicts if each.widened]
+    if wide:
+        silent |= {name: True for name in wide if name in silent}
+        wider = {name: WIDER[name] for name in wide if name in errors}
+        fit = fitted(replace(noise, **wider), len(conflicts))
+    return fit, sorted(conflicts, key=lambda each: each.widened)
 
 
 def _silent(given: ObjectPrior, tests: Observations) -> tuple[str, ...]:

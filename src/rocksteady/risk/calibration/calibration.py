@@ -386,7 +386,7 @@ class Calibration(Result):
                 words = f"{number(row['median'])} (90 %: {_range(row, 'low', 'high')}); "
                 words += str(row["verdict"])
             lines.append((label, words))
-        # The first facts are those that stay where a screen is short.
+        # A short screen drops facts from the end.
         facts = [("held out", self._compared(rows))] if rows else []
         facts += [*lines[: MOST if several else 1], left_out(max(len(lines) - MOST, 0))]
         facts.append(("doubt", doubt(self.warnings[len(self.conflicts) :])))

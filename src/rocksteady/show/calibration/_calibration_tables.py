@@ -47,7 +47,7 @@ PARAMETERS = {
     "orientation_rad": "orientation [rad]",
 }
 LOOKS = {NOT_IDENTIFIED: "differs", BOUND: "differs", LIMIT: "differs", IDENTIFIED: "agrees"}
-"""Looks of verdicts: those that limit the answer stand out."""
+"""Badge of each verdict; those that limit the answer stand out."""
 MOST_ROWS = 12
 """Rows of the table of tests that were not expected."""
 

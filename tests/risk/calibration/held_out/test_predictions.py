@@ -66,9 +66,9 @@ def test_block_and_logistic_are_put_together_with_their_bands() -> None:
     assert [made.p[1], made.low[1]] == pytest.approx([0.6, 0.5])
     assert np.isnan(made.high[1])
     assert (made.block.tolist(), made.logistic.tolist()) == ([0.4, 0.6], [0.9, 0.3])
-    alone = predictions_of(tests, held, ["g", "h"], logistic=logistic, held_out=False)
+    alone = predictions_of(tests, held, ["g", "h"], logistic=logistic)
     assert (alone.p.tolist(), alone.held_out, alone.fell) == (
         [0.4, 0.6],
-        (False,) * 2,
+        (True,) * 2,
         (False, True),
     )

@@ -144,7 +144,7 @@ def refit(fit: Fit, case: Case) -> HeldOut:
 
 
 def predict_cases(draws: Draws, cases: Sequence[Case]) -> list[tuple[HeldOut, float]]:
-    """Return predictions of tests from those that are not left out, with Pareto's k.
+    """Predict the asked tests of each case from its training tests, with Pareto's k.
 
     Tests are taken out of the sums of their sessions: so the gain of a session is learnt from its
     other tests, and comes from the prior where none is left.

@@ -191,7 +191,6 @@ def predictions_of(
     *,
     logistic: Floats,
     stacks: Sequence[Stack] = (),
-    held_out: bool = True,
 ) -> Predictions:
     """Return predictions with the names and outcomes of their tests.
 
@@ -203,8 +202,6 @@ def predictions_of(
         What block and logistic predict.
     stacks
         How both are put together for each test; by default the block predicts alone.
-    held_out
-        Whether they were in the training.
     """
     p, low, high = (
         np.array([stack.of(*pair) for stack, *pair in zip(stacks, block, logistic, strict=True)])
@@ -223,7 +220,7 @@ def predictions_of(
         logistic=logistic,
         mc_error=held.error,
         effective_draws=held.effective,
-        held_out=(held_out,) * len(tests),
+        held_out=(True,) * len(tests),
         fell=tuple(test.fell for test in tests),
     )
 

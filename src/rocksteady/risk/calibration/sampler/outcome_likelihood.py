@@ -44,7 +44,7 @@ class Likelihood:
     Attributes
     ----------
     bench, noise
-        Tests, their motions, and what is known of their errors.
+        Runs of the tests, and the priors of their errors.
     step
         Of ln(gain) on the grid.
     counts

@@ -38,14 +38,12 @@ HEAVY = 14.0
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Round:
-    """One round: draws, temper, effective draws and Pareto k of all, and what halves differ."""
+    """One round: its draws, temper, effective draws of all, and how far halves differ in ln L."""
 
     draws: int
     temper: float
     effective: float
-    k: float
     apart: float
-    live: int
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -111,8 +109,8 @@ def find_posterior(
     most_runs
         Most runs of a motion.
     """
-    space, every = bench.space, np.arange(len(bench.tests))
-    size, seed = space.size, tuple(seed)
+    space, every, seed = bench.space, np.arange(len(bench.tests)), tuple(seed)
+    size = space.size
     rough = Likelihood(bench, noise, *ROUGH)
     proposals: list[Mixture] = []
     counts: list[int] = []
@@ -120,6 +118,7 @@ def find_posterior(
     scores, mixture = np.empty((0, size)), Mixture(size)
     live = np.ones(len(bench.shaken), dtype=bool)
     surfaces: Surfaces | None = None
+    halves: tuple[Surfaces, Surfaces] | None = None
     while True:
         turn = len(history)
         whole = [each.temper >= 1.0 for each in history]
@@ -128,10 +127,9 @@ def find_posterior(
         drawn = mixture.sample(draws, (*seed, turn))
         proposals.append(mixture)
         counts.append(draws)
-        drawn_values = space.values_of(drawn)
         if not turn:
-            live = bench.liftable(drawn_values)
-        bench.add(drawn_values, (*seed, turn, 1), live)
+            live = bench.liftable(space.values_of(drawn))
+        bench.add(space.values_of(drawn), (*seed, turn, 1), live)
         scores = np.vstack([scores, drawn])
         values = space.values_of(scores)
         features = space.features(values)
@@ -143,19 +141,11 @@ def find_posterior(
         weights = softmax(base + joint)
         carried = effective(weights), pareto_k(weights)
         good = carried[0] >= GOAL and not carried[1] >= MOST_K and sum(whole) + 1 >= ROUNDS
-        apart = np.nan
+        apart, halves = np.nan, None
         if temper >= 1.0 and (good or size == 0):
-            apart = _apart(_halves(bench, near), rough, features, weights, seed)
-        history.append(
-            Round(
-                draws=draws,
-                temper=temper,
-                effective=carried[0],
-                k=carried[1],
-                apart=apart,
-                live=int(live.sum()),
-            )
-        )
+            halves = _halves(bench, near)
+            apart = _apart(halves, rough, features, weights, seed)
+        history.append(Round(draws=draws, temper=temper, effective=carried[0], apart=apart))
         if apart < APART or size == 0 or bench.runs + GAINS * 2 > most_runs:
             break
         begin = fit_mixture(scores, softmax(base + temper * joint), 3, (*seed, turn, 2), widen=1.4)
@@ -177,7 +167,7 @@ def find_posterior(
         bench=bench,
         likelihood=fine,
         surfaces=surfaces,
-        halves=_halves(bench, near),
+        halves=_halves(bench, near) if halves is None else halves,
         scores=scores,
         values=values,
         features=features,
