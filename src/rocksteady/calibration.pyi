@@ -8,7 +8,7 @@ from .risk.calibration.held_out.predictions import Predictions as Predictions
 from .risk.calibration.held_out.scores import Scores as Scores
 from .risk.calibration.held_out.validate import Validation as Validation
 from .risk.calibration.posterior import Posterior as Posterior
-from .risk.calibration.stored import StoredPosterior as StoredPosterior
+from .risk.calibration.stored_posterior import StoredPosterior as StoredPosterior
 from .risk.calibration.stored import read_posterior as read_posterior
 from .risk.free_rocking.restitution_fit import RestitutionFit as RestitutionFit
 from .risk.observations.fates import Scatter as Scatter

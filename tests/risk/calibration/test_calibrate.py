@@ -137,8 +137,10 @@ def test_folds_are_of_one_of_four_kinds() -> None:
     names, codes = codes_of(tests, "session")
     assert [names[code] for code in codes.tolist()] == [test.session for test in tests]
     assert narrow().validate("test").rows["predicted"].groups == 60
-    with pytest.raises(InputError, match="test 't0' has no session; give each test one"):
-        codes_of([replace(tests[0], session=None), *tests[1:]], "session")
+    names, codes = codes_of([replace(tests[0], session=None), *tests[1:]], "session")
+    assert (names[codes[0]], (codes == codes[0]).sum()) == ("t0", 1)
+    with pytest.raises(InputError, match="no test has a session; give tests theirs, or hold out"):
+        codes_of([replace(test, session=None) for test in tests], "session")
     with pytest.raises(InputError, match="it must be one of group, record, test, session"):
         codes_of(tests, "day")  # type: ignore[arg-type]
 

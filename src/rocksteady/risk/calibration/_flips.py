@@ -1,14 +1,19 @@
 """Fates that change with how records are processed and solved: counts of flips."""
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.errors import InputError
 from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
+from rocksteady.records.core.recording import Recording
+from rocksteady.records.processing import Cleaning, resample
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampler.bench import in_plane
 from rocksteady.risk.observations.fates import compute_test_fates
@@ -38,10 +43,11 @@ def count_flips(
     dict
         Number of tests whose fate changes, by the variant.
     """
-    variants: list[tuple[str, Callable[[Record], Record | None] | None, Model]] = [
+    high = Cleaning(filter_hz=f"{HIGH_PASS_HZ}:")
+    variants: list[tuple[str, Callable[[Recording], Recording] | None, Model]] = [
         ("half the sampling interval", _halved, model),
-        ("linear baseline removed", _levelled, model),
-        (f"high-pass at {HIGH_PASS_HZ} Hz", _high_passed, model),
+        ("linear baseline removed", Cleaning(baseline="linear").apply, model),
+        (f"high-pass at {HIGH_PASS_HZ} Hz", high.apply, model),
     ]
     if isinstance(model, Nonlinear):
         looser = Nonlinear(tolerance=min(LARGEST_TOLERANCE, LOOSER * model.tolerance))
@@ -79,50 +85,25 @@ def _fates(
 
 
 def _changed(
-    tests: Sequence[ShakingTest], change: Callable[[Record], Record | None]
+    tests: Sequence[ShakingTest], change: Callable[[Recording], Recording]
 ) -> list[ShakingTest]:
-    """Return tests on changed records, each record changed once."""
+    """Return tests on changed records, each record changed once, where it can be changed."""
     made: dict[int, Record] = {}
 
-    def of(record: Record) -> Record:
-        if id(record) not in made:
-            changed = change(record)
-            made[id(record)] = record if changed is None else changed
-        return made[id(record)]
+    def of(record: Record | None) -> Record | None:
+        if record is not None and id(record) not in made:
+            made[id(record)] = record
+            recording = Recording(record=record, format="", path=Path(), units_in_file="m/s^2")
+            with suppress(InputError):  # a slow record has no such band, a straight one no rest
+                made[id(record)] = change(recording).record
+        return None if record is None else made[id(record)]
 
+    keys = ("record", "transverse", "vertical")
     return [
-        replace(
-            test,
-            record=of(test.record),
-            transverse=None if test.transverse is None else of(test.transverse),
-            vertical=None if test.vertical is None else of(test.vertical),
-        )
+        replace(test, **{key: of(getattr(test, key)) for key in keys})  # type: ignore[arg-type]
         for test in tests
     ]
 
 
-def _halved(record: Record) -> Record:
-    from scipy.signal import resample_poly
-
-    samples = np.asarray(resample_poly(record.acceleration_m_s2, 2, 1))
-    return replace(record, acceleration_m_s2=samples, dt_s=0.5 * record.dt_s)
-
-
-def _levelled(record: Record) -> Record | None:
-    from scipy.signal import detrend
-
-    samples = np.asarray(detrend(record.acceleration_m_s2))
-    # Of a straight line nothing is left, which is no record.
-    return replace(record, acceleration_m_s2=samples) if samples.any() else None
-
-
-def _high_passed(record: Record) -> Record:
-    from scipy.signal import butter, sosfiltfilt
-
-    samples = record.acceleration_m_s2
-    if HIGH_PASS_HZ * 2.0 * record.dt_s >= 1.0:
-        return record
-    sections = butter(2, HIGH_PASS_HZ, "highpass", fs=1.0 / record.dt_s, output="sos")
-    pad = min(len(samples) - 1, round(2.0 / (HIGH_PASS_HZ * record.dt_s)))
-    filtered = sosfiltfilt(sections, samples, padtype="constant", padlen=pad)
-    return replace(record, acceleration_m_s2=np.asarray(filtered))
+def _halved(recording: Recording) -> Recording:
+    return resample(recording, 0.5 * recording.record.dt_s, method="filtered")

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Annotated, Final
+from typing import Annotated, Any, Final
 
 import numpy as np
 
@@ -123,39 +123,32 @@ def calibrate(
     plan = _Plan(seed=seed, most_runs=most_runs, model=equations, run=run)
     names, codes = codes_of(tests.tests, folds)
     fits: list[Fit] = []
+    posteriors: dict[str, Posterior] = {}
+    rows: list[dict[str, Any]] = []
     conflicts: list[Conflict] = []
     for number, (name, given) in enumerate(tests.objects.items()):
         shaken = tests.of(name)
         fit, contradicted = _fit(known.object_prior(given), known.noise, shaken, number, plan)
-        fits.append(fit)
-        conflicts += contradicted
-    observed = replace(
-        tests, objects={fit.bench.space.block.name: fit.bench.space.block for fit in fits}
-    )
-    posteriors = {
-        name: _posterior(name, fit) for name, fit in zip(tests.objects, fits, strict=True)
-    }
-    rows = [
-        row
-        for fit, (name, posterior) in zip(fits, posteriors.items(), strict=True)
-        for row in parameters_of(
+        posterior = _posterior(name, fit)
+        ends = {each.parameter: each.side for each in contradicted if not each.widened}
+        rows += parameters_of(
             posterior,
             _prior_columns(posterior),
-            tests.of(name).fell,
-            contradictions(fit)
-            | {c.parameter: c.side for c in conflicts if c.object == name and not c.widened},
-            tests.objects[name].outline_alpha_rad,
+            shaken.fell,
+            contradictions(fit) | ends,
+            given.outline_alpha_rad,
         )
-    ]
-    measures = measures_of(tests.tests, observed.objects)
+        fits.append(fit)
+        posteriors[name] = posterior
+        conflicts += contradicted
+    blocks = {name: each.space.block for name, each in posteriors.items()}
+    observed, measures = replace(tests, objects=blocks), measures_of(tests.tests, blocks)
     validation = validation_of(observed, fits, measures, names, codes, folds=folds, seed=seed)
     new_day = None
     if folds != "session" and sessions_of(tests.tests):
-        days = [test.session or test.name for test in tests.tests]
-        labels = sorted(set(days))
-        day = np.array([labels.index(each) for each in days])
+        days, day = codes_of(tests.tests, "session")
         new_day = validation_of(
-            observed, fits, measures, labels, day, folds="session", seed=seed, learning=False
+            observed, fits, measures, days, day, folds="session", seed=seed, learning=False
         )
     return Calibration(
         tests=observed,

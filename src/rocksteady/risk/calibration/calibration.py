@@ -16,7 +16,6 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import ANSWER_DRAWS
 from rocksteady.results.numbers import chance, interval, number, number_or_none, plural
 from rocksteady.results.result import Result
-from rocksteady.risk.calibration._predicting import Source, digest_of, listed, predict_all
 from rocksteady.risk.calibration.held_out.learning import Trial
 from rocksteady.risk.calibration.held_out.predictions import Predictions
 from rocksteady.risk.calibration.held_out.scores import Scores
@@ -24,6 +23,7 @@ from rocksteady.risk.calibration.held_out.validate import Validation, validate_t
 from rocksteady.risk.calibration.identified import LIMIT, MEANINGS
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampler.rounds import Fit
+from rocksteady.risk.calibration.stored_posterior import StoredPosterior, digest_of
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.prior import Prior
 from rocksteady.risk.observations.shaking_test import ShakingTest
@@ -207,19 +207,21 @@ class Calibration(Result):
         InputError
             If there is no test, or an object of one is not calibrated.
         """
-        return predict_all(
-            listed(tests, self.posteriors),
-            {test.name: digest_of(test) for test in self.tests.tests},
-            self.validation.predictions,
-            Source(
-                posteriors=self.posteriors,
-                curve=self.validation.curve,
-                stack=self.validation.stack,
-                seed=self.seed,
-                model=self.model,
-            ),
-            run,
+        stored = StoredPosterior(
+            posteriors=self.posteriors,
+            predictions=self.validation.predictions,
+            trained=self._trained,
+            seed=self.seed,
+            model=self.model,
+            curve=self.validation.curve,
+            stack=self.validation.stack,
         )
+        return stored.predict(tests, run=run)
+
+    @property
+    def _trained(self) -> dict[str, str]:
+        """Hash of each training test, by its name."""
+        return {test.name: digest_of(test) for test in self.tests.tests}
 
     def validate(self, folds: Folds = "record") -> Validation:
         """Validate with other tests held out together, from the same draws.
@@ -274,16 +276,7 @@ class Calibration(Result):
             ),
             Fact(
                 "conflicts",
-                [
-                    {
-                        "object": each.object,
-                        "parameter": each.parameter,
-                        "side": each.side,
-                        "prior": str(each.prior),
-                        "widened": each.widened,
-                    }
-                    for each in self.conflicts
-                ],
+                [asdict(each) | {"prior": str(each.prior)} for each in self.conflicts],
             ),
             Fact("curve", asdict(self.validation.curve)),
             Fact("stack", asdict(self.validation.stack)),
@@ -303,7 +296,7 @@ class Calibration(Result):
                     },
                 },
             ),
-            Fact("trained", {test.name: digest_of(test) for test in self.tests.tests}),
+            Fact("trained", self._trained),
             Fact("hashes", {**self.tests.sources, **self.prior.sources}),
             Fact("warnings", list(self.warnings)),
         ]
@@ -473,26 +466,23 @@ def codes_of(tests: Sequence[ShakingTest], folds: Folds) -> tuple[list[str], Int
     Raises
     ------
     InputError
-        If it is none of the four, or a test has no session.
+        If it is none of the four, or by session and no test has one.
     """
     if not isinstance(folds, str) or folds not in FOLDS:  # type: ignore[redundant-expr]
         raise InputError("folds", folds, f"it must be one of {', '.join(FOLDS)}", "give one")
-    names = []
-    for test in tests:
-        if folds == "session" and test.session is None:
-            raise InputError(
-                "folds",
-                "session",
-                f"test {test.name!r} has no session",
-                "give each test one, or hold out by group",
-            )
-        name = {
-            "group": test.group,
-            "record": test.record.name or test.group,
+    if folds == "session" and not any(test.session for test in tests):
+        raise InputError(
+            "folds", folds, "no test has a session", "give tests theirs, or hold out by group"
+        )
+    names = [
+        {
+            "group": test.group or "",
+            "record": test.record.name or test.group or "",
             "test": test.name,
-            "session": test.session,
+            "session": test.session or test.name,
         }[folds]
-        names.append(str(name))
+        for test in tests
+    ]
     order = {name: place for place, name in enumerate(sorted(set(names)))}
     return list(order), np.array([order[name] for name in names])
 

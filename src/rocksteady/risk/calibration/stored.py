@@ -5,7 +5,7 @@ import hashlib
 import io
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -13,24 +13,18 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
-from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.results.cells import read_cell
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import plural
-from rocksteady.results.result import Result
-from rocksteady.risk.calibration._predicting import Source, listed, predict_all
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.predictions import OUTCOMES, Predictions
 from rocksteady.risk.calibration.held_out.rivals import LogisticCurve, Stack
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampler.space import Space
+from rocksteady.risk.calibration.stored_posterior import StoredPosterior
 from rocksteady.risk.observations.files.small_files import content_of, text_of
 from rocksteady.risk.observations.object_prior import ObjectPrior
-from rocksteady.risk.observations.observations import Observations
-from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.risk.observations.spread import PriorRange
-from rocksteady.sweep.run import Execution
 
 FORM = "rocksteady/calibrate/2"
 """Form of fit.json: a later one has another number."""
@@ -66,63 +60,6 @@ def _pairs(posterior: Posterior) -> dict[str, Floats]:
     for key, pair in (dict(posterior.errors) | sessions).items():
         columns |= {key: pair[:, 0], f"deviation of {key}": pair[:, 1]}
     return columns
-
-
-@checked_result
-@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
-class StoredPosterior(Result):
-    """Posteriors of a calibration, from its folder.
-
-    Attributes
-    ----------
-    posteriors
-        Weighted draws by object, without the fates of the training tests.
-    predictions
-        Predictions of the training tests, each without its group.
-    trained
-        Hash (SHA-256) of each training test, by its name.
-    seed, model
-        Seed and model of the calibration.
-    curve, stack
-        The logistic on intensity measures, and how block and logistic predict together.
-    """
-
-    posteriors: Mapping[str, Posterior]
-    predictions: Predictions
-    trained: Mapping[str, str]
-    seed: int
-    model: Model
-    curve: LogisticCurve
-    stack: Stack
-
-    def predict(
-        self, tests: Observations | Sequence[ShakingTest], *, run: Execution | None = None
-    ) -> Predictions:
-        """Predict tests as the calibration itself does; see `Calibration.predict`."""
-        source = Source(
-            posteriors=self.posteriors,
-            curve=self.curve,
-            stack=self.stack,
-            seed=self.seed,
-            model=self.model,
-        )
-        return predict_all(
-            listed(tests, self.posteriors), self.trained, self.predictions, source, run
-        )
-
-    def describe(self) -> Description:
-        """Return objects and draws."""
-        draws = {name: len(each.values) for name, each in self.posteriors.items()}
-        return Description(
-            headline=f"posterior of {plural(len(draws), 'object')} from "
-            f"{plural(len(self.trained), 'test')}",
-            facts=[
-                Fact("objects", list(draws), "objects"),
-                Fact("draws", draws),
-                Fact("tests", len(self.trained), "tests"),
-                Fact("seed", self.seed, "seed"),
-            ],
-        )
 
 
 @checked

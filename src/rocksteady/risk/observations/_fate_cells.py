@@ -9,12 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats, Integers
-from rocksteady.seismic.spectra.batch import (
-    GroundShaking,
-    keys_of,
-    scattered_sides,
-    shaken_fates,
-)
+from rocksteady.seismic.spectra.batch import GroundShaking, keys_of, scattered_sides, shaken_fates
 
 STREAM_BYTES = 8
 DRAW_BITS = 31

@@ -1,7 +1,6 @@
 """Fates of blocks in tests: which blocks fall, at which gain, with which restitutions drawn."""
 
 import functools
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Final
@@ -10,16 +9,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.arrays import real_array
-from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.dynamics.arrays import checked_array
+from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import LARGEST_SEED, Whole
-from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.model.equations import Linear, ModelChoice, chosen_model
+from rocksteady.model.checks.bounds import LARGEST_SEED, Bounds, Whole
+from rocksteady.model.checks.validation import LARGEST
+from rocksteady.model.equations import ModelChoice, chosen_model
 from rocksteady.risk.observations._fate_cells import Shaken, fates_of_cells, streams_of
 from rocksteady.risk.observations.observations import Observations
-from rocksteady.risk.observations.shaking_test import ShakingTest
+from rocksteady.risk.observations.shaking_test import ShakingTest, distinct
 from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel, sides_in_si
 from rocksteady.seismic.spectra.grounds import check_grounds, extremes_of, turned_round
 from rocksteady.seismic.spectra.many import blocks_of
@@ -32,10 +31,14 @@ if TYPE_CHECKING:
     import xarray
 
 
-MOST_SCATTER: Final = 0.5
 MOST_DRAWS: Final = 1_000_000
 KEPT: Final = ("status", "peak_angle", "impacts")
 """Outputs of a cell."""
+
+FACTOR: Final = Bounds(
+    1.0 / LARGEST, LARGEST, "[]", "give a factor, as 1.1; a reversed test has `reversed` set"
+)
+DEVIATION: Final = Bounds(0.0, 0.5, "[]", "give a standard deviation, as 0.05")
 
 
 @checked
@@ -136,14 +139,12 @@ def compute_test_fates(
     >>> (fates.status == Status.OVERTURNED).mean(["gain", "draw"]).values.round(2)
     array([[1.  , 0.67]])
     """
-    shaking = _tests(tests)
+    shaking = distinct(tests.tests if isinstance(tests, Observations) else tests)
     names = [test.name for test in shaking]
     every = blocks_of(blocks)
     count = len(every)
     factors = _factors(1.0 if gains is None else gains, shaking, count)
     equations = chosen_model(model, every[0])
-    if isinstance(equations, Linear):
-        _refuse_vertical(shaking)
     grounds, ground = _grounds(shaking)
     strongest = np.zeros(len(grounds))
     np.maximum.at(strongest, ground, factors.max(axis=(1, 2)))
@@ -196,25 +197,9 @@ def compute_test_fates(
     )
 
 
-def _tests(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
-    """Return the tests, one or more, each of another name."""
-    given = list(tests.tests if isinstance(tests, Observations) else tests)
-    if not given or not all(isinstance(test, ShakingTest) for test in given):
-        raise InputError(
-            "tests",
-            given,
-            "it must be one ShakingTest or more",
-            "give a list of them, or read_tests('tests.csv')",
-        )
-    doubled = [name for name, times in Counter(test.name for test in given).items() if times > 1]
-    if doubled:
-        raise InputError("tests", doubled[0], "two tests have this name", "give each another name")
-    return given
-
-
 def _factors(gains: ArrayLike, tests: Sequence[ShakingTest], blocks: int) -> Floats:
     """Return factors on the records, shape (tests, blocks, gains) or (tests, 1, gains)."""
-    given = np.atleast_1d(real_array("gains", gains))
+    given = np.atleast_1d(checked_array("gains", gains, FACTOR))
     count = len(tests)
     wanted = {1: (), 2: (count,), 3: (count, blocks)}
     if given.ndim not in wanted or given.shape[:-1] != wanted[given.ndim] or not given.size:
@@ -226,31 +211,8 @@ def _factors(gains: ArrayLike, tests: Sequence[ShakingTest], blocks: int) -> Flo
         )
     if given.ndim < 3:
         given = given[..., np.newaxis, :]
-    factors: Floats = np.array([test.gain for test in tests])[:, np.newaxis, np.newaxis] * given
-    for array in (given, factors):
-        beyond = array[~((array >= 1.0 / LARGEST) & (array <= LARGEST))]
-        if beyond.size:
-            hint = "give a factor, as 1.1; a reversed test has `reversed` set"
-            in_range("gains", beyond[0].item(), 1.0 / LARGEST, LARGEST, "[]", hint=hint)
-    return factors
-
-
-def _refuse_vertical(tests: Sequence[ShakingTest]) -> None:
-    """Refuse tests with vertical motion in the linear model.
-
-    Raises
-    ------
-    ModelError
-        With the name of the first.
-    """
-    for test in tests:
-        if test.vertical is not None:
-            raise ModelError(
-                f"test {test.name!r:.60}",
-                Words("has vertical motion"),
-                "the linear equations of motion have no term for it",
-                "take the nonlinear model, or leave the vertical motion out",
-            )
+    own = np.array([test.gain for test in tests])[:, np.newaxis, np.newaxis]
+    return checked_array("gains", own * given, FACTOR)
 
 
 def _grounds(tests: Sequence[ShakingTest]) -> tuple[list[GroundShaking], NDArray[np.int64]]:
@@ -266,7 +228,7 @@ def _grounds(tests: Sequence[ShakingTest]) -> tuple[list[GroundShaking], NDArray
 
 def _deviations(value: object) -> Floats:
     """Return deviations as a read-only array of shape () or (blocks,)."""
-    deviations = real_array("deviation", value)  # type: ignore[arg-type]
+    deviations = checked_array("deviation", value, DEVIATION)  # type: ignore[arg-type]
     if deviations.ndim > 1:
         raise InputError(
             "deviation",
@@ -274,11 +236,6 @@ def _deviations(value: object) -> Floats:
             "it is a number, or one for each block",
             "give 0.05, or an array of shape (blocks,)",
         )
-    beyond = deviations[~((deviations >= 0.0) & (deviations <= MOST_SCATTER))]
-    if beyond.size:
-        hint = "give a standard deviation, as 0.05"
-        in_range("deviation", beyond.flat[0].item(), 0.0, MOST_SCATTER, "[]", hint=hint)
-    deviations = deviations.copy()
     deviations.flags.writeable = False
     return deviations
 

@@ -1,20 +1,20 @@
 """What is known of an object before the tests: sizes, base, restitution, each with its spread."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Final
+from typing import Annotated, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.arrays import real_array
+from rocksteady.dynamics.arrays import checked_array, real_array
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, plural
 from rocksteady.results.result import Result
@@ -24,9 +24,8 @@ from rocksteady.risk.observations._sides import (
     least_momentum_ratio,
     sides_of_numbers,
 )
+from rocksteady.risk.observations.shaking_test import text
 from rocksteady.risk.observations.spread import PriorRange, spread_of
-
-Given = PriorRange | float | str
 
 LARGEST_M: Final = 20.0
 """Longest size [m]: larger ones are taken for millimetres or centimetres."""
@@ -51,6 +50,22 @@ BOUNDS: Final[Mapping[str, tuple[float, float, str]]] = {
 }  # fmt: skip
 """Lowest and highest of each number, and what to do; in the order of the parameters."""
 
+
+def possible(key: str, value: PriorRange | float | str) -> PriorRange:
+    """Return the spread of a number inside what is possible.
+
+    Raises
+    ------
+    InputError
+        If it is not possible.
+    """
+    low, high, hint = BOUNDS[key]
+    return spread_of(key, value).within(key, low, high, hint=hint)
+
+
+Given = Annotated[PriorRange | float | str | None, possible]
+"""What a caller says of a number."""
+
 DEFAULTS: Final[Mapping[str, PriorRange]] = {
     "base": PriorRange.around(0.75, 0.2, low=0.05, high=1.0),
     "offset": PriorRange.exactly(0.0),
@@ -59,16 +74,12 @@ DEFAULTS: Final[Mapping[str, PriorRange]] = {
 }
 """Of what nothing is known."""
 
-_FORMS: Final = (
-    ("width_m", "height_m"),
-    ("alpha_rad", "p_rad_s"),
-    ("left_m", "right_m", "mass_centre_height_m"),
-)
-_BESIDE: Final = (
-    ("mass_centre_height_m", "gyration_m", "base", "offset"),
-    (),
-    ("gyration_m",),
-)
+_FORMS: Final[Mapping[tuple[str, ...], tuple[str, ...]]] = {
+    ("width_m", "height_m"): ("mass_centre_height_m", "gyration_m", "base", "offset"),
+    ("alpha_rad", "p_rad_s"): (),
+    ("left_m", "right_m", "mass_centre_height_m"): ("gyration_m",),
+}
+"""Ways to give a size, and what may stand beside each."""
 _ALWAYS: Final = ("restitution", "housner_factor", "scatter", "orientation_rad")
 _WAYS: Final = "; ".join(" and ".join(form) for form in _FORMS)
 
@@ -141,36 +152,29 @@ class ObjectPrior(Result):
     0.2450 rad
     """
 
-    name: str
-    width_m: Given | None = None
-    height_m: Given | None = None
-    alpha_rad: Given | None = None
-    p_rad_s: Given | None = None
-    left_m: Given | None = None
-    right_m: Given | None = None
-    mass_centre_height_m: Given | None = None
-    gyration_m: Given | None = None
-    base: Given | None = None
-    offset: Given | None = None
-    restitution: Given | None = None
-    housner_factor: Given | None = None
-    scatter: Given | None = None
-    orientation_rad: Given | None = None
+    name: Annotated[str, text]
+    width_m: Given = None
+    height_m: Given = None
+    alpha_rad: Given = None
+    p_rad_s: Given = None
+    left_m: Given = None
+    right_m: Given = None
+    mass_centre_height_m: Given = None
+    gyration_m: Given = None
+    base: Given = None
+    offset: Given = None
+    restitution: Given = None
+    housner_factor: Given = None
+    scatter: Given = None
+    orientation_rad: Given = None
     spreads: Mapping[str, PriorRange] = field(init=False)
     defaults: tuple[str, ...] = field(init=False)
 
     def __post_init__(self) -> None:
         """Validate, and fill in the defaults."""
-        given_name: object = self.name
-        if not isinstance(given_name, str) or not given_name.strip():
-            raise InputError("name", given_name, "it must be a text that is not empty", "give one")
-        given = {}
-        for key in BOUNDS:
-            value = getattr(self, key)
-            if value is not None:
-                given[key] = possible(key, value)
-                object.__setattr__(self, key, given[key])
-        form = _form(tuple(given), self.name)
+        values = {key: getattr(self, key) for key in BOUNDS}
+        given = {key: spread for key, spread in values.items() if spread is not None}
+        fits = _fitting(given, self.name)
         if "restitution" in given and "housner_factor" in given:
             raise ModelError(
                 "restitution, housner_factor",
@@ -178,12 +182,11 @@ class ObjectPrior(Result):
                 "the restitution is given itself, or as a factor on that of angular momentum",
                 "leave one out",
             )
-        fits = (*_FORMS[form], *_BESIDE[form], *_ALWAYS)
         silent = [key for key in DEFAULTS if key in fits and key not in given]
         if "restitution" in given:
             silent.remove("housner_factor")
-        known = {key: given.get(key, DEFAULTS.get(key)) for key in BOUNDS}
-        spreads = {k: s for k, s in known.items() if s is not None and (k in given or k in silent)}
+        known = given | {key: DEFAULTS[key] for key in silent}
+        spreads = {key: known[key] for key in BOUNDS if key in known}
         object.__setattr__(self, "spreads", spreads)
         object.__setattr__(self, "defaults", tuple(silent))
         self._check_sizes()
@@ -268,10 +271,7 @@ class ObjectPrior(Result):
 
     def scatter_of(self, values: ArrayLike) -> Floats:
         """Return the standard deviation of the restitution from impact to impact, shape (n,)."""
-        rows = self._rows("values", values)
-        if "scatter" in self.parameters:
-            return rows[:, self.parameters.index("scatter")].copy()
-        return np.full(len(rows), self.spreads["scatter"].low)
+        return self._numbers(self._rows("values", values))["scatter"]
 
     def block(self, row: ArrayLike) -> Block:
         """Return the block of a row of values, shape (k,).
@@ -281,10 +281,7 @@ class ObjectPrior(Result):
         InputError
             If there are not k values, or no block has them.
         """
-        values = real_array("row", row)
-        if values.ndim != 1:
-            raise InputError("row", Words(f"has the shape {values.shape}"), *self._wanted())
-        return self.blocks(values[np.newaxis])[0]
+        return self.blocks(real_array("row", row)[np.newaxis])[0]
 
     def blocks(self, values: ArrayLike) -> list[Block]:
         """Return the blocks of rows of values, shape (n, k).
@@ -318,9 +315,7 @@ class ObjectPrior(Result):
         rows = self._rows("values", values)
         for place, key in enumerate(self.parameters):
             low, high, hint = BOUNDS[key]
-            possible_here = (rows[:, place] >= low) & (rows[:, place] <= high)
-            if not possible_here.all():
-                in_range(key, float(rows[~possible_here, place][0]), low, high, "[]", hint=hint)
+            checked_array(key, rows[:, place], Bounds(low, high, "[]", hint))
         return sides_of_numbers(self._numbers(rows))
 
     def _numbers(self, rows: Floats) -> dict[str, Floats]:
@@ -346,11 +341,7 @@ class ObjectPrior(Result):
             }
             for key, spread in self.spreads.items()
         ]
-        columns = [
-            Column("parameter", "parameter", left=True),
-            Column("spread", "spread", left=True),
-            Column("from", "from", left=True),
-        ]
+        columns = [Column(key, key, left=True) for key in ("parameter", "spread", "from")]
         outline = self.outline_alpha_rad
         return Description(
             headline=f"{self.name}: alpha {angle(outline)} by its sizes, "
@@ -366,13 +357,14 @@ class ObjectPrior(Result):
         """Return rows of one value for each parameter."""
         rows = real_array(name, values)
         if rows.ndim != 2 or rows.shape[1] != len(self.parameters):
-            raise InputError(name, Words(f"has the shape {rows.shape}"), *self._wanted())
+            names = ", ".join(self.parameters) or "none"
+            raise InputError(
+                name,
+                Words(f"has the shape {rows.shape}"),
+                f"each row has {len(self.parameters)} values: {names}",
+                "give the values in this order",
+            )
         return rows
-
-    def _wanted(self) -> tuple[str, str]:
-        count = len(self.parameters)
-        names = ", ".join(self.parameters) or "none"
-        return f"each row has {count} values: {names}", "give the values in this order"
 
     def _check_sizes(self) -> None:
         """Refuse sizes that no block has, in the middle of their spreads.
@@ -389,8 +381,7 @@ class ObjectPrior(Result):
             )
         if "restitution" in self.spreads:
             return
-        middle = {key: np.array([spread.middle]) for key, spread in self.spreads.items()}
-        least = least_momentum_ratio(middle)
+        least = least_momentum_ratio({key: np.array([end]) for key, end in self._middle.items()})
         if least <= 0.0:
             raise InputError(
                 f"object {self.name}",
@@ -401,46 +392,33 @@ class ObjectPrior(Result):
             )
 
 
-def possible(key: str, value: Given) -> PriorRange:
-    """Return the spread of a number inside what is possible.
-
-    Raises
-    ------
-    InputError
-        If it is not possible.
-    """
-    low, high, hint = BOUNDS[key]
-    return spread_of(key, value).within(key, low, high, hint=hint)
-
-
-def _form(given: tuple[str, ...], name: str) -> int:
-    """Return in which of the three ways the size is given."""
-    heads = (*_FORMS[:2], _FORMS[2][:2])
-    places = [place for place, head in enumerate(heads) if set(head) & set(given)]
-    if len(places) != 1:
-        keys = [next(key for key in heads[place] if key in given) for place in places]
+def _fitting(given: Collection[str], name: str) -> tuple[str, ...]:
+    """Return the numbers that go with the way in which the size is given."""
+    # The height of the mass centre belongs to two ways.
+    ways = {form: [key for key in form[:2] if key in given] for form in _FORMS}
+    heads = [found[0] for found in ways.values() if found]
+    if len(heads) != 1:
         raise ModelError(
             f"object {name}",
-            Words(f"has both {keys[0]} and {keys[1]}" if places else "has no size"),
+            Words(f"has both {heads[0]} and {heads[1]}" if heads else "has no size"),
             f"the size is given in one way: {_WAYS}",
-            "leave one of the two out" if places else "add width_m and height_m",
+            "leave one of the two out" if heads else "add width_m and height_m",
         )
-    (form,) = places
-    for key in _FORMS[form]:
-        if key not in given:
+    form = next(form for form in _FORMS if ways[form])
+    fits = (*form, *_FORMS[form], *_ALWAYS)
+    for key in BOUNDS:
+        if key in form and key not in given:
             raise ModelError(
                 f"object {name}: {key}",
                 Words("is missing"),
                 f"the size is given in one way: {_WAYS}",
                 "add it",
             )
-    fits = (*_FORMS[form], *_BESIDE[form], *_ALWAYS)
-    for key in given:
-        if key not in fits:
+        if key in given and key not in fits:
             raise ModelError(
                 f"object {name}: {key}",
-                Words(f"does not go with {_FORMS[form][0]}"),
+                Words(f"does not go with {form[0]}"),
                 f"beside it stand {', '.join(fits)}",
                 "leave it out",
             )
-    return form
+    return fits

@@ -3,7 +3,7 @@
 import difflib
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -17,7 +17,7 @@ from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 from rocksteady.risk.observations._doubts import doubts_on
 from rocksteady.risk.observations.object_prior import DEFAULTS, ObjectPrior
-from rocksteady.risk.observations.shaking_test import ShakingTest
+from rocksteady.risk.observations.shaking_test import ShakingTest, distinct
 
 
 @checked
@@ -65,14 +65,7 @@ class Observations(Result):
 
     def __post_init__(self) -> None:
         """Validate."""
-        tests = tuple(self.tests)
-        if not tests:
-            raise InputError("tests", [], "there must be one or more", "give a list of ShakingTest")
-        doubled = [name for name, count in Counter(t.name for t in tests).items() if count > 1]
-        if doubled:
-            raise InputError(
-                "tests", doubled[0], "two tests have this name", "give each another name"
-            )
+        object.__setattr__(self, "tests", distinct(self.tests))
         for name, prior in self.objects.items():
             if not isinstance(prior, ObjectPrior):
                 raise InputError(
@@ -81,7 +74,7 @@ class Observations(Result):
                     "it must be an ObjectPrior",
                     "give its sizes in one",
                 )
-        for test in tests:
+        for test in self.tests:
             if test.object not in self.objects:
                 close = difflib.get_close_matches(test.object, map(str, self.objects), n=1)
                 raise InputError(
@@ -90,11 +83,9 @@ class Observations(Result):
                     "each test has an object there",
                     f"did you mean {close[0]}?" if close else "add it",
                 )
-        used = {test.object for test in tests}
-        object.__setattr__(self, "tests", tests)
-        object.__setattr__(
-            self, "objects", {name: prior for name, prior in self.objects.items() if name in used}
-        )
+        used = {test.object for test in self.tests}
+        objects = {name: prior for name, prior in self.objects.items() if name in used}
+        object.__setattr__(self, "objects", objects)
         object.__setattr__(self, "sources", dict(self.sources))
         object.__setattr__(self, "remarks", tuple(self.remarks))
 
@@ -140,7 +131,7 @@ class Observations(Result):
                 f"it must be a row of whole numbers from 0 to {count - 1}",
                 "give places of tests, as np.flatnonzero has them",
             )
-        return self._with([self.tests[k] for k in chosen.tolist()])
+        return replace(self, tests=[self.tests[k] for k in chosen.tolist()])
 
     def of(self, name: str) -> "Observations":
         """Return the tests of an object.
@@ -152,7 +143,7 @@ class Observations(Result):
         """
         if name not in self.objects:
             raise InputError("name", name, f"objects are {', '.join(self.objects)}", "give one")
-        return self._with([test for test in self.tests if test.object == name])
+        return replace(self, tests=[test for test in self.tests if test.object == name])
 
     def describe(self) -> Description:
         """Return how many tests fell, and a row for each."""
@@ -174,13 +165,8 @@ class Observations(Result):
             }
             for test in self.tests
         ]
-        columns = [
-            Column("test", "test", left=True),
-            Column("object", "object", left=True),
-            Column("record", "record", left=True),
-            Column("gain", "gain"),
-            Column("outcome", "outcome", left=True),
-        ]
+        shown = ("test", "object", "record", "gain", "outcome")
+        columns = [Column(key, key, left=key != "gain") for key in shown]
         counts = Counter(outcomes[test.fell] for test in self.tests)
         words = ", ".join(f"{counts[word]} {word}" for word in outcomes.values() if counts[word])
         records = len({id(test.record) for test in self.tests})
@@ -199,11 +185,6 @@ class Observations(Result):
             facts=facts,
             tables=[Table("rows", rows, columns, kind=lambda row: str(row["outcome"]))],
             notes=[*self.warnings, *self._defaults_used()],
-        )
-
-    def _with(self, tests: Sequence[ShakingTest]) -> "Observations":
-        return Observations(
-            tests=tests, objects=self.objects, sources=self.sources, remarks=self.remarks
         )
 
     def _defaults_used(self) -> list[str]:

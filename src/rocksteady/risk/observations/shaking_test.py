@@ -1,21 +1,38 @@
 """One shaking of one object, and whether it fell."""
 
 import math
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Annotated, Final
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.motions.record import Record
 
-SMALLEST_GAIN, LARGEST_GAIN = 1e-6, 1e6
+GAIN: Final = Bounds(
+    1e-6, 1e6, "[]", "give the factor on the record, as 0.8; reversed changes the sign"
+)
 """Of a test: a record in wrong units is hardly further off."""
 
-SMALLEST_ERROR = 1e-9
+LARGEST_SIGMA: Final = 3.0
+"""Of an amplitude error: the gain is then known to a factor of 20 either way."""
+SIGMA: Final = Bounds(
+    0.0, LARGEST_SIGMA, "[]", "give the standard deviation of ln(gain), as 0.1, or leave it out"
+)
+
+_RADIANS: Final = "give the angle in radians: 1 degree is 0.01745"
+PEAK: Final = Bounds(0.0, 0.5 * math.pi, "[)", _RADIANS)
+PEAK_ERROR: Final = Bounds(1e-9, 0.5 * math.pi, "[)", _RADIANS)
 """Of a measured angle [rad]: no instrument is as good, and densities stay finite."""
 
-LARGEST_SIGMA = 3.0
-"""Of an amplitude error: the gain is then known to a factor of 20 either way."""
+
+def text(name: str, value: object) -> str:
+    """Return a name, which is a text and not empty: the rule of an argument."""
+    if not isinstance(value, str) or not value.strip():
+        raise InputError(name, value, "it must be a text that is not empty", "give a name")
+    return value
 
 
 @checked
@@ -72,35 +89,48 @@ class ShakingTest:
     ('run 7', 1.55)
     """
 
-    name: str
+    name: Annotated[str, text]
     record: Record
-    object: str
+    object: Annotated[str, text]
     fell: bool | None = None
-    gain: float = 1.0
-    sigma_ln: float | None = None
+    gain: Annotated[float, GAIN] = 1.0
+    sigma_ln: Annotated[float | None, SIGMA] = None
     vertical: Record | None = None
     reversed: bool = False
-    group: str | None = None
-    session: str | None = None
-    peak_rad: float | None = None
-    sigma_rad: float | None = None
+    group: Annotated[str | None, text] = None
+    session: Annotated[str | None, text] = None
+    peak_rad: Annotated[float | None, PEAK] = None
+    sigma_rad: Annotated[float | None, PEAK_ERROR] = None
     transverse: Record | None = None
 
     def __post_init__(self) -> None:
-        """Validate."""
-        for key in ("name", "object", "group", "session"):
-            _check_text(key, getattr(self, key), optional=key in ("group", "session"))
+        """Validate what goes together."""
         if self.group is None:
-            object.__setattr__(self, "group", self._name_of_record())
-        hint = "give the factor on the record, as 0.8; reversed changes the sign"
-        self._set("gain", in_range("gain", self.gain, SMALLEST_GAIN, LARGEST_GAIN, "[]", hint=hint))
-        if self.sigma_ln is not None:
-            hint = "give the standard deviation of ln(gain), as 0.1, or leave it out"
-            self._set(
-                "sigma_ln",
-                in_range("sigma_ln", self.sigma_ln, 0.0, LARGEST_SIGMA, "[]", hint=hint),
+            if not (self.record.name or "").strip():
+                raise InputError(
+                    "group",
+                    Words("is not given"),
+                    "by default it is the name of the record, which has none",
+                    "give the record a name, or the test a group",
+                )
+            object.__setattr__(self, "group", self.record.name)
+        if (self.peak_rad is None) != (self.sigma_rad is None):
+            keys = ("peak_rad", "sigma_rad")
+            missing, given = keys if self.peak_rad is None else keys[::-1]
+            raise ModelError(
+                missing,
+                Words(f"is missing beside {given}"),
+                "a measured angle and its measuring error go together",
+                "give both, as peak_rad 0.12 and sigma_rad 0.01, or neither",
             )
-        self._check_peak()
+        if self.peak_rad is not None and self.fell is not False:
+            outcome = "is unknown" if self.fell is None else "is that it fell"
+            raise ModelError(
+                "peak_rad",
+                Words(f"is given of a test whose outcome {outcome}"),
+                "only a test that stood has a largest angle",
+                "leave peak_rad and sigma_rad out",
+            )
         if self.transverse is not None and self.transverse.dt_s != self.record.dt_s:
             valid = f"the record has an interval of {self.record.dt_s:g} s"
             hint = "resample one of the two"
@@ -112,53 +142,18 @@ class ShakingTest:
         factor = -self.gain if self.reversed else self.gain
         return self.record if factor == 1.0 else self.record.scaled(factor)
 
-    def _name_of_record(self) -> str:
-        """Return the name of the record as the group."""
-        name = self.record.name
-        if name is None or not name.strip():
-            raise InputError(
-                "group",
-                Words("is not given"),
-                "by default it is the name of the record, which has none",
-                "give the record a name, or the test a group",
-            )
-        return name
 
-    def _check_peak(self) -> None:
-        """Check the angle that was measured."""
-        given = {key: getattr(self, key) for key in ("peak_rad", "sigma_rad")}
-        keys = [key for key, value in given.items() if value is not None]
-        if not keys:
-            return
-        if len(keys) == 1:
-            missing = "sigma_rad" if keys == ["peak_rad"] else "peak_rad"
-            raise ModelError(
-                missing,
-                Words(f"is missing beside {keys[0]}"),
-                "a measured angle and its measuring error go together",
-                "give both, as peak_rad 0.12 and sigma_rad 0.01, or neither",
-            )
-        if self.fell is not False:
-            outcome = "is unknown" if self.fell is None else "is that it fell"
-            raise ModelError(
-                "peak_rad",
-                Words(f"is given of a test whose outcome {outcome}"),
-                "only a test that stood has a largest angle",
-                "leave peak_rad and sigma_rad out",
-            )
-        hint, most = "give the angle in radians: 1 degree is 0.01745", 0.5 * math.pi
-        self._set("peak_rad", in_range("peak_rad", self.peak_rad, 0.0, most, "[)", hint=hint))
-        error = in_range("sigma_rad", self.sigma_rad, SMALLEST_ERROR, most, "[)", hint=hint)
-        self._set("sigma_rad", error)
+def distinct(tests: Sequence[ShakingTest]) -> tuple[ShakingTest, ...]:
+    """Return tests, one or more, each of another name.
 
-    def _set(self, key: str, value: float) -> None:
-        object.__setattr__(self, key, value)
-
-
-def _check_text(key: str, value: str | None, *, optional: bool) -> None:
-    """Refuse a name that is empty or no text."""
-    if value is None and optional:
-        return
-    given: object = value
-    if not isinstance(given, str) or not given.strip():
-        raise InputError(key, given, "it must be a text that is not empty", "give a name")
+    Raises
+    ------
+    InputError
+        If there is none, or two have one name.
+    """
+    if not tests:
+        raise InputError("tests", [], "there must be one or more", "give a list of ShakingTest")
+    name, times = Counter(test.name for test in tests).most_common(1)[0]
+    if times > 1:
+        raise InputError("tests", name, "two tests have this name", "give each another name")
+    return tuple(tests)

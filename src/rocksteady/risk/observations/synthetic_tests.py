@@ -8,13 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.arrays import real_array
+from rocksteady.dynamics.arrays import checked_array
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import LARGEST_SEED, Bounds, Whole
-from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import ModelChoice
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
@@ -22,7 +21,7 @@ from rocksteady.outcomes import Status
 from rocksteady.risk.observations.fates import Scatter, compute_test_fates
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.observations import Observations
-from rocksteady.risk.observations.shaking_test import LARGEST_GAIN, LARGEST_SIGMA, ShakingTest
+from rocksteady.risk.observations.shaking_test import GAIN, LARGEST_SIGMA, ShakingTest
 from rocksteady.seismic.measures.scalar import compute_measure
 
 LEVELS: Final = (0.4, 0.6, 0.8, 1.0)
@@ -112,12 +111,12 @@ def make_synthetic_tests(
     several = nominal.shape[1]
     unknown = [
         ShakingTest(
-            name=f"test {place + 1}",
-            record=records[place // several],
+            name=f"test {place}",
+            record=records[(place - 1) // several],
             object=known.name,
             gain=gain,
         )
-        for place, gain in enumerate(nominal.ravel().tolist())
+        for place, gain in enumerate(nominal.ravel().tolist(), 1)
     ]
     ends = compute_test_fates(
         block,
@@ -139,7 +138,7 @@ def _gains(truth: Block, records: list[Record], gains: ArrayLike | None) -> Floa
     if gains is None:
         unit = [compute_measure(record, "p_pgv_per_uplift", truth) for record in records]
         return np.array([[level / each for level in LEVELS] for each in unit])
-    values = real_array("gains", gains)
+    values = checked_array("gains", gains, GAIN)
     fits = values.ndim == 1 or (values.ndim == 2 and len(values) == len(records))
     if not fits or not 1 <= values.size * len(records) <= MOST_TESTS:
         raise InputError(
@@ -148,9 +147,6 @@ def _gains(truth: Block, records: list[Record], gains: ArrayLike | None) -> Floa
             f"it is a row, or has a row for each of the {len(records)} motions",
             "give factors, as [0.5, 1.0, 1.5]",
         )
-    bad = ~((values > 0.0) & (values <= LARGEST_GAIN))
-    if bad.any():
-        in_range("gains", float(values[bad][0]), 0.0, LARGEST_GAIN, hint="give factors above 0")
     return np.array(np.broadcast_to(values, (len(records), values.shape[-1])))
 
 

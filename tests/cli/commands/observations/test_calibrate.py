@@ -79,7 +79,7 @@ def test_the_folder_predicts_without_the_records(table: Path, tmp_path: Path) ->
 def test_sessions_that_the_table_does_not_have_are_refused(table: Path) -> None:
     line = refused(f"calibrate {FEW} --folds session --tests", table)
     assert "--folds = 'session'" in line
-    assert "has no session" in line
+    assert "no test has a session" in line
 
 
 def test_the_example_needs_no_file() -> None:

@@ -15,7 +15,7 @@ def scored(p: ArrayLike, fell: ArrayLike, **options: int) -> Scores:
 
 
 def test_scores_of_four_tests_by_hand() -> None:
-    found = scored([0.9, 0.35, 0.62, 0.2], [1, 1, 0, 0], replicates=0)
+    found = scored([0.9, 0.35, 0.62, 0.2], [1, 1, 0, 0])
     assert found.accuracy[0] == 0.5
     assert found.f1[0] == 2 * 1 / (2 + 2)
     assert found.brier[0] == pytest.approx((0.01 + 0.4225 + 0.3844 + 0.04) / 4)
@@ -48,16 +48,16 @@ def test_the_calibration_error_is_that_of_tenths() -> None:
         ([0.9, 1.0], [1, 0], abs(0.9 - 1.0 + 1.0) / 2.0),
         ([0.899, 0.9], [1, 0], (0.101 + 0.9) / 2.0),
     ):
-        result = scored(p, fell, replicates=0)
+        result = scored(p, fell)
         assert result.ece[0] == pytest.approx(error), p
-    assert scored([0.5], [1], replicates=0).accuracy[0] == 1.0
-    assert scored([0.4999], [1], replicates=0).accuracy[0] == 0.0
-    sure = scored([0.0, 1.0], [1, 1], replicates=0)
+    assert scored([0.5], [1]).accuracy[0] == 1.0
+    assert scored([0.4999], [1]).accuracy[0] == 0.0
+    sure = scored([0.0, 1.0], [1, 1])
     assert sure.log_score[0] == pytest.approx(-0.5 * math.log(1e-12))
 
 
 def test_scores_in_words() -> None:
-    result = scored([0.9, 0.2, 0.6], [1, 0, 0], replicates=0)
+    result = scored([0.9, 0.2, 0.6], [1, 0, 0])
     assert list(result.values()) == ["accuracy", "f1", "brier", "log_score", "ece"]
     assert result.values()["brier"]["value"] == pytest.approx((0.01 + 0.04 + 0.36) / 3.0)
     assert "Brier score 0.137 of 3 tests" in repr(result)

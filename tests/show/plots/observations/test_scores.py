@@ -14,11 +14,11 @@ def test_the_block_stands_beside_the_logistic_and_the_base_rate() -> None:
     axes = plots.learning(calibrated(), Figure().add_subplot(), score="brier")
     drawn = {str(each.get_label()): np.asarray(each.get_ydata()).tolist() for each in axes.lines}
     assert drawn == {
-        "calibrated block": [row["block"].brier[0] for row in curve],
-        "logistic on intensity": [row["logistic"].brier[0] for row in curve],
-        "base rate": [row["base rate"].brier[0] for row in curve],
+        "calibrated block": [row["block brier"] for row in curve],
+        "logistic on intensity": [row["logistic brier"] for row in curve],
+        "base rate": [row["base rate brier"] for row in curve],
     }
-    last = curve[-1]["base rate"].brier[0]
+    last = curve[-1]["base rate brier"]
     (name,) = [text for text in axes.texts if text.get_text().startswith("base")]
     height = axes.transAxes.transform(name.xy)[1]  # type: ignore[attr-defined]
     assert axes.transData.inverted().transform((0.0, height))[1] >= last - 1e-9

@@ -15,7 +15,7 @@ from rocksteady.errors import InputError
 from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
-    from rocksteady.risk.calibration.stored import StoredPosterior
+    from rocksteady.risk.calibration.stored_posterior import StoredPosterior
     from rocksteady.risk.observations.shaking_test import ShakingTest
 
 HELP = (

@@ -9,7 +9,7 @@ import numpy as np
 from rocksteady.arrays import Bools, Floats, Integers
 from rocksteady.risk.calibration.held_out.leaving_out import Case, Draws, blank, fill, predict_cases
 from rocksteady.risk.calibration.held_out.rivals import base_rate, logistic_of
-from rocksteady.risk.calibration.held_out.scores import NAMES, Scores, scores_of
+from rocksteady.risk.calibration.held_out.scores import score_values
 from rocksteady.risk.calibration.sampler.outcome_likelihood import Likelihood
 from rocksteady.risk.calibration.sampler.rounds import ROUGH, Fit
 from rocksteady.risk.calibration.sampler.surfaces import Surfaces
@@ -58,8 +58,8 @@ def learning_curve(trial: Trial) -> list[dict[str, Any]]:
     Returns
     -------
     list
-        For each size `groups`, `tests` (mean number of the training), and the `Scores` of "block",
-        "logistic" and "base rate": means of the ten, with their 5 and 95 %.
+        For each size `groups`, `tests` (mean number of the training), and means of the ten of each
+        score of each rule, as "block brier".
     """
     names = np.unique(trial.codes)
     rng = np.random.default_rng([trial.seed, 5])
@@ -72,26 +72,23 @@ def learning_curve(trial: Trial) -> list[dict[str, Any]]:
     blocks = _predictions(trial, trains)
     curves = logistic_of(trial.measures, trial.fell, trial.codes, np.array(trains))
     rows = []
+    known = np.isfinite(trial.fell)
     for place, size in enumerate(sizes):
-        parts: list[dict[str, Scores]] = []
-        counts = []
+        parts: list[dict[str, float]] = []
         for number in range(place * REPEATS, (place + 1) * REPEATS):
-            train, known = trains[number], np.isfinite(trial.fell)
+            train = trains[number]
             asked = ~train & known
             if not asked.any():
                 continue
-            groups = np.unique(trial.codes[asked], return_inverse=True)[1]
             rates = base_rate(trial.fell, trial.objects, train)
-            parts.append(
-                {
-                    name: scores_of(p[asked], trial.fell[asked], groups, replicates=0)
-                    for name, p in zip(RULES, (blocks[number], curves[number], rates), strict=True)
-                }
-            )
-            counts.append(float((train & known).sum()))
+            part = {"tests": float((train & known).sum())}
+            for name, p in zip(RULES, (blocks[number], curves[number], rates), strict=True):
+                values = score_values(p[asked], trial.fell[asked])
+                part |= {f"{name} {score}": value for score, value in values.items()}
+            parts.append(part)
         if parts:
-            row: dict[str, Any] = {"groups": size, "tests": float(np.mean(counts))}
-            rows.append(row | {name: _mean([part[name] for part in parts]) for name in RULES})
+            row = {key: _mean([part[key] for part in parts]) for key in parts[0]}
+            rows.append({"groups": size} | row)
     return rows
 
 
@@ -116,15 +113,7 @@ def _predictions(trial: Trial, trains: Sequence[Bools]) -> list[Floats]:
     return [each.p for each in held]
 
 
-def _mean(parts: Sequence[Scores]) -> Scores:
-    """Return the mean of each score, with the 5 and 95 % of the parts as its ends."""
-    means: dict[str, tuple[float, float, float]] = {}
-    for key in NAMES:
-        values = np.array([getattr(part, key)[0] for part in parts])
-        values = values[np.isfinite(values)]
-        low, high = np.quantile(values, [0.05, 0.95]) if len(values) else (np.nan, np.nan)
-        mean = float(values.mean()) if len(values) else np.nan
-        means[key] = (mean, float(low), float(high))
-    tests = round(float(np.mean([part.tests for part in parts])))
-    groups = round(float(np.mean([part.groups for part in parts])))
-    return Scores(**means, tests=tests, groups=groups)
+def _mean(values: Sequence[float]) -> float:
+    """Return the mean of the numbers among values: F1 is none without falls."""
+    numbers = [value for value in values if np.isfinite(value)]
+    return float(np.mean(numbers)) if numbers else np.nan

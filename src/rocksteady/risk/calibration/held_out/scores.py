@@ -88,17 +88,21 @@ class Scores(Result):
         return {key: dict(zip(ends, getattr(self, key), strict=True)) for key in NAMES}
 
 
-def scores_of(
-    p: Floats, fell: Floats, codes: Integers, *, replicates: int = REPLICATES, seed: int = 0
-) -> Scores:
+def score_values(p: Floats, fell: Floats) -> dict[str, float]:
+    """Return the scores of probabilities without intervals, by name."""
+    sums = _sums(p, fell, np.zeros(len(p), dtype=np.int64))
+    return dict(zip(NAMES, _from_sums(sums)[0].tolist(), strict=True))
+
+
+def scores_of(p: Floats, fell: Floats, codes: Integers, *, seed: int = 0) -> Scores:
     """Return the scores of probabilities; `codes` are the numbers of the groups, from 0."""
     sums = _sums(p, fell, codes)
     groups = len(sums)
     values = _from_sums(sums.sum(axis=0)[np.newaxis])[0]
     ends = np.full((2, len(NAMES)), np.nan)
-    if replicates and groups >= FEWEST_GROUPS:
+    if groups >= FEWEST_GROUPS:
         drawn = np.random.default_rng(seed).multinomial(
-            groups, np.full(groups, 1.0 / groups), size=replicates
+            groups, np.full(groups, 1.0 / groups), size=REPLICATES
         )
         scores = _from_sums(drawn @ sums)
         for place in range(len(NAMES)):

@@ -54,8 +54,8 @@ class Validation(Result):
         gain times PGA) a row for each: `name`, `tests`, `fell`, `expected`,
         `deviation` of it, and `z`, the difference over the deviation.
     learning
-        By the number of training `groups` the `Scores` of "block", "logistic" and "base rate",
-        with `tests`, the mean number of the training.
+        By the number of training `groups` the mean scores of "block", "logistic" and "base rate",
+        as "block brier", with `tests`, the mean number of the training.
     curve, stack
         The logistic of all tests, and how it and the block make a prediction together; held-out
         predictions have those of the other groups.
@@ -87,18 +87,6 @@ class Validation(Result):
     def describe(self) -> Description:
         """Return the scores, one row for each rule."""
         rows = [{"rule": name} | _plain(scores) for name, scores in self.rows.items()]
-        learning = [
-            {
-                f"{key} {score}" if isinstance(value, Scores) else key: part
-                for key, value in row.items()
-                for score, part in (
-                    [(name, getattr(value, name)[0]) for name in NAMES]
-                    if isinstance(value, Scores)
-                    else [("", value)]
-                )
-            }
-            for row in self.learning
-        ]
         residuals = [{"by": by} | row for by, rows in self.residuals.items() for row in rows]
         columns = (
             Column("rule", "predicted by", left=True),
@@ -127,7 +115,7 @@ class Validation(Result):
                 Table("scores", rows, columns, title="scores of tests that were held out"),
                 Table("reliability", self.reliability),
                 Table("residuals", residuals),
-                Table("learning", learning),
+                Table("learning", self.learning),
             ],
             notes=self.warnings,
         )

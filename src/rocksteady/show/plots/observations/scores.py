@@ -93,7 +93,7 @@ def plot_learning(
     for role, mark, (kind, words) in zip(
         ("motion", "quiet", "edge"), "os^", RULES.items(), strict=True
     ):
-        values, colour = [getattr(each[kind], score)[0] for each in curve], getattr(inks, role)
+        values, colour = [each[f"{kind} {score}"] for each in curve], getattr(inks, role)
         axes.plot(
             at, values, marker=mark, ms=4.0 * size, color=colour, lw=1.4 * size, label=words,
             zorder=2.6,

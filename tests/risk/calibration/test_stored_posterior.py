@@ -9,7 +9,7 @@ import pytest
 from rocksteady import Status
 from rocksteady.calibration import Scatter, ShakingTest, compute_test_fates
 from rocksteady.errors import InputError
-from rocksteady.risk.calibration._predicting import digest_of
+from rocksteady.risk.calibration.stored_posterior import digest_of
 from tests.risk.calibration.cases import LINEAR, narrow, narrow_tests
 
 

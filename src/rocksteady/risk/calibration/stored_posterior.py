@@ -1,4 +1,4 @@
-"""Predictions of tests that were not in the training, from posteriors."""
+"""Posteriors that predict tests: those of the training, and others."""
 
 import hashlib
 from collections.abc import Mapping, Sequence
@@ -8,8 +8,11 @@ import numpy as np
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Model
+from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
+from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.leaving_out import (
     HeldOut,
     blank,
@@ -37,82 +40,90 @@ STREAM = 104_729
 """Keeps the runs of predictions apart from those of the training."""
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Source:
-    """What predictions of other tests are made of.
+@checked_result
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
+class StoredPosterior(Result):
+    """Posteriors of a calibration, from its folder.
 
     Attributes
     ----------
     posteriors
-        By object.
+        Weighted draws by object, without the fates of the training tests.
+    predictions
+        Predictions of the training tests, each without its group.
+    trained
+        Hash (SHA-256) of each training test, by its name.
+    seed, model
+        Seed and model of the calibration.
     curve, stack
         The logistic on intensity measures, and how block and logistic predict together.
-    seed, model
-        Of the runs.
     """
 
     posteriors: Mapping[str, Posterior]
-    curve: LogisticCurve
-    stack: Stack
+    predictions: Predictions
+    trained: Mapping[str, str]
     seed: int
     model: Model
+    curve: LogisticCurve
+    stack: Stack
 
+    def predict(
+        self, tests: Observations | Sequence[ShakingTest], *, run: Execution | None = None
+    ) -> Predictions:
+        """Predict tests as the calibration itself does; see `Calibration.predict`."""
+        given = listed(tests, self.posteriors)
+        rows = {name: place for place, name in enumerate(self.predictions.test)}
+        places = np.array(
+            [
+                rows[test.name] if self.trained.get(test.name) == digest_of(test) else -1
+                for test in given
+            ]
+        )
+        fresh = np.flatnonzero(places < 0)
+        new = [given[place] for place in fresh.tolist()]
+        held, logistic = blank(len(given)), np.full(len(given), np.nan)
+        if len(fresh):
+            fill(held, fresh, _predict_new(new, self, run))
+            priors = {name: each.space.block for name, each in self.posteriors.items()}
+            logistic[fresh] = self.curve.of(measures_of(new, priors))
+        made = predictions_of(
+            given,
+            held,
+            [test.group or "" for test in given],
+            logistic=logistic,
+            stacks=[self.stack] * len(given),
+        )
+        keys = ("p", "low", "high", "block", "logistic", "mc_error", "effective_draws")
+        columns = {
+            key: np.where(places >= 0, getattr(self.predictions, key)[places], getattr(made, key))
+            for key in keys
+        }
+        changed = [test.name for test in new if test.name in rows]
+        words = (
+            f"{plural(len(changed), 'test')} of the calibration, as {', '.join(changed[:1])}, now "
+            "have another motion, gain or cleaning: predicted as new ones, though their outcomes "
+            "are in it"
+        )
+        return replace(
+            made,
+            **columns,
+            held_out=tuple((places >= 0).tolist()),
+            warnings=(words,) if changed else (),
+        )
 
-def predict_all(
-    given: Sequence[ShakingTest],
-    trained: Mapping[str, str],
-    before: Predictions,
-    source: Source,
-    run: Execution | None,
-) -> Predictions:
-    """Return predictions of training tests without their groups, and of others by all tests.
-
-    Parameters
-    ----------
-    given
-        The tests.
-    trained
-        Digest of each training test by its name, in the order of `before`.
-    before
-        Held-out predictions of the training tests.
-    source
-        What others are predicted from.
-    run
-        Executor and workers.
-    """
-    rows = {name: place for place, name in enumerate(before.test)}
-    places = np.array(
-        [rows[test.name] if trained.get(test.name) == digest_of(test) else -1 for test in given]
-    )
-    fresh = np.flatnonzero(places < 0)
-    tests = [given[place] for place in fresh.tolist()]
-    held, logistic = blank(len(given)), np.full(len(given), np.nan)
-    if len(fresh):
-        fill(held, fresh, _predict_new(tests, source, run))
-        priors = {name: each.space.block for name, each in source.posteriors.items()}
-        logistic[fresh] = source.curve.of(measures_of(tests, priors))
-    made = predictions_of(
-        given,
-        held,
-        [test.group or "" for test in given],
-        logistic=logistic,
-        stacks=[source.stack] * len(given),
-    )
-    keys = ("p", "low", "high", "block", "logistic", "mc_error", "effective_draws")
-    columns = {
-        key: np.where(places >= 0, getattr(before, key)[places], getattr(made, key)) for key in keys
-    }
-    changed = [test.name for test in tests if test.name in rows]
-    words = (
-        f"{plural(len(changed), 'test')} of the calibration, as {', '.join(changed[:1])}, now have "
-        "another motion, gain or cleaning: predicted as new ones, though their outcomes are in it"
-    )
-    return replace(
-        made,
-        **columns,
-        held_out=tuple((places >= 0).tolist()),
-        warnings=(words,) if changed else (),
-    )
+    def describe(self) -> Description:
+        """Return objects and draws."""
+        draws = {name: len(each.values) for name, each in self.posteriors.items()}
+        return Description(
+            headline=f"posterior of {plural(len(draws), 'object')} from "
+            f"{plural(len(self.trained), 'test')}",
+            facts=[
+                Fact("objects", list(draws), "objects"),
+                Fact("draws", draws),
+                Fact("tests", len(self.trained), "tests"),
+                Fact("seed", self.seed, "seed"),
+            ],
+        )
 
 
 def digest_of(test: ShakingTest) -> str:
@@ -161,7 +172,9 @@ def listed(
     return list(rows)
 
 
-def _predict_new(tests: Sequence[ShakingTest], source: Source, run: Execution | None) -> HeldOut:
+def _predict_new(
+    tests: Sequence[ShakingTest], source: StoredPosterior, run: Execution | None
+) -> HeldOut:
     """Return predictions of tests by all of the posterior of their objects.
 
     Raises
