@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from rocksteady.risk.back_analysis._density import Plane, level_of, mass_above, tempered
+from rocksteady.risk.back_analysis._density import Plane, level_of, tempered
 
 NODES = np.linspace(-2.0, 1.0, 91)
 RATIOS = np.stack([np.zeros(8), np.linspace(-0.5, 0.8, 8)], axis=1)
@@ -71,9 +71,6 @@ def test_a_region_is_of_the_likeliest_cells_until_they_have_the_share() -> None:
     values = np.array([[4.0, 1.0], [3.0, 2.0]])
     for share, level in ((0.1, 4.0), (0.4, 4.0), (0.41, 3.0), (0.7, 3.0), (0.95, 1.0), (1.0, 1.0)):
         assert level_of(values, share) == level
-    masses = values / 10.0
-    above = mass_above(np.stack([masses, masses]), np.array([0.3, 0.05]))
-    assert above == pytest.approx([0.4, 1.0])
 
 
 def test_tempered_weights_add_both_signs_and_have_the_sum_one() -> None:

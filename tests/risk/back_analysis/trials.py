@@ -100,10 +100,8 @@ def try_all(
     shares = fall_shares(
         draw_objects(survey, model, count=POOL, seed=1),
         grounds,
-        [f"record {place}" for place in range(len(records))],
         np.exp(spans.simulated) / at_one[:, :1],
         draws=draws,
-        model=model,
         run=run,
     )
     return Tried(
@@ -114,7 +112,7 @@ def try_all(
         shares=shares,
         draws=draws,
         seconds=time.perf_counter() - begun,
-        model=Nonlinear(),
+        model=model,
     )
 
 

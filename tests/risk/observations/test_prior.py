@@ -1,7 +1,6 @@
 """Priors of all objects alike, from Python and from TOML."""
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -44,20 +43,23 @@ def test_an_empty_file_is_the_default_prior(tmp_path: Path) -> None:
 @every(
     ("text", "line"),
     [
-        ("[nois]\n", "prior.toml: nois is unknown: the tables are [noise] and [object]"),
-        ("noise = 3\n", "prior.toml: noise is no table"),
+        ("[nois]\n", "prior.toml: nois = {} is not valid: the tables are [noise] and [obj"),
+        ("noise = 3\n", "prior.toml: noise = 3 is not valid: the tables are [noise] and"),
         ("[noise]\nsigma = 0.1\n", "[noise] sigma is unknown: the keys of [noise] are sigma_ln"),
-        ("[object]\nbas = 0.1\n", "did you mean base?"),
+        ("[object]\nbas = 0.1\n", "[object] bas is unknown: the keys of [object] are base, offset"),
         ("[object]\nbase = true\n", "prior.toml: [object] base = True is not valid"),
         ("[object]\nbase = [0.6, 1.0]\n", "[object] base = [0.6, 1.0] is not valid"),
         ("[object]\nbase = nan\n", "[object] base = nan is not valid"),
         (
             "[object]\nbase = 1.6\n",
-            "prior.toml: base = 1.6 is not valid: it must lie in [0.01, 1.5",
+            "prior.toml: [object] base = 1.6 is not valid: it must lie in [0.01, 1.5",
         ),
-        ("[noise]\noutliers = 0.6\n", "prior.toml: outliers = 0.6 is not valid"),
-        ("[noise]\nsigma_ln = -0.1\n", "prior.toml: sigma_ln = -0.1 is not valid"),
-        ("[object]\nrestitution = 0.9\nhousner_factor = 1\n", "prior.toml: [object] = "),
+        ("[noise]\noutliers = 0.6\n", "prior.toml: [noise] outliers = 0.6 is not valid"),
+        ("[noise]\nsigma_ln = -0.1\n", "prior.toml: [noise] sigma_ln = -0.1 is not valid"),
+        (
+            "[object]\nrestitution = 0.9\nhousner_factor = 1\n",
+            "housner_factor are both given",
+        ),
         ("[object]\nbase = .6\n", "it is not TOML"),
         ("[object]\nbase = " + "9" * 5000, "its numbers are long beyond reason"),
         (b"\xff", "byte 1 is not UTF-8, as TOML must be"),
@@ -77,14 +79,9 @@ def test_a_file_that_is_none_is_refused(name: str, tmp_path: Path) -> None:
         read_prior(tmp_path / name)
 
 
-@pytest.mark.parametrize(
-    ("given", "line"),
-    [({"bass": 1}, "did you mean base?"), ({"width_m": 1}, "give sizes in the object itself")],
-)
-def test_only_what_all_objects_share_is_a_default(given: dict[str, Any], line: str) -> None:
-    with pytest.raises(InputError) as refusal:
-        Prior(defaults=given)
-    assert line in str(refusal.value)
+def test_only_what_all_objects_share_is_a_default() -> None:
+    with pytest.raises(InputError, match=r"^width_m = 1 .*; give sizes in the object itself"):
+        Prior(defaults={"width_m": 1})
 
 
 @settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])

@@ -251,7 +251,7 @@ def test_a_measured_factor_of_the_restitution_has_its_column(folder: Path) -> No
 
 def test_a_channel_of_no_vertical_motion_is_refused(folder: Path) -> None:
     line = refusal(folder, f"{HEAD},vertical,vertical_channel\n{ROW},,2\n")
-    assert "line 2, vertical_channel = '2'" in line
+    assert "line 2, vertical is empty: it is the file of a motion" in line
 
 
 def test_an_angle_beyond_the_slenderness_is_remarked_on(folder: Path) -> None:

@@ -1,5 +1,6 @@
 """From shares of draws that fall to a back-analysis: all but the runs."""
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,6 +17,9 @@ from rocksteady.risk.back_analysis.scan import ScanOptions
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.risk.observations.prior import OutcomeErrors
 from rocksteady.seismic.measures.scalar import Measure
+
+ROWS = {"interval": 0, "lower bound": 1, "upper bound": 2}
+"""Median, lower or upper end: what is found of a survey, by its bound."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -66,8 +70,10 @@ def analyse(survey: Survey, tried: Tried, noise: OutcomeErrors, scan: ScanOption
     shares = np.tensordot(sizes, tried.shares, axes=1)
     chance = chances(shares, tried.levels, noise)
     logs = log_likelihoods(outcomes, chance)
-    bound = _bound(survey)
-    held = _held_out(logs[0], chance, plane, scan, bound)
+    bound: Bound = "interval"
+    if len(set(survey.fell)) == 1:
+        bound = "lower bound" if survey.fell[0] else "upper bound"
+    held = hold_out(logs[0], chance, plane, scan) if bound == "interval" else unchecked(plane, scan)
     weights = tempered(logs, held.temper)[0]
     if bound == "interval":
         density = plane.masses(weights[np.newaxis])[0] / plane.cell
@@ -75,11 +81,11 @@ def analyse(survey: Survey, tried: Tried, noise: OutcomeErrors, scan: ScanOption
     else:
         density, threshold = plane.local_mean(np.exp(logs[0]).mean(axis=0)), 1.0 - CONFIDENCE
     medians, lows, highs = _values(plane, logs, held, bound)
-    halved = [
+    halves = [
         _values(plane, log_likelihoods(outcomes, chances(half, tried.levels, noise)), held, bound)
         for half in tried.shares
     ]
-    middle = {"interval": 0, "lower bound": 1, "upper bound": 2}[bound]
+    first, second = (half[ROWS[bound]] for half in halves)
     result = BackAnalysis(
         survey=survey,
         measures=tried.measures,
@@ -101,7 +107,7 @@ def analyse(survey: Survey, tried: Tried, noise: OutcomeErrors, scan: ScanOption
         lows=lows,
         highs=highs,
         # Each half has half of the draws: the mean of both is off by half their difference.
-        mc_errors=0.5 * np.abs(np.log(halved[0][middle] / halved[1][middle])),
+        mc_errors=0.5 * np.abs(np.log(first / second)),
         effective_records=float(1.0 / (weights.sum(axis=1) ** 2).sum()),
         draws=tried.draws,
         runs=int(tried.draws * tried.shares[0].size),
@@ -111,41 +117,19 @@ def analyse(survey: Survey, tried: Tried, noise: OutcomeErrors, scan: ScanOption
     return replace(result, warnings=remarks_on(result))
 
 
-def _bound(survey: Survey) -> Bound:
-    """Return what outcomes of one kind leave open."""
-    if all(survey.fell):
-        return "lower bound"
-    return "interval" if any(survey.fell) else "upper bound"
-
-
-def _held_out(
-    logs: Floats, chance: Floats, plane: Plane, scan: ScanOptions, bound: Bound
-) -> HeldOut:
-    """Return temper and probabilities of regions, checked or as they are given."""
-    if scan.trials and bound == "interval":
-        return hold_out(
-            logs,
-            chance,
-            plane,
-            temper=scan.temper,
-            trials=scan.trials,
-            seed=scan.seed,
-            confidence=CONFIDENCE,
-        )
-    return unchecked(scan.temper, CONFIDENCE, plane.ratios.shape[1])
-
-
-def _values(
-    plane: Plane, logs: Floats, held: HeldOut, bound: Bound
-) -> tuple[Floats, Floats, Floats]:
+def _values(plane: Plane, logs: Floats, held: HeldOut, bound: Bound) -> Floats:
     """Return medians and ends of the intervals of all measures; NaN for what is open.
 
     Where outcomes are of one kind the posterior reaches to a limit, and so would its interval.  But
     then the survey is the most extreme one there is: its chance itself, the mean over records, is
     the probability of what has been seen or more, and ends where it falls below 1 - confidence.
+
+    Returns
+    -------
+    numpy.ndarray
+        Shape (3, measures).
     """
-    count = plane.ratios.shape[1]
-    ends = np.full((3, count), np.nan)
+    ends = np.full((3, len(held.tails)), np.nan)
     if bound == "interval":
         weights = tempered(logs, held.temper)[0]
         for measure, tail in enumerate(held.tails.tolist()):
@@ -153,24 +137,24 @@ def _values(
             ends[:, measure] = plane.quantiles(weights, measure, shares)
     else:
         seen = np.exp(logs[0]).mean(axis=0)
-        row = 1 if bound == "lower bound" else 2
-        ends[row] = [_extreme(plane, seen, measure, bound) for measure in range(count)]
-    return ends[0], ends[1], ends[2]
+        ends[ROWS[bound]] = [_extreme(plane, seen, ratios, bound) for ratios in plane.ratios.T]
+    return ends
 
 
-def _extreme(plane: Plane, seen: Floats, measure: int, bound: Bound) -> float:
+def _extreme(plane: Plane, seen: Floats, ratios: Floats, bound: Bound) -> float:
     """Return where the chance of the survey comes to 1 - confidence; NaN where it does not.
 
     Parameters
     ----------
-    plane, measure
-        The measures, and the number of one.
+    plane
+        The measures.
     seen
         Chance of the survey under each record, shape (records, nodes).
+    ratios
+        Of a measure, from `plane`, shape (records,).
     bound
         Which of the ends.
     """
-    ratios = plane.ratios[:, measure]
     values = np.linspace(plane.nodes[0] + ratios.min(), plane.nodes[-1] + ratios.max(), 1001)
     chance = np.mean(
         [
@@ -181,7 +165,6 @@ def _extreme(plane: Plane, seen: Floats, measure: int, bound: Bound) -> float:
     )
     likely = np.flatnonzero(chance >= 1.0 - CONFIDENCE)
     if not len(likely):
-        return float("nan")
+        return math.nan
     place = likely[-1] if bound == "upper bound" else likely[0]
-    inside = 0 < place < len(values) - 1
-    return float(np.exp(values[place])) if inside else float("nan")
+    return float(np.exp(values[place])) if 0 < place < len(values) - 1 else math.nan

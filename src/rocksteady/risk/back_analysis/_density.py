@@ -40,9 +40,8 @@ class Plane:
     @cached_property
     def across(self) -> Floats:
         """Width of the kernel in each ratio, shape (measures,); 0 of the first."""
-        count = len(self.ratios)
         spread = self.ratios.std(axis=0)
-        widths = np.maximum(NARROWEST, ACROSS * spread * count**-0.2)
+        widths = np.maximum(NARROWEST, ACROSS * spread * len(self.ratios) ** -0.2)
         widths[0] = 0.0
         return np.asarray(widths)
 
@@ -55,8 +54,7 @@ class Plane:
     @property
     def cell(self) -> float:
         """Area of a cell of the grid."""
-        step = self.nodes[1] - self.nodes[0]
-        return float(step * (self.ordinates[1] - self.ordinates[0]))
+        return float((self.nodes[1] - self.nodes[0]) * (self.ordinates[1] - self.ordinates[0]))
 
     def masses(self, weights: Floats) -> Floats:
         """Return the probability of each cell of the grid.
@@ -135,20 +133,6 @@ class Plane:
         # Half of a cell lies below its middle.
         below = np.cumsum(density) - 0.5 * density
         return np.asarray(np.exp(np.interp(shares, below / density.sum(), values)))
-
-
-def mass_above(masses: Floats, level: Floats) -> Floats:
-    """Return the probability of all cells that are likelier than a level, shape (surveys,).
-
-    Parameters
-    ----------
-    masses
-        Shape (surveys, nodes, ratios).
-    level
-        Shape (surveys,).
-    """
-    likelier = masses > level[:, np.newaxis, np.newaxis]
-    return np.asarray(np.where(likelier, masses, 0.0).sum(axis=(1, 2)))
 
 
 def level_of(values: Floats, share: float) -> float:

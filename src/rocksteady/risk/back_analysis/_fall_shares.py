@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.arrays import Floats
+from rocksteady.arrays import Floats, Integers, Objects
 from rocksteady.kernels.core.scatter import LARGEST_KEY
-from rocksteady.model.equations import Model, ModelChoice, chosen_model
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.equations import Model
 from rocksteady.outcomes import Status
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.risk.observations.object_prior import ObjectPrior
@@ -26,7 +27,7 @@ from rocksteady.seismic.spectra.batch import (
     sides_in_si,
     told_apart,
 )
-from rocksteady.seismic.spectra.grounds import check_grounds, extremes_of
+from rocksteady.seismic.spectra.grounds import check_grounds, extremes_of, names_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.grid import Grid
@@ -53,10 +54,6 @@ class Pool:
     sides: Floats
     gravity: float
 
-    def mirrored(self) -> "Pool":
-        """Return the draws with their sides exchanged."""
-        return Pool(sides=self.sides[:, ::-1].copy(), gravity=self.gravity)
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Scaled:
@@ -74,74 +71,59 @@ class Pools:
     Attributes
     ----------
     each
-        Draws of each object under the shaking as it is.
-    other
-        Number of the object's own draws under the shaking of the other sign among `turned`; -1
-        where the sign does not matter.
-    turned
-        Draws of the objects for which it does.
-    lowest, highest
-        Smallest and largest uplift acceleration of any draw [m/s^2].
-    slowest
-        Smallest p of any draw [rad/s].
+        Draws of each object under the shaking as it is, and then under that of the other sign where
+        it matters.
+    places
+        Number of the draws of each object under each sign, shape (objects, signs); one sign where
+        it matters for no object.
+    blocks
+        The blocks of all draws.
+    model
+        Equations of motion.
     """
 
     each: tuple[Pool, ...]
-    other: tuple[int, ...]
-    turned: tuple[Pool, ...]
-    lowest: float
-    highest: float
-    slowest: float
-    extremes: tuple[Any, Any]
+    places: Integers
+    blocks: tuple[Block, ...]
+    model: Model
 
 
 def draw_objects(survey: Survey, model: Model, *, count: int, seed: int) -> Pools:
     """Return the draws of all objects: points that fill the prior evenly, shifted by the seed."""
     each: list[Pool] = []
-    partners: list[int] = []
     turned: list[Pool] = []
-    bodies = []
+    blocks: list[Block] = []
+    places = np.repeat(np.arange(len(survey))[:, np.newaxis], 2, axis=1)
     for place, (prior, facing) in enumerate(zip(survey.objects, survey.facings, strict=True)):
         values = prior.draw(_shares(prior, place, count, seed))
-        blocks = prior.blocks(values)
-        sides = np.stack([sides_in_si(block, model) for block in blocks])
+        drawn = prior.blocks(values)
+        blocks += drawn
         number = place * count + np.arange(count)
         keys = (uniform(seed, number, 2)[:, 1] * LARGEST_KEY).astype(np.int64)
-        pool = Pool(
-            sides=scattered_sides(sides, prior.scatter_of(values), keys),
-            gravity=blocks[0].gravity,
-        )
-        bodies += blocks
+        plain = np.stack([sides_in_si(block, model) for block in drawn])
+        sides = scattered_sides(plain, prior.scatter_of(values), keys)
+        mirrored = sides[:, ::-1].copy()
         if facing is None:
-            pool_sides = pool.sides.copy()
-            pool_sides[1::2] = pool_sides[1::2, ::-1]
-            each.append(Pool(sides=pool_sides, gravity=pool.gravity))
-            partners.append(-1)
+            sides[1::2] = mirrored[1::2]
         else:
-            ahead, back = (pool.mirrored(), pool) if facing else (pool, pool.mirrored())
-            each.append(ahead)
-            partners.append(len(turned))
-            turned.append(back)
-    uplifts = [block.uplift_acceleration for block in bodies]
+            sides, opposite = (mirrored, sides) if facing else (sides, mirrored)
+            places[place, 1] = len(survey) + len(turned)
+            turned.append(Pool(sides=opposite, gravity=drawn[0].gravity))
+        each.append(Pool(sides=sides, gravity=drawn[0].gravity))
     return Pools(
-        each=tuple(each),
-        other=tuple(partners),
-        turned=tuple(turned),
-        lowest=min(uplifts),
-        highest=max(uplifts),
-        slowest=min(block.p for block in bodies),
-        extremes=extremes_of(bodies),
+        each=(*each, *turned),
+        places=places if turned else places[:, :1],
+        blocks=tuple(blocks),
+        model=model,
     )
 
 
 def fall_shares(
     pools: Pools,
     grounds: Sequence[GroundShaking],
-    names: Sequence[str],
     scales: Floats,
     *,
     draws: int,
-    model: Model,
     run: Execution | None,
 ) -> Floats:
     """Return the share of draws that fall.
@@ -150,13 +132,13 @@ def fall_shares(
     ----------
     pools
         The objects.
-    grounds, names
-        The records and their names.
+    grounds
+        The records.
     scales
         Factor of each record at each level, shape (records, levels).
     draws
         Number of draws at each scale.
-    model, run
+    run
         As for `back_analyse`.
 
     Returns
@@ -165,78 +147,52 @@ def fall_shares(
         Of both halves of the draws, shape (2, objects, signs, records, levels); one sign where it
         matters for no object.
     """
-    check_grounds(grounds, scales.max(axis=1).tolist(), pools.extremes, model)
-    everything = (*pools.each, *pools.turned)
+    check_grounds(grounds, scales.max(axis=1).tolist(), extremes_of(pools.blocks), pools.model)
     items = [
         Scaled(ground=ground, number=place, factors=scales[place])
         for place, ground in enumerate(grounds)
     ]
-    grid = Grid(
-        axes=(
-            Axis(name="ground", values=list(names), long_name="record", items=items),
-            Axis(name="level", values=np.arange(scales.shape[1]), long_name="level"),
-            Axis(
-                name="pool",
-                values=[f"object {place + 1}" for place in range(len(everything))],
-                long_name="object",
-                items=everything,
-            ),
-            Axis(name="draw", values=np.arange(draws), long_name="draw"),
-        )
+    names = names_of(ground.record for ground in grounds)
+    objects = [f"object {place + 1}" for place in range(len(pools.each))]
+    axes = (
+        Axis(name="ground", values=names, long_name="record", items=items),
+        Axis(name="level", values=np.arange(scales.shape[1]), long_name="level"),
+        Axis(name="pool", values=objects, long_name="object", items=pools.each),
+        Axis(name="draw", values=np.arange(draws), long_name="draw"),
     )
-    load_kernel(model)
+    load_kernel(pools.model)
     cells = compute_cells(
         functools.partial(_fates, draws=draws),
-        grid,
+        Grid(axes=axes),
         (Output(name="fell", dtype=np.int8, long_name="whether it fell"),),
         run=run,
-        attributes={"model": model.name},
+        attributes={"model": pools.model.name},
     )
     fell = cells["fell"].transpose("draw", "pool", "ground", "level").values
     # Neighbouring draws fill the prior evenly, so that both halves do.
     shares = np.stack([fell[: draws // 2].mean(axis=0), fell[draws // 2 :].mean(axis=0)])
-    ahead = shares[:, : len(pools.each)]
-    if not pools.turned:
-        return np.asarray(ahead[:, :, np.newaxis], dtype=np.float64)
-    places = [
-        place if partner < 0 else len(pools.each) + partner
-        for place, partner in enumerate(pools.other)
-    ]
-    return np.stack([ahead, shares[:, places]], axis=2)
-
-
-def model_of(survey: Survey, model: ModelChoice) -> Model:
-    """Return the equations of motion: the full ones by default."""
-    first = survey.objects[0]
-    body = first.blocks(first.draw(np.full((1, len(first.parameters)), 0.5)))[0]
-    return chosen_model(model, body)
+    return np.asarray(shares[:, pools.places], dtype=np.float64)
 
 
 def _fates(
-    ground: NDArray[np.object_],
-    level: Floats,
-    pool: NDArray[np.object_],
-    draw: Floats,
-    *,
-    draws: int,
+    ground: Objects, level: Floats, pool: Objects, draw: Floats, *, draws: int
 ) -> dict[str, NDArray[Any]]:
     """Return which draws fall, of some cells.
 
     Each scale takes other draws of the pool, and so does each record, so that neighbours together
     cover more of the prior than each.
     """
-    cells = zip(ground, level.astype(np.int64).tolist(), pool, draw.tolist(), strict=True)
-    places = [
-        ((at + 5 * scaled.number) * draws + int(shift)) % len(each.sides)
-        for scaled, at, each, shift in cells
-    ]
     at = level.astype(np.int64)
     records, numbers = told_apart(ground)
+    shifts = at + 5 * np.array([scaled.number for scaled in records])[numbers]
+    places = (shifts * draws + draw.astype(np.int64)).tolist()
     fates = shaken_fates(
         [scaled.ground for scaled in records],
         ground=numbers,
         scale=np.stack([scaled.factors for scaled in records])[numbers, at],
-        sides=np.stack([each.sides[k] for each, k in zip(pool, places, strict=True)]),
+        sides=np.stack(
+            [each.sides[k % len(each.sides)] for each, k in zip(pool, places, strict=True)]
+        ),
         gravity=np.array([each.gravity for each in pool]),
         peaks=False,
     )

@@ -4,21 +4,21 @@ The true shaking is in no suite.  So each record is left out once: surveys are s
 at scales that agree with the real survey, and analysed with the other records.
 """
 
-from dataclasses import dataclass
-from typing import Literal
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rocksteady.arrays import Floats
+from rocksteady.arrays import Floats, Integers
+from rocksteady.results.numbers import CONFIDENCE
 from rocksteady.risk.back_analysis._chances import log_likelihoods
-from rocksteady.risk.back_analysis._density import Plane, mass_above, tempered
+from rocksteady.risk.back_analysis._density import Plane, tempered
+from rocksteady.risk.back_analysis.scan import ScanOptions
 
 TEMPERS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05)
 AGAIN = 50
 """Draws of a survey, of which one is to have outcomes of both kinds."""
-BATCH = 64
-"""Simulated surveys that are analysed at once."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -29,36 +29,27 @@ class HeldOut:
     ----------
     temper
         Exponent of the likelihood.
-    scores
-        Mean logarithm of the density at the truth by temper.
+    tails
+        For each measure the posterior probability of its central interval, shape (measures,).
     share
         Posterior probability of the region that covers the wanted share of truths.
     plain_coverage
         Coverage of the region whose posterior probability is the wanted share.
-    tails
-        For each measure the posterior probability of its central interval, shape (measures,).
+    scores
+        Mean logarithm of the density at the truth by temper.
     surveys
         Number of simulated surveys; 0 without a check.
     """
 
     temper: float
-    scores: dict[float, float]
-    share: float
-    plain_coverage: float
     tails: Floats
-    surveys: int
+    share: float = CONFIDENCE
+    plain_coverage: float = math.nan
+    scores: Mapping[float, float] = field(default_factory=dict)
+    surveys: int = 0
 
 
-def hold_out(
-    log_likelihood: Floats,
-    chance: Floats,
-    plane: Plane,
-    *,
-    temper: float | Literal["auto"],
-    trials: int,
-    seed: int,
-    confidence: float,
-) -> HeldOut:
+def hold_out(log_likelihood: Floats, chance: Floats, plane: Plane, scan: ScanOptions) -> HeldOut:
     """Return the temper, and the posterior probability that a region must have.
 
     Parameters
@@ -69,35 +60,25 @@ def hold_out(
         Chances of falling, shape (objects, signs, records, nodes).
     plane
         The measures.
-    temper
-        Exponent of the likelihood, or "auto" for that of the best held-out score.
-    trials
-        Simulated surveys for each record.
-    seed
-        Seed of the simulation.
-    confidence
-        Share of truths that a region must cover.
+    scan
+        Temper, or "auto" for that of the best held-out score; trials for each record; seed.
     """
-    random = np.random.default_rng([seed, 23])
-    truths, fell = _surveys(log_likelihood, chance, trials, random)
-    if not len(truths):
-        return unchecked(temper, confidence, plane.ratios.shape[1])
-    _, record, node = truths.T
-    each = np.arange(len(truths))
+    random = np.random.default_rng([scan.seed, 23])
+    record, node, fell = _surveys(log_likelihood, chance, scan.trials, random)
+    if not len(record):
+        return unchecked(plane, scan)
+    each = np.arange(len(record))
     simulated = log_likelihoods(fell, chance)
     simulated[each, :, record] = -np.inf
     ordinate = np.abs(plane.ordinates - plane.ratios[record, 1][:, np.newaxis]).argmin(axis=1)
     scores: dict[float, float] = {}
     above: dict[float, Floats] = {}
-    for value in TEMPERS if temper == "auto" else (temper,):
-        logs, beyond = np.empty(len(truths)), np.empty(len(truths))
-        for first in range(0, len(truths), BATCH):
-            here = slice(first, first + BATCH)
-            masses = plane.masses(tempered(simulated[here], value))
-            level = masses[np.arange(len(masses)), node[here], ordinate[here]]
-            beyond[here] = mass_above(masses, level)
-            logs[here] = np.log(np.maximum(level / plane.cell, 1e-300))
-        scores[value], above[value] = float(logs.mean()), beyond
+    for value in TEMPERS if scan.temper == "auto" else (scan.temper,):
+        masses = plane.masses(tempered(simulated, value))
+        level = masses[each, node, ordinate]
+        likelier = masses > level[:, np.newaxis, np.newaxis]
+        above[value] = np.where(likelier, masses, 0.0).sum(axis=(1, 2))
+        scores[value] = float(np.log(np.maximum(level / plane.cell, 1e-300)).mean())
     best = max(scores, key=lambda value: scores[value])
     at = plane.nodes[node][:, np.newaxis] + plane.ratios[record]
     weights = tempered(simulated, best)
@@ -107,39 +88,23 @@ def hold_out(
     ]
     return HeldOut(
         temper=best,
+        tails=np.array([_covering(shares) for shares in off]),
+        share=_covering(above[best]),
+        plain_coverage=float((above[best] <= CONFIDENCE).mean()),
         scores=scores,
-        share=_covering(above[best], confidence),
-        plain_coverage=float((above[best] <= confidence).mean()),
-        tails=np.array([_covering(each, confidence) for each in off]),
-        surveys=len(truths),
+        surveys=len(record),
     )
 
 
-def unchecked(temper: float | Literal["auto"], confidence: float, measures: int) -> HeldOut:
-    """Return what is taken where no record is left out.
-
-    Parameters
-    ----------
-    temper
-        Exponent of the likelihood; "auto" is 1.
-    confidence
-        Posterior probability of the region.
-    measures
-        Their number.
-    """
-    return HeldOut(
-        temper=1.0 if temper == "auto" else temper,
-        scores={},
-        share=confidence,
-        plain_coverage=float("nan"),
-        tails=np.full(measures, confidence),
-        surveys=0,
-    )
+def unchecked(plane: Plane, scan: ScanOptions) -> HeldOut:
+    """Return the temper and the confidence as they are, where no record is left out."""
+    temper = 1.0 if scan.temper == "auto" else scan.temper
+    return HeldOut(temper=temper, tails=np.full(plane.ratios.shape[1], CONFIDENCE))
 
 
 def _surveys(
     log_likelihood: Floats, chance: Floats, trials: int, random: np.random.Generator
-) -> tuple[NDArray[np.int64], Floats]:
+) -> tuple[Integers, Integers, Floats]:
     """Return truths and simulated surveys.
 
     The scale of each record is drawn from its own posterior, without a temper.  As in the real
@@ -149,35 +114,31 @@ def _surveys(
     Returns
     -------
     tuple of numpy.ndarray
-        Sign, record and node of each, shape (surveys, 3), and the outcomes, (surveys, objects).
+        Record and node of each, shape (surveys,), and the outcomes, (surveys, objects).
     """
     _, records, nodes = log_likelihood.shape
     weights = np.exp(log_likelihood - log_likelihood.max(axis=(0, 2), keepdims=True))
     sums = np.cumsum(weights.transpose(1, 0, 2).reshape(records, -1), axis=1)
     record = np.repeat(np.arange(records), trials)
-    truths = np.zeros((len(record), 3), dtype=np.int64)
+    node = np.zeros_like(record)
     fell = np.zeros((len(record), len(chance)))
     lacking = np.arange(len(record))
     for _ in range(AGAIN):
         at = record[lacking]
         share = random.random(len(at)) * sums[at, -1]
         place = np.minimum((sums[at] <= share[:, np.newaxis]).sum(axis=1), sums.shape[1] - 1)
-        truths[lacking] = np.stack([place // nodes, at, place % nodes], axis=1)
+        sign, node[lacking] = np.divmod(place, nodes)
         uniform = random.random((len(at), len(chance)))
-        fell[lacking] = uniform < chance[:, place // nodes, at, place % nodes].T
-        count = fell[lacking].sum(axis=1)
-        lacking = lacking[(count == 0) | (count == len(chance))]
-        if not len(lacking):
-            break
+        fell[lacking] = uniform < chance[:, sign, at, node[lacking]].T
+        lacking = lacking[np.ptp(fell[lacking], axis=1) == 0.0]
     good = np.setdiff1d(np.arange(len(record)), lacking)
-    return truths[good], fell[good]
+    return record[good], node[good], fell[good]
 
 
-def _covering(shares: Floats, confidence: float) -> float:
+def _covering(shares: Floats) -> float:
     """Return the share that covers a part of the truths, as a conformal prediction counts them.
 
     It is at most 0.999: beyond lie the tails of the kernel alone.
     """
-    ordered = np.sort(shares)
-    place = int(np.ceil(confidence * (len(ordered) + 1))) - 1
-    return float(min(0.999, ordered[min(place, len(ordered) - 1)]))
+    place = math.ceil(CONFIDENCE * (len(shares) + 1)) - 1
+    return float(min(0.999, np.sort(shares)[min(place, len(shares) - 1)]))

@@ -19,6 +19,7 @@ def remarks_on(result: BackAnalysis) -> tuple[str, ...]:
     """Return the sentences; none where nothing is doubtful."""
     remarks = []
     first, second = result.measures[:2]
+    certain = result.bound == "interval"
     if result.bound == "upper bound":
         remarks.append(
             "Nothing fell: there is no lower bound, and above the upper one nothing falls with a "
@@ -42,11 +43,8 @@ def remarks_on(result: BackAnalysis) -> tuple[str, ...]:
     low, high = result.limits
     at_nodes = result.weights.sum(axis=0)
     ends = max(1, len(at_nodes) // 20)
-    for where, value, mass, used in (
-        ("lower", low, at_nodes[:ends].sum(), result.bound == "interval"),
-        ("upper", high, at_nodes[-ends:].sum(), result.bound == "interval"),
-    ):
-        if used and mass > NEAR_LIMIT:
+    for where, value, near in (("lower", low, at_nodes[:ends]), ("upper", high, at_nodes[-ends:])):
+        if certain and near.sum() > NEAR_LIMIT:
             remarks.append(
                 f"The result reaches the {where} limit of {first.label}, {number(value)} "
                 f"{first.unit}: set other limits."
@@ -65,6 +63,6 @@ def remarks_on(result: BackAnalysis) -> tuple[str, ...]:
         remarks.append(
             f"The Monte Carlo error of the result is {number(100.0 * worst)} %: use more draws."
         )
-    if result.bound == "interval" and not result.held_out_surveys:
+    if certain and not result.held_out_surveys:
         remarks.append("No record was left out: what the region covers was not checked.")
     return tuple(remarks)

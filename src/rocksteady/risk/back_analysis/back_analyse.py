@@ -9,18 +9,12 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import ModelChoice
+from rocksteady.model.equations import ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.back_analysis._analysis import Tried, analyse
 from rocksteady.risk.back_analysis._chances import Levels
-from rocksteady.risk.back_analysis._fall_shares import (
-    POOL,
-    Pools,
-    draw_objects,
-    fall_shares,
-    model_of,
-)
+from rocksteady.risk.back_analysis._fall_shares import POOL, Pools, draw_objects, fall_shares
 from rocksteady.risk.back_analysis.back_analysis import BackAnalysis
 from rocksteady.risk.back_analysis.scan import ScanOptions
 from rocksteady.risk.back_analysis.survey import Survey
@@ -122,35 +116,24 @@ def back_analyse(
     survey = replace(survey, objects=[known.object_prior(each) for each in survey.objects])
     words = _measures(measures)
     grounds = grounds_of(list(motions))
-    names = names_of(ground.record for ground in grounds)
     if options.trials and len(grounds) < FEWEST_RECORDS:
-        raise InputError(
-            "motions",
-            f"{len(grounds)}",
-            f"records are left out in turn, of {FEWEST_RECORDS} or more",
-            "give more records, or rs.calibration.ScanOptions(temper=0.3, trials=0)",
-        )
+        valid = f"records are left out in turn, of {FEWEST_RECORDS} or more"
+        hint = "give more records, or rs.calibration.ScanOptions(temper=0.3, trials=0)"
+        raise InputError("motions", f"{len(grounds)}", valid, hint)
     at_one = np.array(
         [[compute_measure(ground.record.reference, each) for each in words] for ground in grounds]
     )
-    equations = model_of(survey, model)
+    equations = chosen_model(model, survey.objects[0].middle_block)
     draws = options.draws_of(len(survey))
     pools = draw_objects(survey, equations, count=max(POOL, draws), seed=options.seed)
     begun = time.perf_counter()
 
     def tried(low: float, high: float) -> BackAnalysis:
         levels = Levels.between(low, high, options.levels, known.noise)
-        shares = fall_shares(
-            pools,
-            grounds,
-            names,
-            np.exp(levels.simulated) / at_one[:, :1],
-            draws=draws,
-            model=equations,
-            run=run,
-        )
+        scales = np.exp(levels.simulated) / at_one[:, :1]
+        shares = fall_shares(pools, grounds, scales, draws=draws, run=run)
         made = Tried(
-            names=tuple(names),
+            names=tuple(names_of(ground.record for ground in grounds)),
             measures=words,
             at_one=at_one,
             levels=levels,
@@ -181,8 +164,7 @@ def _open_ends(analysis: BackAnalysis) -> tuple[bool, bool]:
         return False, False
     low, high = np.log(analysis.limits)
     near = NEAR * (high - low)
-    below, above = np.log(analysis.lows[0]) < low + near, np.log(analysis.highs[0]) > high - near
-    return bool(below), bool(above)
+    return np.log(analysis.lows[0]) < low + near, np.log(analysis.highs[0]) > high - near
 
 
 def _measures(given: Sequence[Measure | str]) -> tuple[Measure, ...]:
@@ -198,13 +180,10 @@ def _measures(given: Sequence[Measure | str]) -> tuple[Measure, ...]:
                 "give measures of the ground, as 'pga_g', 'pgv_m_s' or "
                 "rs.measures.Measure('sa_g', 0.5)",
             )
-    if len(intensities) < 2 or len({each.key for each in intensities}) < len(intensities):
-        raise InputError(
-            "measures",
-            [each.key for each in intensities],
-            "there are two or more, each once",
-            "leave it out for PGA and PGV",
-        )
+    keys = [each.key for each in intensities]
+    if len(keys) < 2 or len(set(keys)) < len(keys):
+        valid, hint = "there are two or more, each once", "leave it out for PGA and PGV"
+        raise InputError("measures", keys, valid, hint)
     return intensities
 
 
@@ -215,7 +194,9 @@ def _limits(pools: Pools, grounds: Sequence[GroundShaking], at_one: Floats) -> t
     """
     pga = np.array([ground.record.peak_acceleration_m_s2 for ground in grounds])
     pgv = np.array([compute_measure(ground.record, "pgv_m_s") for ground in grounds])
-    none = NO_UPLIFT * pools.lowest / pga
-    every = ALL_FALL * pools.highest * np.maximum(1.0 / pga, 1.0 / (pools.slowest * pgv))
+    uplifts = [block.uplift_acceleration for block in pools.blocks]
+    slowest = min(block.p for block in pools.blocks)
+    none = NO_UPLIFT * min(uplifts) / pga
+    every = ALL_FALL * max(uplifts) * np.maximum(1.0 / pga, 1.0 / (slowest * pgv))
     low = float(np.quantile(none * at_one, 0.25))
     return low, max(4.0 * low, float(np.median(every * at_one)))

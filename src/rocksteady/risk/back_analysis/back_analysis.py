@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +14,9 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Model
 from rocksteady.results.answer import Answer, doubt
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, number_or_none, plural, quantity
+from rocksteady.results.numbers import chance, number, number_or_none, plural, quantity
 from rocksteady.results.result import Result
+from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.back_analysis._density import level_of
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.seismic.measures.scalar import Measure
@@ -100,26 +101,26 @@ class BackAnalysis(Result):
     density: Floats
     ratios: Floats
     threshold: float
-    confidence: float
+    confidence: Annotated[float, Label("Confidence", chance)]
     share: float
-    plain_coverage: float
-    held_out_surveys: int
-    temper: float
+    plain_coverage: Annotated[float, Label("", plain=number_or_none)]
+    held_out_surveys: Annotated[int, Label("Coverage of the region")]
+    temper: Annotated[float, Label("Temper of the likelihood")]
     temper_scores: Mapping[float, float]
-    bound: Bound
+    bound: Annotated[Bound, Label("Kind of result")]
     medians: Floats
     lows: Floats
     highs: Floats
     mc_errors: Floats
-    effective_records: float
-    draws: int
-    runs: int
+    effective_records: Annotated[float, Label("Effective number of records", number)]
+    draws: Annotated[int, Label("Draws of each object at each scale")]
+    runs: Annotated[int, Label("Runs", "{:,}".format)]
     seconds: float
     model: Model
     warnings: tuple[str, ...] = ()
 
     @property
-    def limits(self) -> tuple[float, float]:
+    def limits(self) -> Annotated[tuple[float, float], Label("Limits that were searched")]:
         """Limits of the first measure."""
         return float(self.first_values[0]), float(self.first_values[-1])
 
@@ -182,36 +183,27 @@ class BackAnalysis(Result):
 
     def rows(self) -> list[dict[str, Any]]:
         """Return the interval of each measure."""
+        keys = ("measure", "label", "median", "low", "high", "mc_error")
+        numbers = np.stack([self.medians, self.lows, self.highs, self.mc_errors], axis=1)
         return [
-            {
-                "measure": measure.key,
-                "label": str(measure),
-                "median": number_or_none(self.medians[place]),
-                "low": number_or_none(self.lows[place]),
-                "high": number_or_none(self.highs[place]),
-                "mc_error": number_or_none(self.mc_errors[place]),
-            }
-            for place, measure in enumerate(self.measures)
+            dict(zip(keys, (measure.key, str(measure), *map(number_or_none, row)), strict=True))
+            for measure, row in zip(self.measures, numbers.tolist(), strict=True)
         ]
 
     def record_rows(self) -> list[dict[str, Any]]:
         """Return the weight of each record and the scale that agrees best, the likeliest first."""
-        weights = self.record_weights
-        peaks = self.first_values[self.weights.argmax(axis=1)]
-        order = np.argsort(-weights, kind="stable").tolist()
+        keys = ("record", "weight", "scale", *(measure.key for measure in self.measures))
+        peaks = self.first_values[self.weights.argmax(axis=1)][:, np.newaxis]
+        first = self.values_at_one[:, :1]
+        columns = [
+            self.record_weights[:, np.newaxis],
+            peaks / first,
+            peaks * self.values_at_one / first,
+        ]
+        numbers = np.hstack(columns).tolist()
+        order = np.argsort(-self.record_weights, kind="stable").tolist()
         return [
-            {
-                "record": self.records[place],
-                "weight": float(weights[place]),
-                "scale": float(peaks[place] / self.values_at_one[place, 0]),
-                **{
-                    measure.key: float(
-                        peaks[place] * self.values_at_one[place, k] / self.values_at_one[place, 0]
-                    )
-                    for k, measure in enumerate(self.measures)
-                },
-            }
-            for place in order
+            dict(zip(keys, (self.records[place], *numbers[place]), strict=True)) for place in order
         ]
 
     def grid_rows(self) -> list[tuple[float, float, float, bool]]:
@@ -223,7 +215,8 @@ class BackAnalysis(Result):
 
     def describe(self) -> Description:
         """Return the interval of each measure, and the weight of each record."""
-        fell, percent = sum(self.survey.fell), f"{number(100.0 * self.confidence)} %"
+        fell, first = sum(self.survey.fell), self.measures[0]
+        low, high = map(number, self.limits)
         columns = (
             Column("label", "measure", left=True),
             Column("median", "median", _or_open),
@@ -231,51 +224,39 @@ class BackAnalysis(Result):
             Column("high", "high", _or_open),
             Column("mc_error", "error of ln", _or_open),
         )
+        record_columns = (
+            Column("record", "record", left=True),
+            Column("weight", "weight"),
+            Column("scale", "best scale"),
+            *(Column(measure.key, str(measure)) for measure in self.measures),
+        )
         coverage = (
             "not checked by records that are left out"
             if self.held_out_surveys == 0
             else f"{number(self.confidence)} of {self.held_out_surveys} simulated surveys under "
             f"records that are left out, at a posterior probability of {number(self.share)}"
         )
-        first = self.measures[0]
         return Description(
             headline=f"{fell} of {plural(len(self.survey), 'object')} fell: " + self._sentence(),
-            facts=[
+            facts=facts_of(
+                self,
                 Fact("objects", len(self.survey), "Objects"),
                 Fact("fell", fell, "Fell"),
                 Fact("records", len(self.records), "Records"),
-                Fact("bound", self.bound, "Kind of result"),
-                Fact("confidence", self.confidence, "Confidence", percent),
-                Fact("share", self.share),
-                Fact("plain_coverage", number_or_none(self.plain_coverage)),
-                Fact("held_out_surveys", self.held_out_surveys, "Coverage of the region", coverage),
-                Fact("temper", self.temper, "Temper of the likelihood"),
+                "bound confidence share plain_coverage held_out_surveys temper",
                 Fact(
-                    "temper_scores",
-                    {f"{key:g}": value for key, value in self.temper_scores.items()},
+                    "temper_scores", {f"{key:g}": each for key, each in self.temper_scores.items()}
                 ),
-                Fact(
-                    "effective_records",
-                    self.effective_records,
-                    "Effective number of records",
-                    number(self.effective_records),
-                ),
-                Fact(
-                    "limits",
-                    list(self.limits),
-                    "Limits that were searched",
-                    f"{number(self.limits[0])} to {number(self.limits[1])} {first.unit}".strip()
-                    + f" of {first.label}",
-                ),
-                Fact("draws", self.draws, "Draws of each object at each scale"),
-                Fact("runs", self.runs, "Runs", f"{self.runs:,}"),
+                "effective_records limits draws runs",
                 Fact("model", self.model.name, "Equations of motion"),
                 Fact("sources", dict(self.survey.sources)),
-                Fact("warnings", list(self.warnings)),
-            ],
+                "warnings",
+                held_out_surveys=coverage,
+                limits=f"{low} to {high} {first.unit}".strip() + f" of {first.label}",
+            ),
             tables=[
                 Table("measures", self.rows(), columns),
-                Table("record_weights", self.record_rows(), _record_columns(self.measures)),
+                Table("record_weights", self.record_rows(), record_columns),
             ],
             notes=[*self.warnings, *CAVEATS],
             answer=self._answer(coverage),
@@ -283,51 +264,36 @@ class BackAnalysis(Result):
 
     def _answer(self, coverage: str) -> Answer:
         """Return the intervals of the first two measures, their middles, and doubts."""
-        fell, level = sum(self.survey.fell), f"({100.0 * self.confidence:g} %)"
+        fell, level = sum(self.survey.fell), chance(self.confidence)
         medians = [
             quantity(float(median), measure.unit).rstrip()
             for measure, median in zip(self.measures[:2], self.medians, strict=False)
             if not np.isnan(median)
         ]
         best = self.record_rows()[0]
-        covered = coverage
         if self.held_out_surveys:
-            covered = f"{100.0 * self.confidence:g} % of {self.held_out_surveys} simulated surveys"
+            coverage = f"{level} of {self.held_out_surveys} simulated surveys"
         facts = [
             ("doubt", doubt(self.warnings)),
             ("median", " and ".join(medians)),
-            ("coverage", covered if self.bound == "interval" else ""),
+            ("coverage", coverage if self.bound == "interval" else ""),
             ("records", f"{len(self.records)}, of {number(self.effective_records)} effective"),
             ("best record", f"{best['record']}, scaled by {number(best['scale'])}"),
         ]
-        sentence = f"{fell or 'None'} of {len(self.survey)} fell: {self._sentence()} {level}."
+        sentence = f"{fell or 'None'} of {len(self.survey)} fell: {self._sentence()} ({level})."
         return Answer(sentence, facts)
 
     def _sentence(self) -> str:
         """Return the interval of the first two measures in words."""
         parts = []
-        for place, measure in enumerate(self.measures[:2]):
-            low, high = float(self.lows[place]), float(self.highs[place])
-            unit = f" {measure.unit}" if measure.unit else ""
-            words = f"{number(low)} to {number(high)}{unit}"
-            if self.bound == "lower bound":
-                words = "without a bound" if np.isnan(low) else f"at least {number(low)}{unit}"
-            if self.bound == "upper bound":
-                words = (
-                    "without a bound" if np.isnan(high) else f"likely below {number(high)}{unit}"
-                )
-            parts.append(f"{measure.label} {words}")
+        for measure, low, high in zip(self.measures[:2], self.lows, self.highs, strict=False):
+            words, end = f"{number(low)} to ", high
+            if self.bound != "interval":
+                lower = self.bound == "lower bound"
+                words, end = ("at least ", low) if lower else ("likely below ", high)
+            bound = words + quantity(end, measure.unit).rstrip()
+            parts.append(f"{measure.label} {'without a bound' if np.isnan(end) else bound}")
         return ", ".join(parts)
-
-
-def _record_columns(measures: tuple[Measure, ...]) -> tuple[Column, ...]:
-    """Return the columns of the records."""
-    return (
-        Column("record", "record", left=True),
-        Column("weight", "weight"),
-        Column("scale", "best scale"),
-        *(Column(measure.key, str(measure)) for measure in measures),
-    )
 
 
 def _or_open(value: object) -> str:

@@ -1,6 +1,7 @@
 """Reader of a table of surveyed objects, each with its outcome."""
 
 import difflib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
 
@@ -74,30 +75,26 @@ def read_survey(path: Path | str) -> Survey:
     objects, fell, facings = [], [], []
     for place, cells in table.lines():
         refuse_doubled(place, "name", cells["name"], lines, "give each object another name")
-        outcome = _meaning(cells["outcome"], OUTCOMES, f"{place}, outcome", "write fell or stood")
-        if outcome is None:
-            raise InputError(
-                f"{place}, outcome",
-                Words("is empty"),
-                "each object fell or stood",
-                "leave the line out where that is unknown",
-            )
-        fell.append(outcome)
-        facings.append(
-            _meaning(cells.get("reversed", ""), _FACINGS, f"{place}, reversed", "write yes or no")
-        )
+        fell.append(_meaning(place, cells, "outcome", OUTCOMES, "write fell or stood"))
+        if fell[-1] is None:
+            valid, hint = "each object fell or stood", "leave the line out where that is unknown"
+            raise InputError(f"{place}, outcome", Words("is empty"), valid, hint)
+        facings.append(_meaning(place, cells, "reversed", _FACINGS, "write yes or no"))
         objects.append(object_prior_of(cells, place))
     return Survey(
         objects=objects, fell=fell, reversed=facings, sources={table.source: table.sha256}
     )
 
 
-def _meaning(cell: str, known: Any, name: str, otherwise: str) -> Any:
-    """Return what a word means, in capitals too."""
+def _meaning(
+    place: str, cells: Mapping[str, str], column: str, known: Mapping[str, Any], otherwise: str
+) -> Any:
+    """Return what the word of a cell means, in capitals too."""
+    cell = cells.get(column, "")
     word = cell.lower()
     if word in known:
         return known[word]
     words = [each for each in known if each]
     near = difflib.get_close_matches(word, words, n=1)
     hint = f"did you mean {near[0]}?" if near else otherwise
-    raise InputError(name, cell, f"it must be one of {', '.join(words)}", hint)
+    raise InputError(f"{place}, {column}", cell, f"it must be one of {', '.join(words)}", hint)

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
-from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
+from rocksteady.model.checks.validation import LARGEST, in_range
 
 MOST_LEVELS = 200
 MOST_DRAWS = 10_000
@@ -19,6 +19,13 @@ def _limits(name: str, value: tuple[float, float]) -> tuple[float, float]:
     if low >= high:
         raise InputError(name, (low, high), "the first is below the second", "exchange the two")
     return low, high
+
+
+def _temper(name: str, value: float | str) -> float | str:
+    """Return an exponent, or "auto"."""
+    if value == "auto":
+        return value
+    return in_range(name, value, 0.0, 1.0, "(]", hint="give an exponent, as 0.3, or 'auto'")
 
 
 @checked
@@ -60,26 +67,16 @@ class ScanOptions:
     limits: Annotated[tuple[float, float] | None, _limits] = None
     levels: Annotated[int, Whole(4, MOST_LEVELS, "leave it out")] = 22
     draws: Annotated[int | None, Whole(2, MOST_DRAWS, "give a number, as 16")] = None
-    temper: float | Literal["auto"] = "auto"
+    temper: Annotated[float | Literal["auto"], _temper] = "auto"
     trials: Annotated[int, Whole(0, 1000, "leave it out")] = 4
     seed: Annotated[int, Whole(0, None, "give a seed, as 0")] = 0
 
     def __post_init__(self) -> None:
         """Validate."""
-        if self.temper != "auto":
-            temper = in_range(
-                "temper", self.temper, 0.0, 1.0, "(]", hint="give an exponent, as 0.3, or 'auto'"
-            )
-            object.__setattr__(self, "temper", temper)
-        elif self.trials == 0:
-            raise InputError(
-                "trials",
-                0,
-                "a temper is chosen by simulated surveys",
-                "give a number above 0, or a temper",
-            )
+        if self.temper == "auto" and not self.trials:
+            valid = "a temper is chosen by simulated surveys"
+            raise InputError("trials", 0, valid, "give a number above 0, or a temper")
 
-    def draws_of(self, objects: int) -> int:
+    def draws_of(self, objects: Annotated[int, Whole(1, None, "give how many there are")]) -> int:
         """Return the number of draws of each of some objects at each scale."""
-        objects = whole_number("objects", objects, at_least=1, hint="give how many there are")
         return self.draws or min(64, max(8, -(-320 // objects)))

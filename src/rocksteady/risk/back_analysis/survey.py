@@ -58,6 +58,7 @@ class Survey(Result):
     def __post_init__(self) -> None:
         """Validate."""
         objects = tuple(self.objects)
+        facing = (None,) * len(objects) if self.reversed is None else tuple(self.reversed)
         if not 1 <= len(objects) <= MOST_OBJECTS:
             raise InputError(
                 "objects",
@@ -66,22 +67,11 @@ class Survey(Result):
                 "give a list of ObjectPrior",
             )
         names = [each.name for each in objects]
-        for place, name in enumerate(names):
-            if name in names[:place]:
-                raise InputError(
-                    "objects", name, "two objects have this name", "give each another name"
-                )
-        facing = (None,) * len(objects) if self.reversed is None else tuple(self.reversed)
-        valid = {"fell": "it must be True or False", "reversed": "it must be True, False or None"}
-        hint = {
-            "fell": "give the outcome of each object",
-            "reversed": "leave it out where the facing is unknown",
-        }
-        pairs: tuple[tuple[str, tuple[object, ...]], ...] = (
-            ("fell", tuple(self.fell)),
-            ("reversed", facing),
-        )
-        for key, values in pairs:
+        doubled = [name for place, name in enumerate(names) if name in names[:place]]
+        if doubled:
+            hint = "give each another name"
+            raise InputError("objects", doubled[0], "two objects have this name", hint)
+        for key, values in (("fell", self.fell), ("reversed", facing)):
             if len(values) != len(objects):
                 raise InputError(
                     key,
@@ -89,16 +79,9 @@ class Survey(Result):
                     f"there are {len(objects)} objects",
                     "give one for each object",
                 )
-            allowed = (True, False) if key == "fell" else (True, False, None)
-            for value in values:
-                given: object = value.item() if isinstance(value, np.bool_) else value
-                if not any(given is each for each in allowed):
-                    raise InputError(key, given, valid[key], hint[key])
         object.__setattr__(self, "objects", objects)
-        object.__setattr__(self, "fell", tuple(bool(value) for value in self.fell))
-        object.__setattr__(
-            self, "reversed", tuple(None if each is None else bool(each) for each in facing)
-        )
+        object.__setattr__(self, "fell", tuple(self.fell))
+        object.__setattr__(self, "reversed", facing)
         object.__setattr__(self, "sources", dict(self.sources))
 
     def __len__(self) -> int:

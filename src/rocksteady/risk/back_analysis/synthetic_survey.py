@@ -1,9 +1,11 @@
 """A synthetic survey for examples: clearly named, seeded, and of no place."""
 
+from typing import Annotated
+
 import numpy as np
 
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.checks.bounds import Whole
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.spread import PriorRange
@@ -16,7 +18,11 @@ TRUE_PGA_G = 0.35
 
 
 @checked
-def make_synthetic_survey(count: int = 12, *, seed: int = 0) -> Survey:
+def make_synthetic_survey(
+    count: Annotated[int, Whole(2, 10_000, "give 12")] = 12,
+    *,
+    seed: Annotated[int, Whole(0, None, "give a seed, as 0")] = 0,
+) -> Survey:
     """Make a survey of synthetic objects, for trials without a cemetery.
 
     Parameters
@@ -42,10 +48,7 @@ def make_synthetic_survey(count: int = 12, *, seed: int = 0) -> Survey:
     >>> make_synthetic_survey()
     <Survey: 12 objects: 7 fell, 5 stood>
     """
-    number = whole_number("count", count, at_least=2, at_most=10_000, hint="give 12")
-    first = whole_number("seed", seed, at_least=0, hint="give a seed, as 0")
-    random = np.random.default_rng(first)
-    part = random.random((2, number))
+    part = np.random.default_rng(seed).random((2, count))
     heights = HEIGHTS_M[0] * (HEIGHTS_M[1] / HEIGHTS_M[0]) ** part[0]
     ratios = SLENDERNESS[0] * (SLENDERNESS[1] / SLENDERNESS[0]) ** part[1]
     widths = heights / ratios

@@ -49,15 +49,7 @@ def least_momentum_ratio(numbers: Mapping[str, Floats]) -> float:
 
 def blocks_of_sides(sides: Floats) -> list[Block]:
     """Return the blocks of sides of shape (n, 2, 4)."""
-    return [
-        Block(positive=positive, negative=negative)
-        for positive, negative in map(_pair, sides.tolist())
-    ]
-
-
-def _pair(rows: list[list[float]]) -> tuple[Side, Side]:
-    first = _side(rows[0])
-    return first, first if rows[0] == rows[1] else _side(rows[1])
+    return [Block(positive=_side(row[0]), negative=_side(row[1])) for row in sides.tolist()]
 
 
 def _side(row: list[float]) -> Side:

@@ -211,8 +211,8 @@ def _factors(gains: ArrayLike, tests: Sequence[ShakingTest], blocks: int) -> Flo
         )
     if given.ndim < 3:
         given = given[..., np.newaxis, :]
-    own = np.array([test.gain for test in tests])[:, np.newaxis, np.newaxis]
-    return checked_array("gains", own * given, FACTOR)
+    factors = np.array([test.gain for test in tests])[:, np.newaxis, np.newaxis]
+    return checked_array("gains", factors * given, FACTOR)
 
 
 def _grounds(tests: Sequence[ShakingTest]) -> tuple[list[GroundShaking], NDArray[np.int64]]:

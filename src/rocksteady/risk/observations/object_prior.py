@@ -396,7 +396,7 @@ def _fitting(given: Collection[str], name: str) -> tuple[str, ...]:
     """Return the numbers that go with the way in which the size is given."""
     # The height of the mass centre belongs to two ways.
     ways = {form: [key for key in form[:2] if key in given] for form in _FORMS}
-    heads = [found[0] for found in ways.values() if found]
+    heads = [keys[0] for keys in ways.values() if keys]
     if len(heads) != 1:
         raise ModelError(
             f"object {name}",

@@ -66,14 +66,9 @@ class Observations(Result):
     def __post_init__(self) -> None:
         """Validate."""
         object.__setattr__(self, "tests", distinct(self.tests))
-        for name, prior in self.objects.items():
+        for key, prior in self.objects.items():
             if not isinstance(prior, ObjectPrior):
-                raise InputError(
-                    f"objects[{name!r}]",
-                    prior,
-                    "it must be an ObjectPrior",
-                    "give its sizes in one",
-                )
+                raise InputError("objects", {key: prior}, "each must be an ObjectPrior", "give one")
         for test in self.tests:
             if test.object not in self.objects:
                 close = difflib.get_close_matches(test.object, map(str, self.objects), n=1)

@@ -1,6 +1,5 @@
 """What is known of amplitudes, outliers and objects in general before the tests."""
 
-import difflib
 import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -12,6 +11,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.result import Result
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
+from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.observations.object_prior import ObjectPrior, possible
 from rocksteady.risk.observations.shaking_test import LARGEST_SIGMA
 from rocksteady.risk.observations.spread import PriorRange, spread_of
@@ -106,12 +106,13 @@ class Prior(Result):
         made = {}
         for key, value in self.defaults.items():
             if key not in GENERAL:
-                raise InputError("defaults", key, f"it must be one of {_listed()}", _near(key))
+                valid = f"defaults are of {', '.join(GENERAL)}"
+                raise InputError(key, value, valid, "give sizes in the object itself")
             made[key] = possible(key, value)
         if "restitution" in made and "housner_factor" in made:
             raise InputError(
-                "defaults",
-                ("restitution", "housner_factor"),
+                "restitution, housner_factor",
+                Words("are both given"),
                 "the restitution is given itself, or as a factor on that of angular momentum",
                 "leave one out",
             )
@@ -119,9 +120,7 @@ class Prior(Result):
 
     def object_prior(self, given: ObjectPrior) -> ObjectPrior:
         """Return an object with the defaults in place of those of the package."""
-        return given.with_defaults(
-            {key: spread_of(key, value) for key, value in self.defaults.items()}
-        )
+        return given.with_defaults(self.defaults)  # type: ignore[arg-type]  # ranges by now
 
     def describe(self) -> Description:
         """Return each spread."""
@@ -131,10 +130,7 @@ class Prior(Result):
             {"parameter": key, "low": spread.low, "high": spread.high, "spread": str(spread)}
             for key, spread in spreads.items()
         ]
-        columns = [
-            Column("parameter", "parameter", left=True),
-            Column("spread", "spread", left=True),
-        ]
+        columns = [Column(key, key, left=True) for key in ("parameter", "spread")]
         return Description(
             headline=f"prior: sigma_ln {self.noise.sigma_ln}, outliers {self.noise.outliers}",
             tables=[Table("parameters", rows, columns)],
@@ -175,41 +171,19 @@ def read_prior(path: Path | str) -> Prior:
     file = Path(path)
     content = content_of(file, "prior", "name a file in TOML with [noise] and [object]")
     values = toml_of(content, file.name)
-    known: Mapping[str, tuple[str, ...]] = {"noise": tuple(NOISE), "object": GENERAL}
-    tables: dict[str, dict[str, PriorRange]] = {"noise": {}, "object": {}}
-    for table, content_of_table in values.items():
-        if table not in known or not isinstance(content_of_table, dict):
-            raise InputError(
-                f"{file.name}: {table}",
-                Words("is no table" if table in known else "is unknown"),
-                "the tables are [noise] and [object]",
-                "write keys below one of the two",
-            )
-        for key, value in content_of_table.items():
-            name = f"{file.name}: [{table}] {key}"
-            if key not in known[table]:
-                close = difflib.get_close_matches(key, known[table], n=1)
-                raise InputError(
-                    name,
-                    Words("is unknown"),
-                    f"the keys of [{table}] are {', '.join(known[table])}",
-                    f"did you mean {close[0]}?" if close else "remove it",
-                )
-            tables[table][key] = spread_of(name, value)
-    sources = {file.name: hashlib.sha256(content).hexdigest()}
-    try:
-        noise = OutcomeErrors(**tables["noise"])
-        return Prior(noise=noise, defaults=tables["object"], sources=sources)
-    except InputError as error:
-        place = "[object]" if error.name == "defaults" else error.name
-        raise InputError(f"{file.name}: {place}", error.value, error.valid, error.hint) from None
-
-
-def _listed() -> str:
-    return ", ".join(GENERAL)
-
-
-def _near(key: object) -> str:
-    """Return a hint with the name that is most like another one."""
-    close = difflib.get_close_matches(str(key), GENERAL, n=1)
-    return f"did you mean {close[0]}?" if close else "give sizes in the object itself"
+    known = {"noise": tuple(NOISE), "object": GENERAL}
+    for name, table in values.items():
+        if name not in known or not isinstance(table, dict):
+            valid = "the tables are [noise] and [object]"
+            raise InputError(f"{file.name}: {name}", table, valid, "write keys below either")
+        for key in table:
+            if key not in known[name]:
+                place = f"{file.name}: [{name}] {key}"
+                valid = f"the keys of [{name}] are {', '.join(known[name])}"
+                raise InputError(place, Words("is unknown"), valid, "take one of them")
+    with in_file(file.name, "noise"):
+        given = values.get("noise", {}).items()
+        noise = OutcomeErrors(**{key: spread_of(key, value) for key, value in given})
+    with in_file(file.name, "object"):
+        sources = {file.name: hashlib.sha256(content).hexdigest()}
+        return Prior(noise=noise, defaults=values.get("object", {}), sources=sources)

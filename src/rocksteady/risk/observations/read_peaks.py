@@ -1,13 +1,22 @@
 """Tables of measured free rocking: a CSV file with a peak in each line."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from itertools import groupby
 from pathlib import Path
+from typing import Any
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range
 from rocksteady.risk.free_rocking.release import Release
-from rocksteady.risk.observations.files.csv_table import Columns, number_in, read_csv_table
+from rocksteady.risk.observations.files.csv_table import (
+    Columns,
+    number_in,
+    read_csv_table,
+    refuse_doubled,
+)
+from rocksteady.risk.observations.files.toml_tables import in_file
 
 UNITS: Mapping[str, float] = {
     "peak_rad": 1.0,
@@ -75,59 +84,51 @@ def read_peaks(path: Path | str) -> list[Release]:
             f"a peak is given in one of {', '.join(UNITS)}",
             "leave one out" if given else "add it, or give the column of the peaks that name",
         )
-    tests: dict[str, list[tuple[str, dict[str, str]]]] = {}
-    last = None
-    for place, cells in table.lines():
-        name = cells.get("test", "") or ("release" if "test" not in cells else "")
+    lines: dict[str, str] = {}
+    tests = []
+    for name, group in groupby(table.lines(), key=lambda line: line[1].get("test", "release")):
+        rows = list(group)
+        place, _ = rows[0]
         if not name:
-            raise InputError(
-                f"{place}, test", Words("is empty"), "each peak belongs to a test", "name it"
-            )
-        if name in tests and name != last:
-            raise InputError(
-                f"{place}, test",
-                name,
-                f"peaks of {last} stand between those of this test",
-                "put the peaks of each test in a row, or give the second test another name",
-            )
-        tests.setdefault(name, []).append((place, cells))
-        last = name
-    return [_release(name, rows, given[0]) for name, rows in tests.items()]
+            valid = "each peak belongs to a test"
+            raise InputError(f"{place}, test", Words("is empty"), valid, "name it")
+        hint = "put the peaks of each test in a row, or give the second test another name"
+        refuse_doubled(place, "test", name, lines, hint)
+        tests.append((name, rows))
+    return [_release(name, rows, given[0]) for name, rows in tests]
 
 
 def _release(name: str, rows: list[tuple[str, dict[str, str]]], peak: str) -> Release:
     """Return the release of a test; what it refuses names the lines."""
-    peaks = [UNITS[peak] * number_in(place, peak, cells[peak]) for place, cells in rows]
-    for value, (place, cells) in zip(peaks, rows, strict=True):
-        if not 0.0 < value < 0.5 * math.pi:
-            raise InputError(
-                f"{place}, {peak}",
-                cells[peak],
-                "a peak is an angle without sign above 0 and below a right angle",
-                "give abs(theta), and its side in a column side",
-            )
-    numbers = {
-        key: [number_in(place, column, cells[column]) for place, cells in rows]
-        for key, column in (("sigma_rad", "sigma_rad"), ("times_s", "t_s"))
-        if column in rows[0][1] and any(cells[column] for _, cells in rows)
+    hint = "give abs(theta), and its side in a column side"
+    peaks = []
+    for place, cells in rows:
+        number, most = number_in(place, peak, cells[peak]), 0.5 * math.pi / UNITS[peak]
+        peaks.append(UNITS[peak] * in_range(f"{place}, {peak}", number, 0.0, most, "()", hint=hint))
+    more: dict[str, Any] = {
+        key: [read(place, column, cells[column]) for place, cells in rows]
+        for key, (column, read) in _MORE.items()
+        if any(cells.get(column) for _, cells in rows)
     }
-    sides = None
-    if "side" in rows[0][1] and any(cells["side"] for _, cells in rows):
-        sides = [_side(place, cells["side"]) for place, cells in rows]
-    try:
-        return Release(peaks_rad=peaks, sides=sides, name=name, **numbers)
-    except InputError as error:
-        where = f"{rows[0][0]}, test {name}: {error.name}"
-        raise InputError(where, error.value, error.valid, error.hint) from None
+    with in_file(f"{rows[0][0]}, test {name}"):
+        return Release(peaks_rad=peaks, name=name, **more)
 
 
-def _side(place: str, cell: str) -> int:
+def _side(place: str, column: str, cell: str) -> int:
     """Return the side of a cell."""
     if cell.lower() not in SIDES:
         raise InputError(
-            f"{place}, side",
+            f"{place}, {column}",
             cell,
             "a side is one of " + ", ".join(SIDES),
             "give the edge that the block rocks about, or leave the column out",
         )
     return SIDES[cell.lower()]
+
+
+_MORE: Mapping[str, tuple[str, Callable[[str, str, str], float]]] = {
+    "sigma_rad": ("sigma_rad", number_in),
+    "times_s": ("t_s", number_in),
+    "sides": ("side", _side),
+}
+"""Column of each further argument of `Release`, and its reader."""

@@ -10,16 +10,20 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.records.processing import Cleaning
 from rocksteady.risk.observations.files.csv_table import (
     Columns,
+    number_in,
     read_csv_table,
     refuse_doubled,
 )
 from rocksteady.risk.observations.files.record_files import Channel, RecordFiles
-from rocksteady.risk.observations.object_table import placed, read_object_table, unread_remark
+from rocksteady.risk.observations.object_table import OBJECTS, placed, read_object_table, remarks_on
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest
-from rocksteady.risk.observations.spread import parts_of
 
 NUMBERS: Final = ("gain", "sigma_ln", "peak_rad", "sigma_rad")
+CHANNELS: Final[Mapping[str, str]] = {
+    "record": "channel", "vertical": "vertical_channel", "transverse": "transverse_channel"
+}  # fmt: skip
+"""Columns of files, and of the channel of each."""
 
 TEST_COLUMNS: Final = (
     "test", "record", "object", "outcome", "gain", "sigma_ln", "group", "session", "peak_rad",
@@ -115,43 +119,37 @@ def read_tests(
     file = Path(path)
     hint = "name a table of tests in CSV, with test, record, object and outcome"
     table = read_csv_table(file, _TABLE, name="tests", hint=hint)
-    known = read_object_table(Path(objects) if objects is not None else file.parent / "objects.csv")
+    known, of_objects = read_object_table(Path(objects or file.parent / "objects.csv"))
     beside = file.parent / "records"
-    folder = beside if beside.is_dir() else file.parent
-    if records is not None:
-        folder = Path(records)
+    folder = Path(records or (beside if beside.is_dir() else file.parent))
     if not folder.is_dir():
         raise InputError("records", folder, "it must be a folder", "name the folder of the records")
     cleaning = cleaning or Cleaning()
     files = RecordFiles(
-        folder,
-        units=units,
-        dt_s=dt_s,
-        column=column,
-        resample=resample,
-        cleaning=cleaning,
+        folder, cleaning=cleaning, units=units, dt_s=dt_s, column=column, resample=resample
     )
     names: dict[str, str] = {}
     rows: list[tuple[str, dict[str, Any], dict[str, Channel]]] = []
-    remarks = [*unread_remark(table.source, table.unread(_TABLE)), *known.remarks]
+    remarks = [*remarks_on(table, _TABLE), *remarks_on(of_objects, OBJECTS)]
     coded = False
     for place, cells in table.lines():
         refuse_doubled(place, "test", cells["test"], names, "give each test another name")
-        if cells["object"] not in known.objects:
-            raise _unknown_object(place, cells["object"], known.source, list(known.objects))
+        if cells["object"] not in known:
+            near = difflib.get_close_matches(cells["object"], known, n=1)
+            names_known = ", ".join([*known][:5])
+            raise InputError(
+                f"{place}, object",
+                cells["object"] or Words("is empty"),
+                f"{of_objects.source} has no such object",
+                f"did you mean {near[0]}?" if near else f"its objects are {names_known}",
+            )
         coded |= cells["outcome"] in ("0", "1")
-        record = files.channel(cells["record"], cells.get("channel", ""), place, "record")
-        channels = {"record": record}
-        for key in ("vertical", "transverse"):
-            channel = cells.get(f"{key}_channel", "")
-            if cells.get(key):
-                channels[key] = files.channel(cells[key], channel, place, key)
-            elif channel:
-                raise InputError(
-                    f"{place}, {key}_channel",
-                    channel,
-                    f"it is the channel of a file of {key} motion, and {key} is empty",
-                    f"name the file in the column {key}, or leave the cell empty",
+        channels = {}
+        for key, option in CHANNELS.items():
+            name, channel = cells.get(key, ""), cells.get(option, "")
+            if key == "record" or name or channel:
+                channels[key] = files.channel(
+                    name, channel, f"{place}, {key}", f"{place}, {option}"
                 )
         rows.append((place, _values(cells, place), channels))
     if coded:
@@ -166,8 +164,8 @@ def read_tests(
             raise placed(error, place, "test" if error.name == "name" else error.name) from None
     return Observations(
         tests=tests,
-        objects=known.objects,
-        sources={table.source: table.sha256, known.source: known.sha256} | files.sources,
+        objects=known,
+        sources={each.source: each.sha256 for each in (table, of_objects)} | files.sources,
         remarks=[*remarks, *files.remarks, *filter(None, [cleaning.remark])],
     )
 
@@ -185,13 +183,8 @@ def _values(cells: Mapping[str, str], place: str) -> dict[str, Any]:
         ),
         "reversed": _word(cells.get("reversed", ""), _YES, f"{place}, reversed", "write yes or no"),
     }
-    for key in ("group", "session"):
-        if cells.get(key):
-            values[key] = cells[key]
-    for key in NUMBERS:
-        if cells.get(key):
-            values[key] = _number(cells[key], f"{place}, {key}")
-    return values
+    values |= {key: cells[key] for key in ("group", "session") if cells.get(key)}
+    return values | {key: number_in(place, key, cells[key]) for key in NUMBERS if cells.get(key)}
 
 
 def _word(cell: str, known: Mapping[str, Any], name: str, otherwise: str) -> Any:
@@ -203,21 +196,3 @@ def _word(cell: str, known: Mapping[str, Any], name: str, otherwise: str) -> Any
         hint = f"did you mean {near[0]}?" if near else otherwise
         raise InputError(name, cell, f"it must be one of {', '.join(words)}, or empty", hint)
     return known[word]
-
-
-def _number(cell: str, name: str) -> float:
-    """Return the number of a cell."""
-    parts = parts_of(cell)
-    if parts is None or parts[1]:
-        hint = "write a point for a decimal comma" if "," in cell else "leave units to the column"
-        raise InputError(name, cell, "it must be a number", f"{hint}, or the cell empty")
-    return parts[0][0]
-
-
-def _unknown_object(place: str, name: str, source: str, known: list[str]) -> InputError:
-    """Return the refusal of an object that the table of objects does not have."""
-    valid = f"{source} has no such object"
-    near = difflib.get_close_matches(name, known, n=1)
-    hint = f"did you mean {near[0]}?" if near else f"its objects are {', '.join(known[:5])}"
-    given = name or Words("is empty")
-    return InputError(f"{place}, object", given, valid, hint)

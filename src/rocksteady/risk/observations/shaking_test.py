@@ -25,7 +25,7 @@ SIGMA: Final = Bounds(
 _RADIANS: Final = "give the angle in radians: 1 degree is 0.01745"
 PEAK: Final = Bounds(0.0, 0.5 * math.pi, "[)", _RADIANS)
 PEAK_ERROR: Final = Bounds(1e-9, 0.5 * math.pi, "[)", _RADIANS)
-"""Of a measured angle [rad]: no instrument is as good, and densities stay finite."""
+"""Of a measured angle [rad]: no instrument is better than 1e-9, and densities stay finite."""
 
 
 def text(name: str, value: object) -> str:

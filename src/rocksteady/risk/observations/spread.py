@@ -143,11 +143,9 @@ class PriorRange:
         for number in numbers:
             in_range(name, number, -1e50, 1e50, "[]", hint="give numbers of usual size")
         try:
-            if sign == "":
-                return cls.exactly(numbers[0])
-            if sign == "log:":
-                return cls.in_logarithm(*numbers)
-            return cls.between(*numbers) if sign == ":" else cls.around(*numbers)
+            if sign == "+-":
+                return cls.around(*numbers)
+            return cls(low=numbers[0], high=numbers[-1], logarithmic=sign == "log:")
         except InputError as error:
             raise InputError(name, text, f"{error.name}: {error.valid}", error.hint) from None
 
@@ -207,33 +205,24 @@ class PriorRange:
         InputError
             If a share is no number from 0 to 1.
         """
-        share = shares_of("uniforms", uniforms)
+        share = checked_array("uniforms", uniforms, Bounds(0.0, 1.0, "[]", "give shares"))
         if self.logarithmic:
             values = self.low * exp(share * log(self.high / self.low))
-            return np.asarray(np.clip(values, self.low, self.high))
-        if self.mean is None or self.sd is None:
-            return np.asarray(
-                np.clip(self.low + share * (self.high - self.low), self.low, self.high)
-            )
-        from scipy.special import ndtri
+        elif self.mean is None or self.sd is None:
+            values = self.low + share * (self.high - self.low)
+        else:
+            from scipy.special import ndtr, ndtri
 
-        below, inside = self._mass()
-        # From the nearer end, where the share of what lies beyond it is a small number.
-        from_low = below + share * inside
-        from_high = (1.0 - below - inside) + (1.0 - share) * inside
-        score = np.where(from_low < 0.5, ndtri(from_low), -ndtri(from_high))
-        score = np.rint(score * 2.0**30) / 2.0**30  # the same on every processor
-        return np.asarray(np.clip(self.mean + self.sd * score, self.low, self.high))
-
-    def _mass(self) -> tuple[float, float]:
-        """Return the shares of the whole normal density below the bounds and between them."""
-        from scipy.special import ndtr
-
-        assert self.mean is not None
-        assert self.sd is not None
-        low, high = ((end - self.mean) / self.sd for end in (self.low, self.high))
-        below = float(ndtr(low))
-        return below, max(0.0, 1.0 - below - float(ndtr(-high)))
+            low, high = ((end - self.mean) / self.sd for end in (self.low, self.high))
+            below = float(ndtr(low))
+            inside = max(0.0, 1.0 - below - float(ndtr(-high)))
+            # From the nearer end, where the share of what lies beyond it is a small number.
+            from_low = below + share * inside
+            from_high = (1.0 - below - inside) + (1.0 - share) * inside
+            score = np.where(from_low < 0.5, ndtri(from_low), -ndtri(from_high))
+            score = np.rint(score * 2.0**30) / 2.0**30  # the same on every processor
+            values = self.mean + self.sd * score
+        return np.asarray(np.clip(values, self.low, self.high))
 
     def __str__(self) -> str:
         """Return it as `parse` reads it."""
@@ -245,17 +234,6 @@ class PriorRange:
     def __repr__(self) -> str:
         """Return one line."""
         return f"<Spread {self}>"
-
-
-def shares_of(name: str, uniforms: ArrayLike) -> Floats:
-    """Return shares from 0 to 1 as an array.
-
-    Raises
-    ------
-    InputError
-        With the first that is none.
-    """
-    return checked_array(name, uniforms, Bounds(0.0, 1.0, "[]", "give shares"))
 
 
 def parts_of(text: str) -> tuple[tuple[float, ...], str] | None:

@@ -108,15 +108,10 @@ def make_synthetic_tests(
     rng = np.random.default_rng(seed)
     error = exp(gain_error * rng.standard_normal(nominal.shape))
     known = prior if prior is not None else _around(block)
-    several = nominal.shape[1]
+    levels = nominal.shape[1]
     unknown = [
-        ShakingTest(
-            name=f"test {place}",
-            record=records[(place - 1) // several],
-            object=known.name,
-            gain=gain,
-        )
-        for place, gain in enumerate(nominal.ravel().tolist(), 1)
+        ShakingTest(name=f"test {k + 1}", record=records[k // levels], object=known.name, gain=gain)
+        for k, gain in enumerate(nominal.ravel().tolist())
     ]
     ends = compute_test_fates(
         block,

@@ -44,23 +44,22 @@ class RecordFiles:
         self.sources: dict[str, str] = {}
         self.remarks: list[str] = []
 
-    def channel(self, name: str, channel: str, place: str, column: str) -> Channel:
+    def channel(self, name: str, channel: str, place: str, channel_place: str) -> Channel:
         """Return the channel that a cell names; its file is read if it has not been.
 
         Parameters
         ----------
         name, channel
             The cells: a file with or without its suffix, and a number or a component.
-        place, column
-            File, line and column of the table, for messages.
+        place, channel_place
+            File, line and column of either, for messages.
 
         Raises
         ------
         InputError
             If there is no such file or channel, several, or the file cannot be read.
         """
-        path = self._path(name, f"{place}, {column}")
-        option = "channel" if column == "record" else f"{column}_channel"
+        path = self._path(name, place)
         try:
             if path not in self._read:
                 self._read[path] = self._all_channels(path)
@@ -69,13 +68,9 @@ class RecordFiles:
             if error.name in Cleaning.__dataclass_fields__:
                 raise
             if error.name == "channel":
-                raise InputError(
-                    f"{place}, {option}", error.value, error.valid, error.hint
-                ) from None
+                raise InputError(channel_place, error.value, error.valid, error.hint) from None
             # The name of the file is in the cell, and its whole path adds nothing.
-            raise InputError(
-                f"{place}, {column}", name, f"it cannot be read: {error.valid}", error.hint
-            ) from None
+            raise InputError(place, name, f"it cannot be read: {error.valid}", error.hint) from None
         number = 1 + next(k for k, each in enumerate(self._read[path]) if each is recording)
         self._named[path, number] = recording.record
         return path, number
@@ -112,7 +107,7 @@ class RecordFiles:
             return self._found[name]
         hint = "name a file of the folder of records, with or without its suffix"
         if not name:
-            raise InputError(place, Words("is empty"), "each test has a record", hint)
+            raise InputError(place, Words("is empty"), "it is the file of a motion", hint)
         given = self._folder / name
         try:
             path = given if given.is_file() else self._by_stem(given, name, place, hint)
