@@ -146,13 +146,20 @@ def test_a_prior_is_contradicted_where_its_ends_have_grown_tenfold() -> None:
 
 
 def test_an_error_at_the_end_of_its_prior_is_contradicted() -> None:
+    """Where its density goes on, its outer 1 % has tenfold odds; two nodes lie far from the end."""
     block = ObjectPrior(name="a", **EXACT, housner_factor="0.8:1.2")
     values = np.linspace(0.801, 1.199, 400)
-    axes = enumerate(("sigma_ln", "session_ln", "outliers"))
+    factors = {"sigma_ln": 48.1, "session_ln": CROWD, "outliers": 321.2}
     ends = ((0, "lower"), (-1, "upper"))
-    for (axis, name), (place, side), factor in itertools.product(axes, ends, (9.0, 11.0)):
-        cells = np.zeros((3, 5, 2))
-        np.moveaxis(cells, axis, 0)[place] = np.log(factor)
-        # A deviation between sessions may be 0: that is no contradiction.
-        grown = factor > CROWD and (name, side) != ("session_ln", "lower")
-        assert contradictions(fit_of(values, block, cells)) == ({name: side} if grown else {})
+    for (axis, name), (place, side) in itertools.product(enumerate(factors), ends):
+        for share in (0.95, 1.05):
+            cells = np.zeros((3, 5, 2))
+            np.moveaxis(cells, axis, 0)[place] = np.log(share * factors[name])
+            # A deviation between sessions may be 0: that is no contradiction.
+            grown = share > 1.0 and (name, side) != ("session_ln", "lower")
+            assert contradictions(fit_of(values, block, cells)) == ({name: side} if grown else {})
+    for nodes, factor in ((2, 321.2), (3, 48.1)):
+        at, _ = np.polynomial.legendre.leggauss(nodes)
+        slope = np.log(factor) / (0.5 * (at[-1] - at[-2]))  # over the width of the prior
+        crowd = np.expm1(-0.01 * slope) / np.expm1(-slope)
+        assert crowd / (1.0 - crowd) == pytest.approx(CROWD * 0.01 / 0.99, rel=0.06)

@@ -6,11 +6,13 @@ from typing import Any
 import numpy as np
 
 from rocksteady.arrays import Floats
+from rocksteady.kernels.elementary.arrays import log
 from rocksteady.results.doubts import ANSWER_DRAWS, FEWEST_DRAWS, NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import number_or_none
 from rocksteady.risk.calibration.held_out.leaving_out import weighted_quantiles
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampler.exact import effective, softmax
+from rocksteady.risk.calibration.sampler.outcome_likelihood import LEAST
 from rocksteady.risk.calibration.sampler.rounds import Fit
 from rocksteady.risk.observations.object_prior import BOUNDS
 
@@ -35,9 +37,10 @@ MEANINGS: Mapping[str, str] = {
 def contradictions(fit: Fit) -> dict[str, str]:
     """Return the ends of priors that outcomes lie beyond: "lower" or "upper", by name.
 
-    The odds of the outer 1 % of the prior of a number have grown more than tenfold; the outer node
-    of an error is ten times as likely as the next.  The limit of what is possible is no such end,
-    and outcomes of one kind bound a prior without contradicting it.
+    The odds of the outer 1 % of the prior of a number have grown more than tenfold.  So have those
+    of an error, with ln of its odds straight through its outer two nodes, and the outer node is ten
+    times as likely as the next.  The limit of what is possible is no such end, and outcomes of one
+    kind bound a prior without contradicting it.
     """
     ends: dict[str, str] = {}
     space, weights = fit.bench.space, fit.weights
@@ -59,10 +62,12 @@ def contradictions(fit: Fit) -> dict[str, str]:
     for axis, name in enumerate(("sigma_ln", "session_ln", "outliers")):
         others = tuple(each for each in range(3) if each != axis)
         likely = cells.sum(axis=0).sum(axis=others) / prior.sum(axis=others)
-        steps = (("lower", 0, 1), ("upper", -1, -2)) if len(likely) > 1 else ()
+        logs = log(np.maximum(likely, LEAST))
+        steps = (("lower", 0, 1), ("upper", -1, -2)) if len(logs) > 1 else ()
         for side, end, following in steps:
+            gap = 0.5 * float(np.ptp(np.polynomial.legendre.leggauss(len(logs))[0][:2]))
             possible = side == "upper" or getattr(like.noise, name).low > 0.0
-            if possible and likely[end] > CROWD * likely[following]:
+            if possible and logs[end] - logs[following] > max(np.log(CROWD), CROWD * gap):
                 ends[name] = side
     return ends
 
