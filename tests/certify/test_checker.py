@@ -40,7 +40,7 @@ def verdict(values: dict[str, Any], arithmetic: Any = checker.arb) -> str:
 
 @every(
     "kind, longest",
-    [("orbit", 190), ("region", 200), ("fate", 305), ("chaos", 250), ("point", 270)],
+    [("orbit", 201), ("region", 211), ("fate", 307), ("chaos", 261), ("point", 279)],
 )
 def test_the_programs_import_nothing_of_the_package_and_are_short(kind: str, longest: int) -> None:
     source = program(kind)

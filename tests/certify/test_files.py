@@ -23,7 +23,11 @@ def test_each_kind_is_checked_by_its_program(tmp_path: Path) -> None:
     file.write_text(
         certify_region((1.9, 2.1), (1.9, 2.1), 0.8, most_boxes=500).to_json(), encoding="utf-8"
     )
-    assert check_certificate(file, leaves=50).holds
+    assert check_certificate(file, leaves=None).holds
+    sampled = check_certificate(file, leaves=50)
+    assert (sampled.verdict, sampled.holds) == ("sampled", False)
+    assert "claimed on" in sampled.claim
+    assert "% of the area that it claims" in sampled.coverage
     fate = certify_fate(BLOCK, synthetic(1, 6.0, samples=801), model="linear")
     file.write_text(fate.to_json(), encoding="utf-8")
     assert check_certificate(file, accelerations_m_s2=fate.samples).holds

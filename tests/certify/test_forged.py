@@ -1,10 +1,15 @@
 """Forged certificates of every kind: what is not in the form that is written is refused."""
 
+import base64
+import itertools
 import json
+import os
 import subprocess
 import sys
 import zipfile
+import zlib
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from math import pi, sin
@@ -15,13 +20,14 @@ import numpy as np
 import pytest
 
 import rocksteady as rs
-from rocksteady.certify import base_checker, fate_checker
+from rocksteady.certify import base_checker, fate_checker, region_checker
 from rocksteady.certify._balls import precision
 from rocksteady.certify.certificate import Certificate
 from rocksteady.certify.chaos import certify_chaos
 from rocksteady.certify.fate import certify_edges, certify_fate
 from rocksteady.certify.files import check_certificate, program
 from rocksteady.certify.region import certify_region
+from rocksteady.errors import InputError
 from tests.certify.test_fate import BARE, BLOCK, SHAPES, synthetic
 from tests.every import every
 from tests.public.test_forms import CERTIFIED, WRITTEN
@@ -215,11 +221,109 @@ def test_the_answer_states_what_was_proved(tmp_path: Path) -> None:
         values = certificate(kind)
         file.write_text(json.dumps(values), encoding="utf-8")
         given = record().samples if kind == "record" else ()
-        found = check_certificate(file, accelerations_m_s2=given)
+        found = check_certificate(file, accelerations_m_s2=given, leaves=None)
         assert found.holds, found.reason
         assert claim in found.claim
         assert found.claim in str(found.describe().answer)
         assert (found.coverage != "") == (kind == "region")
+
+
+@every("kind", ["orbit", "point"])
+def test_a_motion_that_is_repeated_does_not_hold(kind: str) -> None:
+    """Its phases three times over are 6 impacts of a motion of 2."""
+    values = certificate(kind)
+    flights = len(values["half_periods"])
+    names = {"phases": flights, "radii": flights, "half_periods": flights}
+    times = {k: values[k][:m] * 3 + values[k][m:] for k, m in names.items()}
+    for arithmetic in ("arb", "iv"):
+        found = answer(json.dumps(values | times), arithmetic)
+        assert found == "refused: it closes after 2" if kind == "orbit" else found != "holds"
+
+
+def test_decimals_are_decimals() -> None:
+    for kind in ("orbit", "chaos", "fate"):
+        values = certificate(kind)
+        model = values["model"] | {"amplitude": ["2/1"]}
+        assert answer(json.dumps(values | {"model": model})).startswith("refused: model is not in")
+
+
+def forged(halves: str, false: str, depth: int) -> str:
+    """A tree over A of 1.9 to 2.1 and W of 3.9 to 4.1, all stable, whose first half says else."""
+    small = ["5" * 2**k for k in range(depth)]
+    rows = [[false * 2**k if k == len(halves) else "5" * 2**k for k in range(len(halves) + 1)]]
+    rows.append([*small, "2" * 2**depth])
+    return "5" + "".join(a + b for a, b in itertools.zip_longest(*rows, fillvalue=""))
+
+
+@every("halves", ["", "555"])
+def test_a_region_is_drawn_by_area(halves: str, tmp_path: Path) -> None:
+    """Half of the area is false, in one box or in eight, beside a thousand boxes that are true."""
+    whole = certify_region((1.9, 2.1), (3.9, 4.1), 0.8, most_boxes=1)
+    file = tmp_path / "region.json"
+    for false, holds in (("2", True), ("3", False)):
+        region = replace(whole, tree=forged(halves, false, 10))
+        assert region.decided == 1.0
+        file.write_text(region.to_json(), encoding="utf-8")
+        for leaves in (1, 60, None):
+            found = check_certificate(file, leaves=leaves)
+            assert found.holds == (holds and leaves is None)
+            assert found.verdict == ("refused" if not holds else found.verdict)
+
+
+def test_boxes_are_drawn_as_often_as_their_area(monkeypatch: pytest.MonkeyPatch) -> None:
+    """After one of two quarters the other is a third of the area that is left."""
+    region = replace(certify_region((1.9, 2.1), (3.9, 4.1), 0.8, most_boxes=1),
+                     tree=forged("5", "2", 10))  # fmt: skip
+    drawn: list[str] = []
+
+    def holds(text: str, _: object) -> str:
+        drawn.append(text)
+        return "holds"
+
+    monkeypatch.setattr(base_checker, "check", holds)
+    large = 0
+    for _ in range(400):
+        drawn.clear()
+        assert region.check(2).startswith("sampled: 2 of 1,026 boxes checked, ")
+        large += len(json.loads(drawn[1])["path"]) == 2
+    assert 90 <= large <= 180
+
+
+def test_a_tree_that_claims_nothing_is_refused(tmp_path: Path) -> None:
+    region = replace(certify_region((1.9, 2.1), (3.9, 4.1), 0.8, most_boxes=1), tree="500")
+    file = tmp_path / "region.json"
+    file.write_text(region.to_json(), encoding="utf-8")
+    assert check_certificate(file).reason == "it claims nothing"
+    assert answer(region.to_json()) == "refused: it claims nothing"
+
+
+def test_a_tree_that_unpacks_to_more_than_is_read_is_refused() -> None:
+    whole = json.loads(certify_region((1.9, 2.1), (3.9, 4.1), 0.8, most_boxes=1).to_json())
+    packed = base64.b64encode(zlib.compress(b"5" * (region_checker.MOST + 1), 9)).decode()
+    found = answer(json.dumps(whole | {"tree": packed}))
+    assert found == "refused: its tree has more than 4000000 letters"
+
+
+def test_what_is_no_file_is_refused_at_once(tmp_path: Path) -> None:
+    pipe, alone = tmp_path / "pipe", tmp_path / "check.py"
+    os.mkfifo(pipe)
+    alone.write_text(program("region"), encoding="utf-8")
+    for file in (pipe, Path("/dev/zero"), tmp_path):
+        with pytest.raises(InputError, match="certificate = "):
+            check_certificate(file)
+        ran = subprocess.run([sys.executable, "-I", str(alone), str(file)], check=False,
+                             capture_output=True, text=True)  # fmt: skip
+        assert (ran.returncode, "is no file" in ran.stderr) == (2, True)
+
+
+def test_the_program_prints_the_share_of_each_letter(tmp_path: Path) -> None:
+    region = replace(certify_region((1.9, 2.1), (3.9, 4.1), 0.8, most_boxes=1), tree="520")
+    file, alone = tmp_path / "region.json", tmp_path / "check.py"
+    alone.write_text(program("region"), encoding="utf-8")
+    file.write_text(region.to_json(), encoding="utf-8")
+    ran = subprocess.run([sys.executable, "-I", str(alone), str(file)], check=False,
+                         capture_output=True, text=True)  # fmt: skip
+    assert (ran.returncode, "0 0.5 1 0 2 0.5 3 0 4 0" in ran.stdout) == (0, True)
 
 
 def test_the_programs_alone_refuse_forgeries_in_one_line(tmp_path: Path) -> None:

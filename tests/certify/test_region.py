@@ -57,7 +57,7 @@ def test_the_file_holds_the_tree_and_a_false_letter_is_refused() -> None:
     assert again.tree == region.tree
     claimed = sum(letter not in "05" for letter in region.tree)
     assert again.check(None) == f"holds: all {claimed:,} boxes checked"
-    assert again.check(10) == f"holds: 10 of {claimed:,} boxes checked"
+    assert again.check(10).startswith(f"sampled: 10 of {claimed:,} boxes checked, ")
     place = region.tree.index("2")
     false = replace(region, tree=region.tree[:place] + "3" + region.tree[place + 1 :])
     assert false.check(None).startswith("refused")
@@ -82,8 +82,8 @@ def test_which_boxes_are_drawn_is_not_known_beforehand(monkeypatch: pytest.Monke
 
     monkeypatch.setattr(base_checker, "check", holds)
     region = small(1)
-    assert region.check(20).startswith("holds: 20 of ")
-    assert region.check(20).startswith("holds: 20 of ")
+    assert region.check(20).startswith("sampled: 20 of ")
+    assert region.check(20).startswith("sampled: 20 of ")
     assert sorted(drawn[:20]) != sorted(drawn[20:])
 
 

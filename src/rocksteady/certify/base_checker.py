@@ -15,6 +15,7 @@ A K below computes with intervals.
 
 import argparse
 import json
+import os
 import re
 import sys
 from fractions import Fraction
@@ -102,7 +103,7 @@ def numbers(K, model):
     return A, W, r, A / (1 + W * W)
 
 
-number = lambda t: type(t) is str and exact(t) is not None
+number = lambda t: type(t) is str and "/" not in t and exact(t) is not None
 above_0, share = lambda t: number(t) and exact(t) > 0, lambda t: above_0(t) and exact(t) <= 1
 whole = lambda n: type(n) is int and 0 <= n < 10**9
 odd = lambda n: type(n) is int and n % 2 == 1 and abs(n) < 9999
@@ -167,12 +168,15 @@ if __name__ == "__main__":
     given = flags.parse_args()
     try:
         samples = [float(x) for x in open(given.samples).read().split()] if given.samples else ()
-        texts = {name: open(name, "rb").read() for name in given.files}
+        for name in (name for name in given.files if not os.path.isfile(name)):
+            flags.error(f"{name} is no file")
+        texts = {name: open(name, "rb").read(10**8) for name in given.files}
     except (OSError, ValueError) as wrong:
         flags.error(str(wrong))
     for name, text in texts.items():
         verdict = check(text, {"arb": arb, "iv": iv}[given.arithmetic], samples)
-        claim = read(text)[0] if verdict == "holds" else {}
+        claim, test = read(text) if verdict == "holds" else ({}, check)
+        claim |= getattr(test, "shares", dict)(claim)
         print(name, verdict, *(f"{k} {v}" for k, v in claim.items() if len(str(v)) < 300))
         codes.append({"h": 0, "r": 1, "u": 3}[verdict[0]])
     sys.exit(1 if 1 in codes else max(codes))

@@ -107,11 +107,25 @@ def boxes(K, centres, radii):
     return [K.num(t) + K.hull(-1, 1) * K.num(r) for t, r in zip(centres, radii)]
 
 
+def least(K, X, n, W, B=()):
+    """Test that no part of a chain is the whole motion; in the boxes B there is one alone.
+
+    A chain of m flights closes after m impacts, or 2 m where m is odd.
+    """
+    N, total = range(len(n)), lambda d: d * (1 + d % 2)
+    T = [(X[k] - X[k - 1] + n[k - 1] * K.pi) / W for k in N]
+    for d in (d for d in N[1:] if len(n) % d == 0 and total(d) < total(len(n))):
+        apart = [v for k in N for v in (K.sin_cos((X[k] - X[k - d]) / 2)[0], T[k] - T[k - d])]
+        same = B and all(n[k] == n[k - d] and inside(K, X[k - d], B[k]) for k in N)
+        need(any(positive(v) or positive(-v) for v in apart), same, f"it closes after {total(d)}")
+
+
 def orbit(K, c):
-    """Check existence, uniqueness, first impacts and stability of a periodic orbit."""
+    """Check existence, uniqueness, least period, first impacts and stability of an orbit."""
     M, X, n = numbers(K, c["model"]), boxes(K, c["phases"], c["radii"]), c["half_periods"]
     need(True, len(n) != len(X), "it has not one flight for each phase")
-    X = krawczyk(K, lambda x: chain(K, M, x, n)[:2], X)
+    B, X = X, krawczyk(K, lambda x: chain(K, M, x, n)[:2], X)
+    least(K, X, n, M[1], B)
     for k in range(len(n)):
         flight(K, M, X[k - 1], X[k], n[k - 1])
     t, d = chain(K, M, X, n)[3], 1 + M[2] ** (2 * len(n))

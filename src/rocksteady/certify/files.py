@@ -26,6 +26,7 @@ from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
+from rocksteady.small_files import content_of
 
 PROGRAMS = {
     "orbit": (base_checker, checker),
@@ -35,7 +36,8 @@ PROGRAMS = {
     "fate": (base_checker, fate_checker),
 }
 """Modules of which the program that checks a kind alone is made."""
-HOLDS, REFUSED, UNDECIDED = "holds", "refused", "undecided"
+HINT = "give a file that `rocksteady certify` has written with --out"
+HOLDS, SAMPLED, REFUSED, UNDECIDED = "holds", "sampled", "refused", "undecided"
 
 
 @checked
@@ -48,7 +50,7 @@ class CheckedCertificate(Result):
     kind
         "orbit", "point", "fate", "region" or "chaos", as the file says.
     verdict
-        "holds", "refused" or "undecided".
+        "holds"; "sampled" where boxes of a region that were drawn hold; "refused" or "undecided".
     reason
         Why it does not hold; empty where it does.
     claim
@@ -65,12 +67,14 @@ class CheckedCertificate(Result):
 
     @property
     def holds(self) -> bool:
-        """Whether the certificate holds."""
+        """Whether all of the certificate holds."""
         return self.verdict == HOLDS
 
     def describe(self) -> Description:
         """Return the verdict and the reason."""
         headline = f"the certificate {'holds' if self.holds else f'is {self.verdict}'}: {self.kind}"
+        if self.verdict == SAMPLED:
+            headline = f"sampled, and not refuted: {self.kind}"
         further = "; ".join(filter(None, (self.reason or self.claim, self.coverage)))
         sentence = f"{headline}; {further}" if further else headline
         facts = [
@@ -101,7 +105,8 @@ def check_certificate(
     accelerations_m_s2
         Samples of the record of a fate [m/s^2].
     leaves
-        Boxes of a region that are drawn and proved again; None for all.
+        Boxes of a region that are proved again, half of them the largest and half drawn by area;
+        None for all.
     arithmetic
         "arb" of python-flint, or "iv" of mpmath.
 
@@ -120,15 +125,17 @@ def check_certificate(
     True
     """
     try:
-        text = Path(file).read_text(encoding="utf-8")
+        text = content_of(Path(file), "certificate", HINT).decode()
         values = json.loads(text)
         kind = values["kind"] if values["kind"] in PROGRAMS else "unknown"
-    except (OSError, ValueError, TypeError, LookupError, RecursionError):
+    except (ValueError, TypeError, LookupError, RecursionError) as error:
+        if isinstance(error, InputError):
+            raise
         raise InputError(
             "certificate",
             file,
             "it cannot be read as the JSON of a certificate",
-            "give a file that `rocksteady certify` has written with --out",
+            HINT,
         ) from None
     if (form := values.get("format")) != FORMAT:
         raise InputError(
@@ -145,9 +152,11 @@ def check_certificate(
             proof = getattr(base_checker, arithmetic)
             answer = base_checker.check(text, proof, list(accelerations_m_s2))
     verdict, _, reason = answer.partition(": ")
-    if verdict != HOLDS:
+    if verdict not in (HOLDS, SAMPLED):
         return CheckedCertificate(kind=kind, verdict=verdict, reason=reason)
     claim = _claim(values) if region is None else region.describe().headline
+    if verdict == SAMPLED:
+        claim = claim.replace("proved", "claimed", 1)
     return CheckedCertificate(kind=kind, verdict=verdict, reason="", claim=claim, coverage=reason)
 
 

@@ -3,7 +3,7 @@
 from types import SimpleNamespace as K
 
 from rocksteady.certify.base_checker import FIXED, above_0, kind, need, numbers, positive
-from rocksteady.certify.checker import CHAIN, boxes, chain, flight, impact, krawczyk, solved
+from rocksteady.certify.checker import CHAIN, boxes, chain, flight, impact, krawczyk, least, solved
 
 
 def terms(x):
@@ -102,6 +102,7 @@ def point(L, c):
         signs.append(positive(g := system(x)[2] - s * (1 + r ** (2 * m))) - positive(-g))
         ends.append(x[-1])
     M = (X[m], W, r, X[m] / (1 + W * W))
+    least(L, X[:m], n, W)
     for k in range(m):
         flight(L, M, X[(k or m) - 1], X[k], n[k - 1])
     need((way := signs[1] * signs[2]) == -1, way == 1, "the trace passes nothing")

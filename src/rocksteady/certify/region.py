@@ -41,6 +41,7 @@ MOST_BOXES = 50_000
 """Default number of boxes after which what is left stays undecided."""
 
 
+BoxCount = Annotated[int, Whole(1, region_checker.MOST // 2, "give a number of boxes")]
 Cells = Annotated[int, Whole(1, 10_000, "give a number of cells")]
 Leaves = Annotated[int | None, Whole(1, None, "give a number of boxes, or None for all")]
 Arithmetic = Literal["arb", "iv"]
@@ -231,34 +232,47 @@ class ProvedRegion(Result):
 
     @checked
     def check(self, leaves: Leaves = 1000, arithmetic: Arithmetic = "arb") -> str:
-        """Return whether boxes drawn at random, or all, are proved again by the program alone.
+        """Return whether the largest boxes and random ones, or all, are proved again.
 
         Parameters
         ----------
         leaves
-            Number of boxes; None for all.
+            Number of boxes: half of them are the largest ones, and the others drawn by their area;
+            None for all.
         arithmetic
             "arb" of python-flint, or "iv" of mpmath.
 
         Returns
         -------
         str
-            "holds" and how many of the boxes were checked; otherwise "refused" or "undecided", and
-            why.
+            "holds" where all boxes are proved, "sampled" and the share of the area where some are;
+            otherwise "refused" or "undecided", and why.
         """
-        values = json.loads(self.to_json())
-        rows = [each for each in region_checker.leaves(values) if each[1] != UNDECIDED]
-        most = len(rows) if leaves is None else min(leaves, len(rows))
-        # no file can know which boxes the operating system draws
+        try:
+            rows = region_checker.claims(json.loads(self.to_json()))
+        except ValueError as wrong:
+            return f"refused: {wrong}"
+        rows.sort(key=lambda row: len(row[0]))
+        if leaves is not None and leaves < len(rows):
+            # No file can know which boxes the operating system draws.  The least of exponential
+            # times over their areas are draws by area.
+            first, random = (leaves + 1) // 2, SystemRandom()
+            times = {row: random.expovariate(0.5 ** len(row[0])) for row in rows[first:]}
+            chosen = [*rows[:first], *sorted(times, key=times.__getitem__)[: leaves - first]]
+        else:
+            chosen = rows
         with precision(BITS):
-            for path, letter in SystemRandom().sample(rows, most):
+            for path, letter in chosen:
                 answer = base_checker.check(
                     self.box_json(path, letter), getattr(base_checker, arithmetic)
                 )
                 if answer != "holds":
                     return str(answer)
-        part = f"{most:,} of {len(rows):,}" if most < len(rows) else f"all {most:,}"
-        return f"holds: {part} boxes checked" if len(rows) > 1 else "holds: its one box checked"
+        if len(chosen) == len(rows):
+            return f"holds: {f'all {len(rows):,} boxes' if rows[1:] else 'its one box'} checked"
+        read, whole = (sum(0.5 ** len(path) for path, _ in each) for each in (chosen, rows))
+        share = f"{100.0 * read / whole:.3g} % of the area that it claims"
+        return f"sampled: {len(chosen):,} of {len(rows):,} boxes checked, {share}"
 
     def describe(self) -> Description:
         """Return the shares of the area, and the ranges."""
@@ -287,7 +301,7 @@ def certify_region(
     restitution: float | str,
     *,
     order: int = 1,
-    most_boxes: Annotated[int, Whole(1, 10**8, "give a number of boxes")] = MOST_BOXES,
+    most_boxes: BoxCount = MOST_BOXES,
 ) -> ProvedRegion:
     """Prove where the symmetric motion of branch 1 exists and is stable, over boxes.
 

@@ -16,6 +16,9 @@ from rocksteady.certify.base_checker import (
     positive,
 )
 
+MOST = 4 * 10**6
+"""Letters of a tree that is read."""
+
 
 def tree_of(c):
     """Return the letters of a tree, if it is one.
@@ -24,11 +27,9 @@ def tree_of(c):
     1 no solution, 2 stable, 3 unstable, 4 through the floor, and 0, of which nothing is claimed.
     """
     try:
-        tree = (
-            zlib.decompressobj()
-            .decompress(base64.b64decode(c["tree"], validate=True), 10**8)
-            .decode()
-        )
+        packed = zlib.decompressobj()
+        tree = packed.decompress(base64.b64decode(c["tree"], validate=True), MOST).decode()
+        need(True, packed.unconsumed_tail, f"its tree has more than {MOST} letters")
     except zlib.error:
         raise ValueError("it is no tree") from None
     good = set(tree) <= set("012345") and len(tree) == 2 * tree.count("5") + 1
@@ -107,11 +108,28 @@ def divided(K, c, path, letter, left=4):
             divided(K, c, path + half, letter, left - 1)
 
 
+def claims(c):
+    """Return the path and the letter of each box of which something is claimed."""
+    if "path" in c:
+        return [(c["path"], c["claim"]["letter"])]
+    boxes = [each for each in leaves(c) if each[1] != "0"]
+    need(True, not boxes, "it claims nothing")
+    return boxes
+
+
 def region(K, c):
     """Check the box of a path, or each box of a tree of which something is claimed."""
-    for path, letter in [(c["path"], c["claim"]["letter"])] if "path" in c else leaves(c):
-        if letter != "0" or "path" in c:
-            divided(K, c, path, letter)
+    for path, letter in claims(c):
+        divided(K, c, path, letter)
+
+
+def shares(c):
+    """Return the share of the area with each letter, of a tree."""
+    boxes = leaves(c) if "tree" in c else ()
+    return {x: sum(0.5 ** len(path) for path, y in boxes if x == y) for x in "01234" if boxes}
+
+
+region.shares = shares
 
 
 ENDS = lambda v: fits(v, [lambda x: type(x) in (int, float), 2]) and 0 < v[0] < v[1] < 10**6

@@ -111,7 +111,7 @@ def test_the_printed_program_runs_alone(kind: str, tmp_path: Path) -> None:
         ("certify region -A 2 -W 1:2 -r 0.8", "a range LOW:HIGH is needed"),
         ("certify chaos -A 2 -W 2 -r 0.8 --kind other", "hilltop"),
         ("certify orbit --check none.json", "reads a certificate alone"),
-        ("certify --check none.json", "cannot be read as the JSON of a certificate"),
+        ("certify --check none.json", "No such file or directory; give a file that"),
         ("certify chaos -A 2 -W 2 -r 0.8 --leaves 5", "--check"),
         ("certify chaos -A 2 -W 2 -r 0.8 --plot chaos.png", "a picture is one of a region"),
     ],

@@ -27,6 +27,7 @@ from rocksteady.results.answer import MOST_FACTS, Answer, left_out
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.numbers import plural
 from rocksteady.show.export.files import check_apart, check_writable, save_text
+from rocksteady.small_files import content_of
 
 if TYPE_CHECKING:
     from rocksteady.certify.certificate import Certificate
@@ -40,8 +41,8 @@ HELP = (
     "Proofs are of the linear model (--model linear beside a block of known slenderness) and of "
     "blocks whose sides are alike. Needs the extra proof "
     "(python-flint). --out writes a certificate, which --check, or the program of --print-checker "
-    "by itself, proves again. Exit code 3 where a proof is undecided; of --check 0 holds, "
-    "1 refused, 3 undecided."
+    "by itself, proves again. Exit code 3 where a proof is undecided; of --check 0 holds or "
+    "sampled, 1 refused, 3 undecided."
 )
 MAIN = "what amplitude frequency_ratio restitution order kind pulse record out check"
 """Parameters that the short help shows."""
@@ -101,7 +102,9 @@ def certify(
         "--samples FILE", "Read the samples of a record for --check, one in m/s^2 a line."
     ),
     leaves: str | None = proof_flag(
-        "--leaves N", "Set how many boxes of a region --check proves again, or all; default 1000."
+        "--leaves N",
+        "Set how many boxes of a region --check samples, the largest and random ones, or all; "
+        "default 1000.",
     ),
     arithmetic: str = proof_flag(
         "--arithmetic NAME",
@@ -180,7 +183,7 @@ def _check(
     output: OutputFlags, file: Path, samples: Path | None, leaves: str | None, arithmetic: Any
 ) -> int:
     """Check a certificate's file, and return the exit code."""
-    from rocksteady.certify.files import check_certificate
+    from rocksteady.certify.files import HOLDS, SAMPLED, check_certificate
     from rocksteady.certify.region import Arithmetic
 
     if arithmetic not in (known := get_args(Arithmetic)):
@@ -190,8 +193,11 @@ def _check(
     numbers: list[float] = []
     if samples is not None:
         try:
-            numbers = [float(word) for word in samples.read_text(encoding="utf-8").split()]
-        except (OSError, ValueError):
+            content = content_of(samples, "--samples", "give samples in m/s^2")
+            numbers = [float(word) for word in content.decode().split()]
+        except ValueError as error:
+            if isinstance(error, InputError):
+                raise
             raise InputError(
                 "--samples", samples, "it must hold one number a line", "give samples in m/s^2"
             ) from None
@@ -200,7 +206,7 @@ def _check(
         file, accelerations_m_s2=numbers, leaves=count, arithmetic=arithmetic
     )
     output.leave("certify", result.describe(), decided=result.verdict != "undecided")
-    return 0 if result.holds else NEGATIVE
+    return 0 if result.verdict in (HOLDS, SAMPLED) else NEGATIVE
 
 
 def _ends(flag: str, text: str | None) -> tuple[float, float]:

@@ -22,9 +22,9 @@ from rocksteady.risk.calibration.held_out.rivals import LogisticCurve, Stack
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampler.space import Space
 from rocksteady.risk.calibration.stored_posterior import StoredPosterior
-from rocksteady.risk.observations.files.small_files import content_of, text_of
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.spread import PriorRange
+from rocksteady.small_files import content_of, text_of
 
 FORM = "rocksteady/calibrate/2"
 """Form of fit.json: a later one has another number."""

@@ -23,9 +23,9 @@ from rocksteady.risk.facades.actions import Load, PushingMass, Thrust, Tie
 from rocksteady.risk.facades.facade import KNOWLEDGE_LEVELS, Facade
 from rocksteady.risk.facades.facade_demand import DemandSpectrum, FacadeDemand
 from rocksteady.risk.facades.spectrum_table import read_spectrum_table
-from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import named
 from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
+from rocksteady.small_files import content_of, toml_of
 
 Made = TypeVar("Made")
 

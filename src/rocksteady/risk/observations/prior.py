@@ -10,11 +10,11 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.result import Result
-from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.observations.object_prior import ObjectPrior, possible
 from rocksteady.risk.observations.shaking_test import LARGEST_SIGMA
 from rocksteady.risk.observations.spread import PriorRange, spread_of
+from rocksteady.small_files import content_of, toml_of
 
 GENERAL: Final = ("base", "offset", "restitution", "housner_factor", "scatter")
 """Numbers of an object that may be known of all objects alike."""

@@ -15,9 +15,9 @@ from rocksteady.model.motions.floor import DAMPING, LARGEST_SUM, SHAPE, Floor
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.risk.assess.described.objects import DescribedObject, floor_number
 from rocksteady.risk.observations.files.csv_table import refuse_doubled
-from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import TomlTables, in_file
 from rocksteady.risk.screens.floors import PERIOD
+from rocksteady.small_files import content_of, toml_of
 
 HINT = "name a file of buildings in TOML"
 STOREYS = Whole(1, 200, "give the number of floors above the ground")

@@ -29,13 +29,13 @@ from rocksteady.risk.assess.described.schema import (
     target_of,
 )
 from rocksteady.risk.counted.verdict import Target
-from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import least_gravity_g
 from rocksteady.risk.spectra.code_spectra import SPECTRUM_DAMPING, formula_of
 from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
 from rocksteady.risk.spectra.tabulated import TabulatedSpectrum, spectrum_from, tabulated
+from rocksteady.small_files import content_of, toml_of
 
 GROUND = ("", "0", "ground")
 """Floors that are the ground."""

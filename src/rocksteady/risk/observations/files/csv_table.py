@@ -13,7 +13,7 @@ from typing import Final
 
 from rocksteady.errors import InputError, Words
 from rocksteady.results.cells import read_cell
-from rocksteady.risk.observations.files.small_files import content_of, text_of
+from rocksteady.small_files import content_of, text_of
 
 NEAR: Final = 0.8
 """Likeness from which on a column that is not read is taken for a slip of the pen."""
