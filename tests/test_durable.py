@@ -5,6 +5,7 @@ import shutil
 import stat
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import pytest
@@ -12,11 +13,16 @@ import pytest
 from rocksteady import durable
 from rocksteady.errors import OutputError
 from rocksteady.show.export.files import save_text
-from rocksteady.show.export.folders import check_folder, fill_folder
+from rocksteady.show.export.folders import CALIBRATION, check_folder, fill_folder
 from tests.disk import after_losses, recorded
 from tests.outputs import WRITERS
 
 ROOT = str(Path(__file__).parents[1])
+
+
+def nothing() -> None:
+    """Refuse nothing."""
+
 
 KILLS = """
 import os, shutil, signal, sys
@@ -172,10 +178,10 @@ def study(stage: Path, value: str) -> None:
 def test_a_power_failure_leaves_whole_files_in_the_folder_of_a_study(tmp_path: Path) -> None:
     place = tmp_path / "place"
     place.mkdir()
-    fill_folder(place / "out", lambda stage: study(stage, "old"))
+    fill_folder(place / "out", lambda stage: study(stage, "old"), nothing)
     (place / "out" / "thesis").write_text("mine", encoding="utf-8")
     with recorded(place) as recorder:
-        fill_folder(place / "out", lambda stage: study(stage, "new"))
+        fill_folder(place / "out", lambda stage: study(stage, "new"), nothing)
     lost = tmp_path / "lost"
     lost.mkdir()
     for moment, folder in after_losses(recorder.moments, lost, draws=4):
@@ -273,9 +279,38 @@ def test_a_study_replaces_no_folder_and_no_pipe(tmp_path: Path) -> None:
     check_folder(tmp_path, "dangling", force=True)
     for _ in range(2):
         shutil.rmtree(tmp_path / "folder", ignore_errors=True)
-        fill_folder(tmp_path, lambda stage: save_text("out", stage / "dangling", "new"))
+        fill_folder(tmp_path, lambda stage: save_text("out", stage / "dangling", "new"), nothing)
         assert (tmp_path / "dangling").is_symlink()
         assert (tmp_path / "nothing").read_text(encoding="utf-8") == "new"
+
+
+@pytest.mark.parametrize("force", [False, True])
+def test_of_two_writers_into_one_new_folder_one_wins(force: bool, tmp_path: Path) -> None:
+    """Both begin with nothing there; without force the second is told what the first has left."""
+    begun, refused = threading.Barrier(2), []
+
+    def write(stage: Path, text: str) -> None:
+        for name in ("fit.json", f"{text}.csv"):
+            (stage / name).write_text(text, encoding="utf-8")
+        begun.wait()
+
+    def writer(text: str) -> None:
+        try:
+            CALIBRATION.fill(tmp_path / "out", lambda stage: write(stage, text), force=force)
+        except OutputError as error:
+            refused.append(str(error))
+
+    texts = ("posterior", "parameters")
+    writers = [threading.Thread(target=writer, args=(text,)) for text in texts]
+    for each in writers:
+        each.start()
+    for each in writers:
+        each.join()
+    winner = (tmp_path / "out" / "fit.json").read_text(encoding="utf-8")
+    assert {each.name for each in (tmp_path / "out").iterdir()} == {"fit.json", f"{winner}.csv"}
+    assert (tmp_path / "out" / f"{winner}.csv").read_text(encoding="utf-8") == winner
+    assert len(refused) == (not force)
+    assert all("it holds fit.json and 1 more; add --force" in each for each in refused)
 
 
 def test_one_file_has_many_names(tmp_path: Path) -> None:

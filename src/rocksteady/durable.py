@@ -138,6 +138,17 @@ def private_folder(parent: Path) -> Iterator[Path]:
                     os.close(held)
 
 
+@contextmanager
+def alone(folder: Path) -> Iterator[None]:
+    """Hold a folder: another program, or thread, that would hold it waits until the end."""
+    held = _locked(folder, wait=True)
+    try:
+        yield
+    finally:
+        if held is not None:
+            os.close(held)
+
+
 def _remove_left(parent: Path) -> None:
     """Remove private folders that no running program holds.
 

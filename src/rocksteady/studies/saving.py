@@ -2,6 +2,7 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import ClassVar
 
@@ -11,13 +12,16 @@ from rocksteady.studies.parts import Parts
 
 
 def fill_study(
-    folder: Path | str, write: Callable[[Path], None], parts: Parts | None
+    folder: Path | str,
+    write: Callable[[Path], None],
+    check: Callable[[], None],
+    parts: Parts | None,
 ) -> list[Path]:
     """Fill the folder of a study, which may hold its finished parts.
 
     Parameters
     ----------
-    folder, write
+    folder, write, check
         As for `fill_folder`.
     parts
         Where what is finished is kept: nothing half written is left elsewhere.
@@ -30,11 +34,12 @@ def fill_study(
     Raises
     ------
     OutputError
-        If the folder cannot be made or written.
+        As for `fill_folder`.
     """
     if parts is not None:
+        check()
         parts.begin()
-    return fill_folder(folder, write, within=None if parts is None else parts.folder)
+    return fill_folder(folder, write, check, within=None if parts is None else parts.folder)
 
 
 class Saved(ABC):
@@ -74,8 +79,8 @@ class Saved(ABC):
         OutputError
             If the folder cannot be made or written, or a file exists and `force` is off.
         """
-        check_folder(folder, self.ours, force=force)
-        return fill_study(folder, lambda stage: self.write(stage, done), parts)
+        check = partial(check_folder, folder, self.ours, force=force)
+        return fill_study(folder, lambda stage: self.write(stage, done), check, parts)
 
     @abstractmethod
     def write(self, stage: Path, done: Done) -> None:

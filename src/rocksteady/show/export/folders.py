@@ -6,6 +6,7 @@ import re
 import shutil
 from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -171,13 +172,8 @@ class OwnFolder(NamedTuple):
         OutputError
             As for `check` and `fill_folder`.
         """
-        self.check(folder, force=force, read=read, hashes=hashes)
-        written = fill_folder(folder, write)
-        fresh = {each.name for each in written}
-        for file in Path(folder).iterdir():  # of an earlier answer, without a counterpart in this
-            if file.name not in fresh and re.fullmatch(self.ours, file.name):
-                file.unlink()
-        return written
+        check = partial(self.check, folder, force=force, read=read, hashes=hashes)
+        return fill_folder(folder, write, check, own=self.ours)
 
 
 ASSESSMENT = OwnFolder(
@@ -191,9 +187,17 @@ FACADE = OwnFolder(r"report\.html|(checks|runs)\.csv|(facade|run)\.json", "a fac
 
 
 def fill_folder(
-    folder: Path | str, write: Callable[[Path], None], *, within: Path | None = None
+    folder: Path | str,
+    write: Callable[[Path], None],
+    check: Callable[[], None],
+    *,
+    within: Path | None = None,
+    own: str | None = None,
 ) -> list[Path]:
     """Write files into a hidden folder in the target first and move them out of it at the end.
+
+    They are moved one writer at a time: of two that began with a new folder, and may replace
+    nothing, the second is refused.
 
     Parameters
     ----------
@@ -201,8 +205,13 @@ def fill_folder(
         Made if it does not exist, in an existing folder; what else it holds stays.
     write
         Writes every file into the folder that it is given.
+    check
+        Refuses a folder that could not be filled, before anything is written and again before the
+        files are moved.
     within
         Where the hidden folder is made, inside the target; by default the target itself.
+    own
+        Regular expression of the names of files that are removed if they are not written anew.
 
     Returns
     -------
@@ -212,8 +221,9 @@ def fill_folder(
     Raises
     ------
     OutputError
-        If the folder cannot be made or written.
+        As `check` does, and if the folder cannot be made or written.
     """
+    check()
     target = Path(folder)
     made = not target.is_dir()
     try:
@@ -225,8 +235,15 @@ def fill_folder(
                 write(stage)
             except OutputError as error:  # whose path is one that goes away with this folder
                 raise OutputError("out", target, error.valid, error.hint) from error
-            made = False  # from here on it holds something
-            return _move(sorted(stage.iterdir()), target)
+            with durable.alone(target):
+                check()
+                made = False  # from here on it holds something
+                written = _move(sorted(stage.iterdir()), target)
+                fresh = {each.name for each in written}
+                for file in target.iterdir() if own else ():  # of an earlier answer
+                    if file.name not in fresh and re.fullmatch(str(own), file.name):
+                        file.unlink()
+                return written
     except OSError as error:
         raise OutputError(
             "out",

@@ -3,6 +3,7 @@
 import io
 import re
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Final
 
@@ -65,7 +66,8 @@ def write_tests(folder: Path | str, observations: Observations, *, force: bool =
     >>> again.fell.tolist() == made.fell.tolist(), again.tests[0].record == made.tests[0].record
     (True, True)
     """
-    check_folder(folder, r".*\.csv", force=force, hashes=observations.sources.values())
+    hashes = observations.sources.values()
+    check = partial(check_folder, folder, r".*\.csv", force=force, hashes=hashes)
     files = _names(observations.tests)
     texts = {
         "tests.csv": _csv(_HEADER, [_row(test, files) for test in observations.tests]),
@@ -80,7 +82,7 @@ def write_tests(folder: Path | str, observations: Observations, *, force: bool =
         for name, text in texts.items():
             (stage / name).write_bytes(text.encode(errors=STRAY))
 
-    fill_folder(folder, write)
+    fill_folder(folder, write, check)
     return Path(folder) / TABLES[0]
 
 

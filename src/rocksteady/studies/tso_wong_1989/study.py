@@ -133,8 +133,9 @@ class Study:
             If the folder cannot be made or written, or a file exists and `force` is off.
         """
         only = () if self.claims else [timed.panel.id for timed in self.panels]
-        check_folder(folder, only, force=force)
-        return fill_study(folder, lambda stage: self._write(stage, parts, done, processes), parts)
+        check = partial(check_folder, folder, only, force=force)
+        write = partial(self._write, parts=parts, done=done, processes=processes)
+        return fill_study(folder, write, check, parts)
 
     def _write(self, stage: Path, parts: Parts | None, done: Done, processes: int) -> None:
         """Write every file into a hidden folder."""
