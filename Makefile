@@ -93,9 +93,10 @@ test-all: ## run every check to its end, the slow tests and the lower bounds inc
 ##@ One check at a time
 
 .PHONY: lint
-lint: .venv ## ruff: rules and format
+lint: .venv ## ruff: rules and format; deptry: what is imported is declared
 	$(BIN)/python -m ruff check
 	$(BIN)/python -m ruff format --check
+	@said=$$($(BIN)/deptry --no-ansi src 2>&1) || { echo "$$said" >&2; exit 1; }
 
 .PHONY: count
 count: ## code lines by package, of tests, tools, benchmarks and JavaScript, and what has grown large [nothing]

@@ -2,21 +2,21 @@
 
 import math
 import random
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import rocksteady as rs
+from rocksteady.certify import fate_checker
 from rocksteady.certify.fate import certify_edges, certify_fate
 from rocksteady.errors import ModelError
+from rocksteady.model.motions.pulses import PULSES
 from tests.every import every
 
 BARE = rs.DimensionlessBlock(restitution=0.9)
 BLOCK = rs.Block.from_p(alpha=0.2, p=2.0, restitution=0.9)
-SHAPES = (
-    *("rectangle", "half-sine", "versed-sine", "triangle", "decaying-ramp"),
-    *("one-sine", "one-cosine"),
-)
+SHAPES = tuple(fate_checker.PULSES)
 
 
 def synthetic(seed: int, peak: float, samples: int = 4001) -> rs.Record:
@@ -93,8 +93,11 @@ def test_a_dimensionless_block_under_a_record_and_sampled_pulses_are_refused() -
     with pytest.raises(ModelError, match="needs a block with sizes"):
         certify_fate(BARE, synthetic(1, 2.0, samples=50))
     ricker = rs.Pulse(shape="ricker", amplitude=2.0, frequency_ratio=2.0)
-    with pytest.raises(ModelError, match="lack an enclosure of its samples"):
-        certify_fate(BARE, ricker)
+    for shape in sorted(set(PULSES) - set(SHAPES)):
+        sampled = replace(ricker, shape=shape)
+        with pytest.raises(ModelError, match="lack an enclosure of its samples"):
+            certify_fate(BARE, sampled)
+    assert set(SHAPES) < set(PULSES)
     with pytest.raises(ModelError, match="reversal of the velocity at a wall"):
         certify_fate(rs.DimensionlessBlock(restitution=0.5, one_sided=True), ricker)
 

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 
 from tests.public.calls import ELSEWHERE, REFUSED_LATER, calls, is_recorded, room
+from tools.freeze.commands import freeze_help, paths
 from tools.freeze.records import FILE, FOLDER, Items, apart, loaded
 from tools.freeze.results import freeze_call, freeze_things
 
@@ -55,6 +56,11 @@ def differing(before: Items, now: Items) -> dict[str, str]:
 
 def test_what_every_class_shows_is_as_recorded() -> None:
     assert differing(recorded("things"), dict(freeze_things(""))) == {}, ANEW
+
+
+def test_help_of_every_command_is_as_recorded() -> None:
+    help_of = dict(item for path in paths() for item in freeze_help(path))
+    assert differing(recorded("help"), help_of) == {}, "python -m tools.freeze record help"
 
 
 @pytest.mark.parametrize("package", PACKAGES)

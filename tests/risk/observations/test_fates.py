@@ -285,7 +285,7 @@ def test_wrong_arguments_are_refused_in_one_line(arguments: dict[str, Any], word
 
 
 def test_the_linear_model_has_no_vertical_motion() -> None:
-    with pytest.raises(ModelError, match=r"vertical = Record.* have no term for it"):
+    with pytest.raises(ModelError, match=r"test 'lifted' has vertical motion"):
         compute_test_fates(COLUMN, LIFTED, model=Linear())
 
 

@@ -1,6 +1,7 @@
 """Priors of all objects alike, from Python and from TOML."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -43,10 +44,10 @@ def test_an_empty_file_is_the_default_prior(tmp_path: Path) -> None:
 @every(
     ("text", "line"),
     [
-        ("[nois]\n", "prior.toml: nois = {} is not valid: the tables are [noise] and [obj"),
-        ("noise = 3\n", "prior.toml: noise = 3 is not valid: the tables are [noise] and"),
+        ("[nois]\n", "prior.toml: nois is unknown: the tables are [noise] and [object]"),
+        ("[[noise]]\n", "prior.toml: noise is no table: "),
         ("[noise]\nsigma = 0.1\n", "[noise] sigma is unknown: the keys of [noise] are sigma_ln"),
-        ("[object]\nbas = 0.1\n", "[object] bas is unknown: the keys of [object] are base, offset"),
+        ("[object]\nbas = 0.1\n", "did you mean base?"),
         ("[object]\nbase = true\n", "prior.toml: [object] base = True is not valid"),
         ("[object]\nbase = [0.6, 1.0]\n", "[object] base = [0.6, 1.0] is not valid"),
         ("[object]\nbase = nan\n", "[object] base = nan is not valid"),
@@ -79,9 +80,14 @@ def test_a_file_that_is_none_is_refused(name: str, tmp_path: Path) -> None:
         read_prior(tmp_path / name)
 
 
-def test_only_what_all_objects_share_is_a_default() -> None:
-    with pytest.raises(InputError, match=r"^width_m = 1 .*; give sizes in the object itself"):
-        Prior(defaults={"width_m": 1})
+@pytest.mark.parametrize(
+    ("given", "line"),
+    [({"bass": 1}, "did you mean base?"), ({"width_m": 1}, "sizes in the table of objects")],
+)
+def test_only_what_all_objects_share_is_a_default(given: dict[str, Any], line: str) -> None:
+    with pytest.raises(InputError, match=r"^defaults = ") as refusal:
+        Prior(defaults=given)
+    assert line in str(refusal.value)
 
 
 @settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])

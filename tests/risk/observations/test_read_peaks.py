@@ -47,7 +47,7 @@ def test_all_columns_are_read_and_others_are_not(tmp_path: Path) -> None:
         ("peak_rad,peak_deg\n1,2\n", "has the columns peak_rad and peak_deg"),
         ("peak_rads\n1\n", "did you mean peak_rad"),
         ("peak_rad,peak_rad\n1,2\n", "it occurs twice"),
-        ("peak_rad\n0.08\nx\n", "line 3, peak_rad = 'x' is not valid: it must be a number"),
+        ("peak_rad\n0.08\nx\n", "line 3, peak_rad = 'x' is not valid: it must be a finite number"),
         ("peak_rad;t_s\n0,08;1\n0.07;2\n", "write a point for a decimal comma"),
         ("peak_rad\n0.08\n-0.07\n", r"line 3, peak_rad = -0\.07 .* in \(0, 1\.57.*; give abs"),
         ("peak_deg\n95\n80\n", r"line 2, peak_deg = 95\.0 .* in \(0, 90\)"),

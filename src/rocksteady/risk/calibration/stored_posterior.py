@@ -31,7 +31,7 @@ from rocksteady.risk.calibration.sampler.logistic import (
 )
 from rocksteady.risk.calibration.sampler.surfaces import FAR, moments, quadratic
 from rocksteady.risk.observations.observations import Observations
-from rocksteady.risk.observations.shaking_test import ShakingTest
+from rocksteady.risk.observations.shaking_test import ShakingTest, distinct
 from rocksteady.sweep.run import Execution
 
 DRAWS = 512
@@ -100,9 +100,8 @@ class StoredPosterior(Result):
         }
         changed = [test.name for test in new if test.name in rows]
         words = (
-            f"{plural(len(changed), 'test')} of the calibration, as {', '.join(changed[:1])}, now "
-            "have another motion, gain or cleaning: predicted as new ones, though their outcomes "
-            "are in it"
+            f"{plural(len(changed), 'test')} of the calibration, as {', '.join(changed[:1])}: "
+            "another motion, gain or cleaning now, predicted as new though their outcomes are in it"
         )
         return replace(
             made,
@@ -147,7 +146,7 @@ def listed(
     Raises
     ------
     InputError
-        If there is none, or an object is given with other sizes than the calibrated one.
+        If there is none, two have one name, or an object has other sizes than the calibrated one.
     """
     rows = tests.tests if isinstance(tests, Observations) else tests
     if (
@@ -169,7 +168,7 @@ def listed(
                     f"the calibrated object has {known[key]}, and only that one is predicted",
                     "give the table of objects of the calibration, or calibrate this object",
                 )
-    return list(rows)
+    return list(distinct(rows))
 
 
 def _predict_new(

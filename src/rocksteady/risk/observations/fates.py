@@ -10,12 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import checked_array
-from rocksteady.errors import InputError, Words
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import LARGEST_SEED, Bounds, Whole
 from rocksteady.model.checks.validation import LARGEST
-from rocksteady.model.equations import ModelChoice, chosen_model
+from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.risk.observations._fate_cells import Shaken, fates_of_cells, streams_of
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest, distinct
@@ -145,6 +145,14 @@ def compute_test_fates(
     count = len(every)
     factors = _factors(1.0 if gains is None else gains, shaking, count)
     equations = chosen_model(model, every[0])
+    upward = next((test.name for test in shaking if test.vertical is not None), None)
+    if upward is not None and isinstance(equations, Linear):
+        raise ModelError(
+            f"test {upward!r:.60}",
+            Words("has vertical motion"),
+            "the linear equations of motion have no term for it",
+            "take the nonlinear model, or leave the vertical motion out",
+        )
     grounds, ground = _grounds(shaking)
     strongest = np.zeros(len(grounds))
     np.maximum.at(strongest, ground, factors.max(axis=(1, 2)))

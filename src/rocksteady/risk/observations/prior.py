@@ -1,7 +1,8 @@
 """What is known of amplitudes, outliers and objects in general before the tests."""
 
+import difflib
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
@@ -106,8 +107,8 @@ class Prior(Result):
         made = {}
         for key, value in self.defaults.items():
             if key not in GENERAL:
-                valid = f"defaults are of {', '.join(GENERAL)}"
-                raise InputError(key, value, valid, "give sizes in the object itself")
+                valid = f"it must be one of {', '.join(GENERAL)}"
+                raise InputError("defaults", key, valid, _near(key, GENERAL))
             made[key] = possible(key, value)
         if "restitution" in made and "housner_factor" in made:
             raise InputError(
@@ -174,16 +175,26 @@ def read_prior(path: Path | str) -> Prior:
     known = {"noise": tuple(NOISE), "object": GENERAL}
     for name, table in values.items():
         if name not in known or not isinstance(table, dict):
-            valid = "the tables are [noise] and [object]"
-            raise InputError(f"{file.name}: {name}", table, valid, "write keys below either")
+            raise InputError(
+                f"{file.name}: {name}",
+                Words("is no table" if name in known else "is unknown"),
+                "the tables are [noise] and [object]",
+                f"write [{name}] and keys below it" if name in known else "take one of the two",
+            )
         for key in table:
             if key not in known[name]:
                 place = f"{file.name}: [{name}] {key}"
                 valid = f"the keys of [{name}] are {', '.join(known[name])}"
-                raise InputError(place, Words("is unknown"), valid, "take one of them")
+                raise InputError(place, Words("is unknown"), valid, _near(key, known[name]))
     with in_file(file.name, "noise"):
         given = values.get("noise", {}).items()
         noise = OutcomeErrors(**{key: spread_of(key, value) for key, value in given})
     with in_file(file.name, "object"):
         sources = {file.name: hashlib.sha256(content).hexdigest()}
         return Prior(noise=noise, defaults=values.get("object", {}), sources=sources)
+
+
+def _near(key: object, known: Sequence[str]) -> str:
+    """Return a hint with the name that is most like another one."""
+    close = difflib.get_close_matches(str(key), known, n=1)
+    return f"did you mean {close[0]}?" if close else "give sizes in the table of objects"

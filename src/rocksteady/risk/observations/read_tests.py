@@ -147,7 +147,10 @@ def read_tests(
         channels = {}
         for key, option in CHANNELS.items():
             name, channel = cells.get(key, ""), cells.get(option, "")
-            if key == "record" or name or channel:
+            if channel and not name:
+                valid = f"it is a channel of the file in the column {key}, which is empty"
+                raise InputError(f"{place}, {option}", channel, valid, "name the file, or empty it")
+            if key == "record" or name:
                 channels[key] = files.channel(
                     name, channel, f"{place}, {key}", f"{place}, {option}"
                 )

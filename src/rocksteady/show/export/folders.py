@@ -173,7 +173,7 @@ class OwnFolder(NamedTuple):
             As for `check` and `fill_folder`.
         """
         check = partial(self.check, folder, force=force, read=read, hashes=hashes)
-        return fill_folder(folder, write, check, own=self.ours)
+        return fill_folder(folder, write, check, ours=self.ours)
 
 
 ASSESSMENT = OwnFolder(
@@ -192,7 +192,7 @@ def fill_folder(
     check: Callable[[], None],
     *,
     within: Path | None = None,
-    own: str | None = None,
+    ours: str | None = None,
 ) -> list[Path]:
     """Write files into a hidden folder in the target first and move them out of it at the end.
 
@@ -210,7 +210,7 @@ def fill_folder(
         files are moved.
     within
         Where the hidden folder is made, inside the target; by default the target itself.
-    own
+    ours
         Regular expression of the names of files that are removed if they are not written anew.
 
     Returns
@@ -240,8 +240,8 @@ def fill_folder(
                 made = False  # from here on it holds something
                 written = _move(sorted(stage.iterdir()), target)
                 fresh = {each.name for each in written}
-                for file in target.iterdir() if own else ():  # of an earlier answer
-                    if file.name not in fresh and re.fullmatch(str(own), file.name):
+                for file in target.iterdir() if ours else ():  # of an earlier answer
+                    if file.name not in fresh and re.fullmatch(str(ours), file.name):
                         file.unlink()
                 return written
     except OSError as error:

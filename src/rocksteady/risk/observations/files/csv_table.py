@@ -120,8 +120,8 @@ def number_in(place: str, column: str, cell: str) -> float:
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        hint = "write a point for a decimal comma" if "," in cell else "leave units to the column"
-        raise InputError(f"{place}, {column}", cell, "it must be a number", hint)
+        hint = "write a point for a decimal comma" if "," in cell else "write it without a unit"
+        raise InputError(f"{place}, {column}", cell, "it must be a finite number", hint)
     return value
 
 
