@@ -82,7 +82,7 @@ def test_a_calibration_of_version_0_1_0_is_read(files: Path) -> None:
 
 @every("kind", CERTIFIED)
 def test_a_certificate_of_version_0_1_0_holds(kind: str, files: Path) -> None:
-    found = check_certificate(files / "certificates" / f"{kind}.json")
+    found = check_certificate(files / "certificates" / f"{kind}.json", leaves=None)
     assert (found.kind, found.verdict) == (kind, "holds")
 
 
