@@ -124,13 +124,12 @@ def check_certificate(
     >>> check_certificate(file).holds
     True
     """
+    content = content_of(Path(file), "certificate", HINT)
     try:
-        text = content_of(Path(file), "certificate", HINT).decode()
+        text = content.decode()
         values = json.loads(text)
         kind = values["kind"] if values["kind"] in PROGRAMS else "unknown"
-    except (ValueError, TypeError, LookupError, RecursionError) as error:
-        if isinstance(error, InputError):
-            raise
+    except (ValueError, TypeError, LookupError, RecursionError):
         raise InputError(
             "certificate",
             file,

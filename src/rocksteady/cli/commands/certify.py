@@ -192,12 +192,10 @@ def _check(
         )
     numbers: list[float] = []
     if samples is not None:
+        content = content_of(samples, "--samples", "give samples in m/s^2")
         try:
-            content = content_of(samples, "--samples", "give samples in m/s^2")
             numbers = [float(word) for word in content.decode().split()]
-        except ValueError as error:
-            if isinstance(error, InputError):
-                raise
+        except ValueError:
             raise InputError(
                 "--samples", samples, "it must hold one number a line", "give samples in m/s^2"
             ) from None
@@ -205,7 +203,13 @@ def _check(
     result = check_certificate(
         file, accelerations_m_s2=numbers, leaves=count, arithmetic=arithmetic
     )
-    output.leave("certify", result.describe(), decided=result.verdict != "undecided")
+    further = f"rocksteady certify --check {quoted(file)} --leaves all"
+    output.leave(
+        "certify",
+        result.describe(),
+        decided=result.verdict != "undecided",
+        follow_up=further if result.verdict == SAMPLED else "",
+    )
     return 0 if result.verdict in (HOLDS, SAMPLED) else NEGATIVE
 
 

@@ -26,7 +26,7 @@ _HINT: Final = "name a table of objects in CSV, with name, width_m and height_m"
 
 
 def read_object_table(file: Path) -> tuple[dict[str, ObjectPrior], CsvTable]:
-    """Read a table of objects: what is known of each by its name, and the table itself.
+    """Read a table of objects, and return its priors by name beside the table.
 
     Raises
     ------

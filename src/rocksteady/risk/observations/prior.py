@@ -12,7 +12,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.result import Result
 from rocksteady.risk.observations.files.toml_tables import in_file
-from rocksteady.risk.observations.object_prior import ObjectPrior, possible
+from rocksteady.risk.observations.object_prior import BOUNDS, ObjectPrior, possible
 from rocksteady.risk.observations.shaking_test import LARGEST_SIGMA
 from rocksteady.risk.observations.spread import PriorRange, spread_of
 from rocksteady.small_files import content_of, toml_of
@@ -197,4 +197,5 @@ def read_prior(path: Path | str) -> Prior:
 def _near(key: object, known: Sequence[str]) -> str:
     """Return a hint with the name that is most like another one."""
     close = difflib.get_close_matches(str(key), known, n=1)
-    return f"did you mean {close[0]}?" if close else "give sizes in the table of objects"
+    otherwise = "give sizes in the table of objects" if key in BOUNDS else "remove it"
+    return f"did you mean {close[0]}?" if close else otherwise

@@ -47,7 +47,7 @@ PARAMETERS = {
     "orientation_rad": "orientation [rad]",
 }
 LOOKS = {NOT_IDENTIFIED: "differs", BOUND: "differs", LIMIT: "differs", IDENTIFIED: "agrees"}
-"""Badge of each verdict; those that limit the answer stand out."""
+"""Badges of verdicts; the highlighted ones limit the answer."""
 MOST_ROWS = 12
 """Rows of the table of tests that were not expected."""
 
