@@ -3,12 +3,15 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.sweep.executors.choice import WORKERS, validated_executor
 from rocksteady.sweep.store.store import Store
+
+if TYPE_CHECKING:
+    from distributed import Client
 
 Progress = Callable[[int], object]
 """Called in the calling thread: once with the number of cells that are done already, when the
@@ -27,9 +30,10 @@ class Execution:
     ----------
     executor
         "threads" (default), "serial", "gpu" for an NVIDIA GPU, "dask" for a cluster of processes on
-        this machine, or the address of a dask scheduler, as "tcp://10.0.0.1:8786".  A GPU computes
-        fates and attractors under harmonic shaking and runs of blocks on records, and leaves to the
-        processor only the few cells that need more memory than a thread of the GPU has.
+        this machine, the address of a dask scheduler, as "tcp://10.0.0.1:8786", or a connected
+        `distributed.Client`, which is left open.  A GPU computes fates and attractors under
+        harmonic shaking and runs of blocks on records, and leaves to the processor only the few
+        cells that need more memory than a thread of the GPU has.
     workers
         Number of threads or processes; by default as many as this process may use cores, or as a
         cluster has.  With "gpu" the number of launches in flight, by default 3.
@@ -44,8 +48,8 @@ class Execution:
     Raises
     ------
     InputError
-        If there is no such executor, no scheduler can have that address, or the number of workers
-        is not a whole number from 1 to 1024.
+        If there is no such executor, no scheduler can have that address, the client is not
+        connected or asynchronous, or the number of workers is not a whole number from 1 to 1024.
 
     Examples
     --------
@@ -64,7 +68,7 @@ class Execution:
     rocksteady.errors.InputError: workers = 0 is not valid: ...
     """
 
-    executor: Annotated[str, validated_executor] = "threads"
+    executor: Annotated["str | Client", validated_executor] = "threads"
     workers: Annotated[int | None, WORKERS] = None
     store: Store | Path | str | None = None
     progress: Progress | None = None

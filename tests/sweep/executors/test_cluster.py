@@ -8,6 +8,7 @@ import logging
 import os
 import re
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -62,6 +63,40 @@ def test_a_store_has_the_same_bytes_whoever_computes(address: str, tmp_path: Pat
         )
         trees.append(tree(store.folder))
     assert all(other == trees[0] for other in trees[1:])
+
+
+def test_a_client_with_tls_gives_the_same_bytes_though_a_worker_is_killed(tmp_path: Path) -> None:
+    stores = [Store(tmp_path / name, chunk=100) for name in ("threads", "tls")]
+    cases = functools.partial(slow, seconds=0.004)
+    evaluate(cases, GRID, OUTPUTS, run=Execution(store=stores[0]))
+    killed: list[int] = []
+    with (
+        within(120),
+        distributed.LocalCluster(
+            n_workers=2,
+            threads_per_worker=1,
+            security=distributed.Security.temporary(),
+            dashboard_address=None,
+            local_directory=str(tmp_path),
+        ) as cluster,
+        cluster.get_client() as client,
+    ):
+
+        def kill(cells: int) -> None:
+            if cells and not killed:
+                killed.append(next(iter(client.run(os.getpid).values())))
+                os.kill(killed[0], signal.SIGKILL)
+
+        run = Execution(executor=client, store=stores[1], progress=kill)
+        evaluate(cases, GRID, OUTPUTS, run=run, batch=5)
+        later = Execution(executor=client)
+        assert client.status == "running"
+        assert cluster.scheduler_address.startswith("tls://")
+    assert killed
+    trees = [tree(store.folder) for store in stores]
+    assert trees[0] == trees[1]
+    with pytest.raises(InputError, match="a client must be connected"):
+        evaluate(some, GRID, OUTPUTS, run=later)
 
 
 @pytest.mark.slow
@@ -192,14 +227,21 @@ def test_what_cannot_be_sent_is_refused(address: str) -> None:
         evaluate(locked, GRID, OUTPUTS, run=Execution(executor=address))
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("given_address", ["tcp://127.0.0.1:9", "tcp://no.invalid:1"])
-def test_an_address_where_nobody_answers_is_refused(
-    given_address: str, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+def test_an_address_where_no_scheduler_answers_is_refused_and_nothing_is_waited_for(
+    local_cluster: Local, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(_remote, "ANSWERED", 0.3)
-    with pytest.raises(InputError, match=r"executor = .* must answer there within 0.3 seconds"):
-        evaluate(some, GRID, OUTPUTS, run=Execution(executor=given_address))
+    (worker,) = list(local_cluster.client.nthreads())[:1]
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        for place, reason in (
+            ("tcp://127.0.0.1:9", "nothing does"),
+            ("tcp://no.invalid:1", "gaierror: "),
+            (f"tcp://127.0.0.1:{silent.getsockname()[1]}", "nothing does"),
+            ("tls://127.0.0.1:9", "TypeError: TLS expects"),
+            (worker, "a Worker does"),
+        ):
+            with pytest.raises(InputError, match=f"there within 0.3 seconds: .*{reason}"):
+                evaluate(some, GRID, OUTPUTS, run=Execution(executor=place))
     gc.collect()  # a client that is half made would try to close itself
     assert capfd.readouterr().err == ""
 

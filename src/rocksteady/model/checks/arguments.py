@@ -25,7 +25,7 @@ from rocksteady.model.checks.arrays import (
     MOST_ITEMS,
     UnfitError,
     guard_result,
-    keep_arrays,
+    keep_contents,
     numeric_array,
     refuse_mask_and_unit,
     scalar_of,
@@ -74,12 +74,12 @@ def checked(target: T) -> T:
 
     The signature shows types alone: the rules in annotations are taken off, and hold after the
     types of all arguments, in the order of the arguments.  Numbers without a rule, and numbers in
-    place of texts, are left to the function's own validators.  Arrays that a class computes once
-    cannot be written to.
+    place of texts, are left to the function's own validators.  What a frozen class holds, or a
+    class computes once, cannot be written to.
     """
     guarded: T = _checked(target, numbers=False)
     if inspect.isclass(target):
-        keep_arrays(guarded)
+        keep_contents(guarded)
     return guarded
 
 
@@ -149,7 +149,8 @@ def _taken_rules(function: Callable[..., Any]) -> dict[str, Rule]:
     rules = {}
     for name, annotation in function.__annotations__.items():
         for rule in getattr(annotation, "__metadata__", ()):
-            function.__annotations__[name] = annotation.__origin__
+            origin = annotation.__origin__
+            function.__annotations__[name] = getattr(origin, "__forward_arg__", origin)
             if callable(rule):  # and no label
                 rules[name] = rule
     return rules

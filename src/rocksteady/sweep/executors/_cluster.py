@@ -63,15 +63,16 @@ class Cluster(Protocol):
 
 
 @contextmanager
-def cluster_pool(task: Task, address: str | None, workers: int | None) -> Iterator[Pool]:
+def cluster_pool(task: Task, place: "str | Client | None", workers: int | None) -> Iterator[Pool]:
     """Run the jobs in the worker processes of a cluster.
 
     Parameters
     ----------
     task
         Task of the sweep, which is sent to each worker once.
-    address
-        Address of a scheduler; None for a cluster on this machine, which is started and stopped.
+    place
+        Address of a scheduler, or a client of one; None for a cluster on this machine, which is
+        started and stopped.
     workers
         Number of workers; for a running cluster, the most jobs that run at the same time.  None for
         the cores that this process may use, or all workers of the cluster.
@@ -83,17 +84,17 @@ def cluster_pool(task: Task, address: str | None, workers: int | None) -> Iterat
     UnfinishedError
         If the cluster is lost, or some cells end every worker that tries them.
     """
-    check_installed(partial(InputError, "executor", address or "dask"), "cluster", "distributed")
+    check_installed(partial(InputError, "executor", place or "dask"), "cluster", "distributed")
     with ExitStack() as stack:
         cluster: Cluster
-        if address is None:
+        if place is None:
             from rocksteady.sweep.executors._local import Local
 
             cluster = stack.enter_context(Local(workers))
         else:
             from rocksteady.sweep.executors._remote import Remote
 
-            cluster = stack.enter_context(Remote(address, workers))
+            cluster = stack.enter_context(Remote(place, workers))
         plugin = stack.enter_context(_sent(task, cluster))
         yield Pool(
             workers=cluster.most_running(),
