@@ -60,6 +60,17 @@ def test_symmetric_states_are_those_of_the_closed_form(
         assert proof.trace.overlaps(arb(mp.nstr(trace, 30)))
 
 
+@every("times", [2, 3, 4])
+def test_a_motion_that_is_repeated_is_no_motion_of_its_own(times: int) -> None:
+    for orbit in (each for each in orbits(2.4, 2.0) if each.admissible and not each.rest_phases):
+        chain = propose(orbit)
+        repeated = chain._replace(
+            half_periods=times * chain.half_periods, phases=times * chain.phases
+        )
+        whole = times == 2 and len(chain.phases) % 2 == 1  # both halves of a symmetric motion
+        assert prove_orbit(repeated).verdict == ("proved" if whole else "undecided")
+
+
 @every("case", [(2.4, 2.0), (2.655, 2.0), (2.0, 1.78), (0.9, 3.0)])
 def test_every_verdict_of_the_search_is_proved(case: tuple[float, float]) -> None:
     found = [each for each in orbits(*case) if not each.rest_phases]

@@ -170,6 +170,25 @@ def passage(
     return ""
 
 
+def may_repeat(shaking: Shaking, phases: list[arb], half_periods: tuple[int, ...]) -> bool:
+    """Return whether a part of a closed chain may be the whole motion.
+
+    A chain of m flights closes after m impacts, or 2 m where m is odd.
+    """
+    count = len(phases)
+    places = range(count)
+    times = [shaking.duration(phases[k - 1], phases[k], half_periods[k - 1]) for k in places]
+
+    def differ(k: int, j: int) -> bool:
+        return bool(((phases[k] - phases[j]) / 2).sin() != 0 or times[k] != times[j])
+
+    return any(
+        not any(differ(k, k - part) for k in places)
+        for part in range(1, count)
+        if count % part == 0 and part * (1 + part % 2) < count * (1 + count % 2)
+    )
+
+
 def prove_orbit(proposal: Proposal, most_bits: int = MOST_BITS) -> OrbitProof:
     """Return what is proved of an orbit, with as many bits as it takes."""
     proof = OrbitProof(UNDECIDED, "no precision was tried", 0, proposal.numbers)
@@ -196,6 +215,8 @@ def _proof(proposal: Proposal, numbers: Numbers, bits: int) -> OrbitProof:
     zero = enclose(system, [arb(phase) for phase in proposal.phases])
     if zero is None:
         return failed("no box around it passes the test of Krawczyk")
+    if may_repeat(shaking, zero.box, orders):
+        return failed("a part of its impacts may be the whole motion")
     chain = links(shaking, zero.box, orders)
     wrong = passage(shaking, zero.box, orders, chain)
     if wrong == REFUTED:

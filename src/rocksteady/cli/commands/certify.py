@@ -1,7 +1,8 @@
 """`rocksteady certify`: proofs in ball arithmetic, their certificates, and the check of these."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, get_args
 
@@ -20,7 +21,7 @@ from rocksteady.cli.flags.block_and_shaking import (
 from rocksteady.cli.flags.groups import OutputFlags, check_ending, grouped
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.results.answer import MOST_FACTS, Answer, left_out
@@ -151,25 +152,34 @@ def certify(
     require(f"certify {what}", {"block": block.given, "motion": moved}, KINDS[what])
     if what == "fate":
         body = recorded.block(block) if of_record else block.described()
-        certificates = [_fate(body, shaking, pulse, recorded, reading, equations_for(model, body))]
+        equations = _provable(block, body, model)
+        certificates = [_fate(body, shaking, pulse, recorded, reading, equations)]
     else:
         idle = {"--record": next(iter(recorded.record or ()), None), **reading.given}
         refuse(idle, f"a proof of {what} is of lasting shaking", "leave it out, or prove a fate")
         body = block.described()
-        from rocksteady.certify.certificate import check_model
-
-        check_model(body, equations_for(model, body))
+        _provable(block, body, model)
         if what == "region":
             return _region(output, body, shaking, order, out)
-        certificates = _proofs(what, body, shaking, kind)
-    if which is not None:
-        if not 1 <= which <= len(certificates):
-            valid = f"there are {len(certificates)} of them"
-            raise InputError("--number", which, valid, "take a number of the list")
-        certificates = [certificates[which - 1]]
+        proofs = _proofs(what, body, shaking, kind)
+        certificates = [prove() for prove in _chosen(proofs, which, out)]
     _save(certificates, out)
     _leave(output, what, certificates, out)
     return 0
+
+
+def _provable(block: BlockFlags, body: Block | DimensionlessBlock, model: str | None) -> Any:
+    """Return the equations of a proof, after refusing a block that none is written for."""
+    from rocksteady.certify.certificate import check_model
+
+    equations = equations_for(model, body)
+    try:
+        check_model(body, equations)
+    except ModelError as error:
+        if error.name != "block":
+            raise
+        raise block.refuse_sides(error.valid, error.hint) from None
+    return equations
 
 
 def _written(out: Path | None, *, samples: bool) -> dict[str, Path]:
@@ -244,8 +254,8 @@ def _fate(
 
 def _proofs(
     what: str, body: Block | DimensionlessBlock, shaking: ShakingFlags, kind: str
-) -> "list[Certificate]":
-    """Return the certificates of orbits, points or chaos."""
+) -> "Sequence[Callable[[], Certificate]]":
+    """Return what proves each of the orbits or points, or chaos."""
     if what == "chaos":
         from rocksteady.certify.chaos import certify_chaos
 
@@ -254,16 +264,16 @@ def _proofs(
                 _ends("--amplitude/-A", shaking.amplitude),
                 _ends("--frequency-ratio/-W", shaking.frequency_ratio),
             )
-            return [certify_chaos(*ranges, body.restitution, kind=kind)]  # type: ignore[arg-type]
+            return [partial(certify_chaos, *ranges, body.restitution, kind=kind)]  # type: ignore[arg-type]
         motion = shaking.at(body)
         numbers = motion.amplitude, motion.frequency_ratio, body.restitution
-        return [certify_chaos(*numbers, kind=kind)]  # type: ignore[arg-type]
+        return [partial(certify_chaos, *numbers, kind=kind)]  # type: ignore[arg-type]
     if what == "orbit":
         from rocksteady.certify.orbit import certify_orbit
         from rocksteady.dynamics.orbits.search import find_orbits
 
         orbits = find_orbits(body, shaking.at(body), model="linear")
-        return [certify_orbit(orbit) for orbit in orbits if not orbit.rest_phases]
+        return [partial(certify_orbit, orbit) for orbit in orbits if not orbit.rest_phases]
     from rocksteady.certify.point import SIGNS, certify_point
     from rocksteady.dynamics.continuation.branches import BranchOptions
     from rocksteady.dynamics.continuation.find_bifurcations import find_bifurcations
@@ -280,7 +290,22 @@ def _proofs(
     points += [
         each for each in further if (each.impacts, round(each.amplitude, PLACES)) not in known
     ]
-    return [certify_point(point) for point in points]
+    return [partial(certify_point, point) for point in points]
+
+
+def _chosen(
+    proofs: "Sequence[Callable[[], Certificate]]", which: int | None, out: Path | None
+) -> "Sequence[Callable[[], Certificate]]":
+    """Return the proof of a number, or all: one where a file is written."""
+    if which is not None:
+        if not 1 <= which <= len(proofs):
+            valid = f"there are {len(proofs)} of them"
+            raise InputError("--number", which, valid, "take a number of the list")
+        return [proofs[which - 1]]
+    if out is not None and len(proofs) != 1:
+        valid = f"a file holds one certificate, and there are {len(proofs)}"
+        raise FlagError("--out", out, valid, "choose one with --number")
+    return proofs
 
 
 def _region(
@@ -317,9 +342,6 @@ def _save(certificates: "Sequence[Certificate]", out: Path | None) -> None:
     """Write a certificate, and the samples of a record beside it."""
     if out is None:
         return
-    if len(certificates) != 1:
-        valid = f"a file holds one certificate, and there are {len(certificates)}"
-        raise FlagError("--out", out, valid, "choose one with --number")
     if certificates[0].proved:
         _write(out, certificates[0].to_json())
         *_, beside = _written(out, samples=True).values()

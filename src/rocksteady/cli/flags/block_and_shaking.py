@@ -417,9 +417,9 @@ class BlockFlags:
             )
         flags_given = "--left-m and --right-m" if self.left_m else "--restitution/-r"
         flags_given = "--offset-m" if self.offset_m else flags_given
-        return FlagError(
-            finding=f"{flags_given} make a block whose sides differ", valid=valid, hint=hint
-        )
+        verb = "make" if " and " in flags_given else "makes"
+        finding = f"{flags_given} {verb} a block whose sides differ"
+        return FlagError(finding=finding, valid=valid, hint=hint)
 
     @property
     def asymmetric(self) -> dict[str, float]:

@@ -201,7 +201,7 @@ def in_flags(error: ModelError, block: BlockFlags, start: str) -> ModelError:
     if block.block is not None:
         return FlagError("--block", block.block, error.valid, error.hint)
     if error.value in ("asymmetric", "against a wall"):
-        return block.refuse_sides(error.valid, "leave them out")
+        return block.refuse_sides(error.valid, "give a free block of equal sides")
     flags = [
         flag
         for flag, value in (
