@@ -25,9 +25,7 @@ def content_of(file: Path, name: str, hint: str) -> bytes:
         If it cannot be read, or is none of a person's making.
     """
     try:
-        if file.is_fifo() or file.is_char_device() or file.is_block_device() or file.is_socket():
-            # A pipe may never end, and the zeros of a device do not.
-            raise InputError(name, file, "it is a pipe or a device, and no file", hint)
+        refuse_device(file, name, hint)
         if file.stat().st_size > MOST_BYTES:
             raise InputError(name, file, "it is larger than 100 MB", hint)
         return file.read_bytes()
@@ -35,6 +33,12 @@ def content_of(file: Path, name: str, hint: str) -> bytes:
         if isinstance(error, InputError):
             raise
         raise InputError(name, file, getattr(error, "strerror", None) or str(error), hint) from None
+
+
+def refuse_device(file: Path, name: str, hint: str) -> None:
+    """Refuse a pipe, which may never end, and a device, whose zeros do not."""
+    if file.is_fifo() or file.is_char_device() or file.is_block_device() or file.is_socket():
+        raise InputError(name, file, "it is a pipe or a device, and no file", hint)
 
 
 def text_of(content: bytes, source: str, kind: str) -> str:

@@ -38,7 +38,7 @@ def agrees(block: rs.Block | rs.DimensionlessBlock, motion: rs.Pulse | rs.Record
     assert certificate.proved, certificate.reason
     run = rs.simulate(block, motion, model=rs.Linear())
     falls = run.status == rs.Status.OVERTURNED
-    assert certificate.content["claim"] == {"outcomes": ["falls" if falls else "stands"]}
+    assert certificate.content["claim"] == {"outcomes": ("falls" if falls else "stands",)}
 
 
 @every("shape", SHAPES)
@@ -105,4 +105,4 @@ def test_a_dimensionless_block_under_a_record_and_sampled_pulses_are_refused() -
 def test_weak_shaking_never_lifts_the_block() -> None:
     still = rs.Pulse(shape="one-sine", amplitude=0.99, frequency_ratio=2.0)
     certificate = certify_fate(BARE, still)
-    assert certificate.content["claim"] == {"outcomes": ["stands"]}
+    assert certificate.content["claim"] == {"outcomes": ("stands",)}

@@ -4,7 +4,7 @@ import copy
 import dataclasses
 import pickle
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -61,7 +61,7 @@ def state(value: Any) -> Any:
         return type(value).__name__, [(name, state(getattr(value, name))) for name in names]
     if isinstance(value, partial):
         value = [value.func, value.args, value.keywords]
-    elif isinstance(value, dict):
+    elif isinstance(value, Mapping):
         value = [*value.items()]
     if isinstance(value, list | tuple):
         return [state(each) for each in value]

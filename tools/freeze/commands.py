@@ -22,6 +22,8 @@ from tools.freeze.files import files_of, left
 from tools.freeze.records import FILE
 from tools.freeze.values import of_json, tidy
 
+EVERY_FLAG = Path(__file__).parents[2] / "tests" / "cli" / "every_flag"
+"""Lines that use the flags that neither help texts nor pages use, and the files that they name."""
 WRITTEN = {"--csv": "x.csv", "--netcdf": "x.nc", "--plot": "x.svg"}
 """Flags that write a file, and the file that takes the place of each."""
 ELSEWHERE = re.compile(rf"{pages.ELSEWHERE.pattern}|^doctor|^--version")
@@ -44,7 +46,7 @@ def lines(*, long: bool) -> list[str]:
     """Return the lines of the quick freeze, or those of the large one alone.
 
     Every line runs twice: as it prints text, and as it prints JSON and writes files. Those that
-    pages alone have print text in the large freeze only.
+    pages alone have print text in the large freeze only; those of `EVERY_FLAG` run as they are.
     """
     texts_too, every = (
         {
@@ -58,7 +60,12 @@ def lines(*, long: bool) -> list[str]:
     quick = {
         line for line in every if not LONG.search(line) and (line in texts_too or "--json" in line)
     }
-    return sorted(every - quick if long else quick)
+    return sorted(every - quick if long else quick | set(flag_lines()))
+
+
+def flag_lines() -> list[str]:
+    """Return the lines of `EVERY_FLAG`."""
+    return (EVERY_FLAG / "lines.txt").read_text(encoding="utf-8").splitlines()
 
 
 def forms(line: str) -> set[str]:
@@ -101,6 +108,8 @@ def template() -> Path:
     every = "\n\n".join(text for text in pages.PAGES.values() if pages.typed_lines(text))
     pages.write_files(folder, pages.NAMES, pages.shown(every) | pages.YOURS)
     shutil.copytree(folder / "fit", folder / "own")
+    for file in EVERY_FLAG.glob("*.csv"):
+        shutil.copy(file, folder)
     return folder
 
 

@@ -102,7 +102,7 @@ class Certificate(Result):
         model = {name: list(texts) for name, texts in self.model.items()}
         values = {"format": FORMAT, "kind": self.kind, "model": model, "bits": self.bits}
         values |= self.content
-        return json.dumps(values, indent=1) + "\n"
+        return json.dumps(values, indent=1, default=dict) + "\n"
 
     def describe(self) -> Description:
         """Return the claim, the verdict, and what is known beside it."""

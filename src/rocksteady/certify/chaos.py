@@ -92,7 +92,7 @@ def certify_chaos(
     Examples
     --------
     >>> certificate = certify_chaos(2, 2, "0.8")
-    >>> certificate.proved, certificate.content["claim"]
+    >>> certificate.proved, dict(certificate.content["claim"])
     (True, {'entropy_per_period': '0.8392'})
     """
     numbers = harmonic_numbers(amplitude, frequency_ratio, restitution)
@@ -110,7 +110,7 @@ def certify_chaos(
         )
     entropy = content["claim"]["entropy_per_period"]
     if kind == HILLTOP:
-        least, phases = content["least_half_periods"], content["phases"]
+        least, phases = content["least_half_periods"], tuple(content["phases"])
         which = f"flights of {least}, {least + 2}, {least + 4}, ... half periods"
         boxes = " or ".join(f"{phase} rad" for phase in phases)
         facts = [

@@ -202,7 +202,7 @@ def certify_edges(
     >>> pulse = rs.Pulse(shape="one-sine", amplitude=1.0, frequency_ratio=2.0)
     >>> windows = rs.find_overturning_windows(block, pulse, [2.0], within=(1.0, 2.0))
     >>> certify_edges(windows, places=12)[0].content["between"]
-    ['1.225179423268', '1.225179423269']
+    ('1.225179423268', '1.225179423269')
     """
     check_model(windows.block, windows.model)
     row = index_value(row, len(windows.frequency_ratio), "row", name="row")

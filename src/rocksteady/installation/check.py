@@ -17,7 +17,7 @@ from rocksteady.kernels.machine_code.types import signature_of
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact, Table
 from rocksteady.results.numbers import plural
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, read_only
 
 RECORDED = Path(__file__).parent / "recorded-calls.bin.gz"
 """Calls that every installation must repeat to the last bit."""
@@ -90,7 +90,7 @@ class Installation(Result):
     library: Path | None
     target: str | None
     sources: str
-    versions: dict[str, str]
+    versions: Mapping[str, str]
     checks: tuple[KernelCheck, ...]
     gpu: str | None
     no_gpu: str | None
@@ -285,12 +285,14 @@ def _environment() -> dict[str, Any]:
         "library": None if used is None else used.path,
         "target": None if used is None else used.target,
         "sources": sources_hash(),
-        "versions": {
-            # Not imported above: the package names what this module defines.
-            "rocksteady": import_module("rocksteady").__version__,
-            "python": platform.python_version(),
-            "numpy": np.__version__,
-        },
+        "versions": read_only(
+            {
+                # Not imported above: the package names what this module defines.
+                "rocksteady": import_module("rocksteady").__version__,
+                "python": platform.python_version(),
+                "numpy": np.__version__,
+            }
+        ),
         "gpu": device,
         "no_gpu": reason,
     }

@@ -248,5 +248,5 @@ def kind_of(recording: Recording, *, alone: bool) -> str:
 def files_of(folder: Path) -> list[Path]:
     """Return the files of a folder by name, without hidden ones."""
     return sorted(
-        each for each in folder.iterdir() if each.is_file() and not each.name.startswith(".")
+        each for each in folder.iterdir() if not (each.is_dir() or each.name.startswith("."))
     )

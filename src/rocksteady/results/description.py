@@ -169,8 +169,9 @@ class Description:
             table = self.tables[0]
         else:
             facts = {fact.key: fact.value for fact in self.facts if fact.key}
-            lists = [key for key, value in facts.items() if isinstance(value, list | dict)]
-            table = Table("", [{key: facts[key] for key in facts if key not in lists}])
+            several = (list, tuple, Mapping)
+            row = {key: value for key, value in facts.items() if not isinstance(value, several)}
+            table = Table("", [row])
         # Of numbers that do not exist pandas makes a column of numbers if they are nan.
         rows = [[math.nan if value is None else value for value in row] for row in table.records()]
         names = table.header or list(dict.fromkeys(column.key for column in table.columns))
@@ -194,7 +195,7 @@ def shown(value: object) -> str:
 
 def plain(value: Any) -> Any:
     """Return a value that JSON can hold: a complex number as [re, im], nan and infinity as None."""
-    if isinstance(value, dict):
+    if isinstance(value, Mapping):
         return {key: plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
         return [plain(item) for item in value]

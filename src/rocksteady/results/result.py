@@ -1,9 +1,11 @@
 """Base class of results: repr, summary, HTML, JSON, rows and plot, all from one description."""
 
+import copyreg
 import functools
 import importlib
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import ModelError, Words, with_call_errors
@@ -60,6 +62,14 @@ class Result(ABC):
     def _repr_html_(self) -> str:
         """Return the result as HTML, for notebooks."""
         return as_html(self.describe())
+
+
+def read_only(values: Mapping[Any, Any]) -> MappingProxyType[Any, Any]:
+    """Return a mapping that cannot be written to, and is pickled and copied as a dict is."""
+    return MappingProxyType(dict(values))
+
+
+copyreg.pickle(MappingProxyType, lambda values: (read_only, (dict(values),)))
 
 
 def use_plots(names: Mapping[str, str], importer: Callable[[str], Any]) -> None:

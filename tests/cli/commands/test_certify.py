@@ -145,6 +145,9 @@ def test_samples_of_a_record_replace_no_file_of_another(tmp_path: Path) -> None:
     other.write_bytes(kept)
     assert "it exists" in refused(command, other, "--out", out)
     assert rocksteady(command, other, "--out", out, "--force").code == 0
+    assert "holds" in rocksteady("certify --check", out, "--samples", record).out
+    record.write_text(record.read_text(encoding="ascii").replace("0", "1", 1), encoding="ascii")
+    assert rocksteady("certify --check", out, "--samples", record).code == 1
     assert "extension" in refused(command, other, "--out", tmp_path / "run.pdf")
 
 

@@ -71,6 +71,7 @@ def test_the_screen_of_a_healthy_installation() -> None:
         "  GPU              NVIDIA H100, compute capability 9.0\n"
         "next: rocksteady simulate --width-m 0.6 --height-m 2 --start 0.6,0\n"
     )
+    assert rocksteady("doctor --quiet").out == ran.out.splitlines(keepends=True)[0]
     assert rocksteady("doctor --more").out.removeprefix(ran.out) == (
         "all equal, bit for bit\n"
         "rocksteady  1.2\n"

@@ -22,6 +22,7 @@ from rocksteady import (
     Steady,
     Still,
     check_neighbours,
+    floor_motion,
     simulate,
 )
 from rocksteady.dynamics.history.lowering import mass_centres
@@ -33,6 +34,7 @@ from rocksteady.kernels.march.forces import FORCES, FRICTION, fill_forces
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Motion
 from rocksteady.motions import Segment
+from rocksteady.risk.screens.friction import needed_friction
 from tests.cli.motion_files import samples
 from tests.descriptions import as_json, fits
 from tests.every import every
@@ -125,7 +127,8 @@ def test_growth_of_a_slender_block_is_that_of_the_linear_model() -> None:
 
 # ------------------------------------------------------------------- uplift and friction
 
-GROUND = Record(acceleration_m_s2=9.80665 * samples(), dt_s=0.02, name="hut")
+G = 9.80665
+GROUND = Record(acceleration_m_s2=G * samples(), dt_s=0.02, name="hut")
 LIFT = Record(acceleration_m_s2=2.0 * samples(9), dt_s=0.02, name="up")
 
 
@@ -202,6 +205,9 @@ def test_impacts_that_lose_much_need_the_friction_of_their_impulses() -> None:
     assert run.friction_at_impacts == pytest.approx(3.0 * 0.4 / 1.6)
     assert run.friction_needed == run.friction_at_impacts
     assert "0.75, for impacts" in run.summary(more=True)
+    aside = Block.asymmetric(left=0.15, right=0.25, height=1.2, restitution=0.6)
+    most = needed_friction(aside, 2.0).at_impact  # on either edge
+    assert simulate(aside, GROUND).friction_at_impacts == pytest.approx(most)
     plain = simulate(Block.rectangle(width=0.4, height=1.2), GROUND)
     assert plain.friction_needed is not None
     assert plain.friction_needed > (plain.friction_at_impacts or 1.0)
@@ -213,6 +219,14 @@ def test_uplift_of_each_model_and_of_the_side_that_lifts_first() -> None:
     assert simulate(STOCKY, GROUND).uplift_g == pytest.approx(math.tan(0.4))
     assert simulate(STOCKY, GROUND, model=Linear()).uplift_g == pytest.approx(0.4)
     assert simulate(SKEWED, GROUND).uplift_g == pytest.approx(0.6)
+    moon = Block.rectangle(width=0.4, height=2.0, gravity=1.62)  # g are of 9.80665 m/s^2 there too
+    floor = floor_motion(GROUND, frequencies_hz=2.0)
+    found = simulate(moon, floor)
+    assert found.uplift_g == pytest.approx(0.2 * 1.62 / G)
+    assert found.pga_g == pytest.approx(GROUND.peak_acceleration_m_s2 / G)
+    assert found.floor_pga_g == pytest.approx(floor.peak_acceleration_m_s2 / G)
+    pulse = simulate(moon, Pulse(shape="one-sine", amplitude=1.5, frequency_ratio=3.0))
+    assert pulse.pga_g == pytest.approx(1.5 * moon.alpha * 1.62 / G)
     standing = simulate(STOCKY, GROUND.scaled(1e-3))
     assert standing.friction_needed == pytest.approx(standing.pga_g)
     assert standing.pga_g == pytest.approx(1e-3 * np.abs(samples()).max())

@@ -526,7 +526,7 @@ TYPES: list[tuple[Any, list[Any], list[tuple[Any, tuple[str, str]]]]] = [
     (list[str], [["a"]], [("a", LIST_OF), ([1], TEXT), ({"a": 1}, LIST_OF), (b"a", LIST_OF)]),
     (
         Mapping[str, float],
-        [{}, {"a": "b", 1: 2}],
+        [{}, {"a": 2, "b": 0.5}],
         [
             ([("a", 1)], ("it must be a mapping", "give a dict")),
             (None, ("it must be a mapping", "give a dict")),

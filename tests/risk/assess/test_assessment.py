@@ -154,6 +154,13 @@ def test_each_verdict_has_its_code_and_what_is_counted_its_curve(
     assert found.sentence == found.summary().replace("\n", " ").partition(".  ")[0] + "."
 
 
+def test_of_a_range_of_friction_the_low_end_is_the_answer_of_the_screens_too() -> None:
+    ends = ({"low": 0.1, "high": 0.9}, 0.1)
+    ranged, low = (assess_object(statue(friction=friction), SUITE) for friction in ends)
+    assert ranged.describe().answer == low.describe().answer
+    assert ranged.screens.to_dict() == low.screens.to_dict()
+
+
 def test_what_stands_and_falls_at_a_tenth_more_says_so() -> None:
     """By statics it stands; the cliff at 1.1 times the demand is counted, and no share of it."""
     peaks = {"pga_g": 0.199, "pgv_m_s": 2.5}

@@ -20,6 +20,7 @@ from rocksteady.risk.counted.reach import lifting_levels
 from rocksteady.risk.counted.suite import Peaks, Suite
 from rocksteady.risk.counted.verdict import Decision, Target
 from rocksteady.risk.ensemble.levels import Levels
+from rocksteady.risk.screens.friction import needed_friction
 from tests.dynamics.full_integrator import follow
 from tests.risk.counted.recorded import (
     G,
@@ -425,6 +426,18 @@ def test_the_friction_is_that_of_the_worst_end_of_every_range() -> None:
     assert shaking is not None
     assert not onset_of(low, shaking).stands
     assert judged(described(0.4, 1.6, pga_g=0.2), SUITE).stands
+
+
+def test_on_a_floor_the_friction_is_that_of_the_strongest_motion() -> None:
+    one = described(0.4, 1.6, pga_g=0.4)
+    scales = [0.4 * G / each.peak_acceleration_m_s2 for each in SUITE[:3]]
+    floors = [the_floor().motion(each.scaled(k)) for each, k in zip(SUITE[:3], scales, strict=True)]
+    peaks = [each.peak_acceleration_m_s2 / G for each in floors]
+    least, need = (needed_friction(one.block, peak).largest for peak in (min(peaks), max(peaks)))
+    found = judged(one, SUITE[:3], floor=the_floor())
+    assert found.friction.largest == pytest.approx(need, rel=1e-9)
+    between = described(0.4, 1.6, pga_g=0.4, friction=0.5 * (least + need))
+    assert judged(between, SUITE[:3], floor=the_floor()).decision.verdict == "slides"
 
 
 def test_records_that_are_hardly_stretched_are_counted_beside_the_answer() -> None:

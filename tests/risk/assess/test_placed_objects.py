@@ -36,7 +36,7 @@ def test_objects_at_one_demand_on_one_floor_have_the_same_motions() -> None:
     assert groups == [0, 0, 2, 3, 3, 5, 0, 7]
     assert [each.storey for each in placed.objects] == [0, 0, 0, 1, 1, 2, 0, 0]
     assert placed.plain == [None] * len(objects)
-    assert placed.suite.motions == [*SUITE]
+    assert placed.suite.motions == (*SUITE,)
 
 
 def test_its_demand_where_it_stands_is_the_largest_of_the_motions_of_its_floor() -> None:

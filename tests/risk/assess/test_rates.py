@@ -62,7 +62,8 @@ def test_with_both_peaks_a_hazard_curve_over_velocities_is_one_over_acceleration
 def test_a_target_in_50_years_is_judged_by_the_interval_of_the_rate() -> None:
     """Over widths and frictions each row has the verdict of the definition."""
     cases = [(width, mu) for width in (0.25, 0.45, 0.6, 1.0) for mu in (3.0, None, 0.57, 0.3)]
-    objects = [statue(width, friction=mu) for width, mu in cases]
+    ranges = {mu: mu and {"low": mu, "high": 3.0} for _, mu in cases}  # the low end counts
+    objects = [statue(width, friction=ranges[mu]) for width, mu in cases]
     seen = set()
     for row, (_, mu) in zip(
         assess_objects(objects, SUITE, hazard=SITE, target=YEARS).rows, cases, strict=True
@@ -91,7 +92,7 @@ def test_built_in_motions_are_never_green_in_50_years_either() -> None:
 def test_the_less_friction_the_more_of_a_rate_is_without_runs() -> None:
     """A level at which it slides is none that was run; none is where it slides first."""
     frictions = (3.0, 0.5, 0.45, 0.4)
-    objects = [statue(friction=mu) for mu in frictions]
+    objects = [statue(friction={"low": mu, "high": 3.0}) for mu in frictions]
     rows = assess_objects(objects, SUITE, hazard=SITE, target=0.999).rows
     outside = [row["rate_outside"] for row in rows]
     assert outside == sorted({*outside})

@@ -5,6 +5,7 @@ import math
 import os
 import subprocess
 import sys
+from collections.abc import Mapping
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
@@ -55,7 +56,7 @@ def few(tests: Observations, prior: Prior | None = None, runs: int = 200, seed: 
     return calibrate(tests, prior, most_runs=runs, model=LINEAR, run=SERIAL, seed=seed)
 
 
-def row_of(found: Calibration, name: str) -> dict[str, Any]:
+def row_of(found: Calibration, name: str) -> Mapping[str, Any]:
     return next(row for row in found.parameters if row["parameter"] == name)
 
 

@@ -12,7 +12,8 @@ from rocksteady import Block, compute_fragility, compute_risk
 from rocksteady.errors import InputError
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.risk import Fragility, HazardCurve, Levels, RestitutionBand, fit_curve
-from rocksteady.risk.hazard.failure_risk import rate_words
+from rocksteady.risk.hazard.failure_risk import rate_words, risk_of, why_unknown
+from rocksteady.risk.hazard.fragile import fragile_of
 from tests.every import every
 
 BLOCK = Block.rectangle(width=0.32, height=1.8)
@@ -25,11 +26,13 @@ def power_law(k: float, measure: str = "pgv_m_s") -> HazardCurve:
     return HazardCurve(measure=measure, levels=levels, rates=1e-4 * levels**-k)
 
 
-def counted(records: int = 30, seed: int = 0, levels: list[float] | None = None) -> Fragility:
+def counted(
+    records: int = 30, seed: int = 0, levels: list[float] | None = None, measure: str = "pga_g"
+) -> Fragility:
     return compute_fragility(
         BLOCK,
         make_synthetic_suite(records, seed=seed),
-        levels=Levels("pga_g", levels, beside=()),
+        levels=Levels(measure, levels, beside=()),
         restitution=RestitutionBand(draws=2),
     )
 
@@ -124,6 +127,22 @@ def test_the_band_is_that_of_records_drawn_anew() -> None:
     chances = risk.probability_band
     assert chances == pytest.approx((-math.expm1(-50.0 * low), -math.expm1(-50.0 * high)))
     assert compute_risk(counted(27), HAZARD).band is None
+
+
+def test_shares_over_a_measure_of_the_block_have_the_rate_of_those_over_its_pga() -> None:
+    """And the same part beyond the runs: none below the lowest uplift, all that is rarer above."""
+    levels = [0.25, 0.5, 0.8, 1.2]
+    ratios = [level * 1.8 / 0.32 for level in levels]
+    risk, scaled = (
+        risk_of(fragile_of(each, HAZARD, None, BLOCK), HAZARD, 50.0)
+        for each in (counted(levels=levels), counted(levels=ratios, measure="pga_per_uplift"))
+    )
+    for key in ("annual_rate", "band", "outside", "unknown", "contributing"):
+        assert getattr(scaled, key) == pytest.approx(getattr(risk, key), rel=1e-9), key
+    between = float(HAZARD.rate(0.32 / 1.8) - HAZARD.rate(0.25)) * float(risk.fragile.at(0.25))
+    beyond = between + float(HAZARD.rate(1.2)) * (1.0 - float(risk.fragile.at(1.2)))
+    assert risk.outside == pytest.approx(beyond / risk.annual_rate, rel=1e-9)
+    assert why_unknown(scaled) == why_unknown(risk)
 
 
 def test_what_lies_above_the_runs_is_stated_and_a_tenth_is_too_much() -> None:

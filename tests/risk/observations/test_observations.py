@@ -76,7 +76,7 @@ def test_names_are_told_apart_and_objects_are_there() -> None:
         Observations(tests=[], objects={"column": COLUMN})
     with pytest.raises(InputError, match="did you mean colum"):
         Observations(tests=[first], objects={"colum": COLUMN})
-    with pytest.raises(InputError, match="each must be an ObjectPrior"):
+    with pytest.raises(InputError, match=r"objects: column = 3 .* must be an ObjectPrior"):
         Observations(tests=[first], objects={"column": 3})  # type: ignore[dict-item]
 
 

@@ -105,6 +105,8 @@ def test_vertical_motion_has_no_sign_and_lifts_sooner() -> None:
     assert uplift_acceleration_g(block, 0.3) == pytest.approx(0.7 * slope)
     on_the_moon = Block.rectangle(width=0.32, height=1.8, gravity=1.62)
     assert uplift_acceleration_g(on_the_moon) == pytest.approx(1.62 / G * slope)
+    same = needed_friction(on_the_moon, 0.35 * 1.62 / G)
+    assert same == pytest.approx(needed_friction(block, 0.35), rel=1e-12)
     for call in (
         lambda: needed_friction(on_the_moon, 0.1, 0.2),
         lambda: first_motion(on_the_moon, 0.1, 0.5, 0.2),

@@ -61,6 +61,9 @@ def test_a_peak_at_uplift_itself_holds_the_block_down_in_every_row() -> None:
         assert found.row(NUMBER).passes is rests
         impacts = details(found.row("friction to rock"))["at impacts"][0]
         assert (impacts == 0.0) is rests
+    soft = Block.rectangle(width=0.3, height=1.8, restitution=0.8)
+    need = row("friction to rock", soft, pga_g=0.2).value
+    assert need == pytest.approx(6.0 * 0.2 / 1.8)  # of its impacts, (1 - e)/(1 + e) h/b
 
 
 def test_a_peak_at_a_bound_reaches_it() -> None:

@@ -11,6 +11,7 @@ from rocksteady.errors import InputError
 from rocksteady.risk.screens.screen import Kind
 from tests.every import every
 
+G = 9.80665
 BLOCK = Block.rectangle(width=0.32, height=1.8)
 PEAKS = Demand(pga_g=0.35, pgv_m_s=0.4)
 SPECTRUM = [[0.0, 0.35], [0.1, 0.8], [0.4, 0.8], [1.0, 0.32], [2.0, 0.16], [4.0, 0.04]]
@@ -158,6 +159,33 @@ def test_formulas_with_fixed_units_have_no_answer_in_another_gravity() -> None:
     assert "10 B/sqrt(H)" not in ishiyama.remark
     local = full(block=Block.rectangle(width=0.32, height=1.8, gravity=9.78))
     assert local.row("Kaneko-Hayashi 50 %").status == "computed"
+
+
+def test_in_another_gravity_every_value_scales_with_its_unit() -> None:
+    """Accelerations k times those on Earth and times over the root of k leave angles and shares."""
+    k, found = 0.3, []
+    for part in (1.0, k):
+        root, block = math.sqrt(part), Block.rectangle(width=0.32, height=1.8, gravity=part * G)
+        spectrum = [[period / root, part * value] for period, value in SPECTRUM[1:]]
+        demand = Demand(
+            pga_g=0.35 * part, pgv_m_s=0.4 * root, vertical_g=0.1 * part, spectrum=spectrum,
+            spectrum_damping=0.05,
+        )  # fmt: skip
+        found.append(screen_block(block, demand, friction=0.3).rows)
+    units, compared = {"g": k, "m/s": k**0.5, "s": k**-0.5, "Hz": k**0.5}, 0
+    for one, other in zip(*found, strict=True):
+        if other.status == "refused":  # a formula with fixed units
+            continue
+        ours = [
+            *(each for each in one.details if each[0] != "10 B/sqrt(H)"),
+            ("", one.value, one.unit),
+        ]
+        lighter = [*(each[1] for each in other.details), other.value]
+        for (name, value, unit), light in zip(ours, lighter, strict=True):
+            expected = (value or 0.0) * units.get(unit, 1.0)
+            assert light == pytest.approx(expected, rel=1e-9), (one.name, name)
+            compared += 1
+    assert compared > 20
 
 
 def test_kaneko_hayashi_compares_velocities_above_its_frequency() -> None:

@@ -13,9 +13,10 @@ from rocksteady.errors import InputError
 from rocksteady.measures import compute_response_spectrum
 from rocksteady.model.equations import Nonlinear
 from rocksteady.seismic.measures.intensity import WORDS, _simpson
+from tests.every import every
 from tests.seismic.sines import noise, sine
 
-BLOCK = Block.rectangle(width=0.4, height=1.6)
+BLOCK = Block.rectangle(width=0.4, height=1.6, gravity=3.7)
 
 
 def test_a_period_of_a_sine() -> None:
@@ -126,6 +127,21 @@ def test_of_an_asymmetric_block_the_side_counts_that_lifts_first() -> None:
     found = compute_measures(noise(7), block)
     expected = found.pga_m_s2 / (block.gravity * math.tan(block.negative.alpha))
     assert found.pga_per_uplift == pytest.approx(expected)
+
+
+@every("sign", [1.0, -1.0])
+@every("wall", [True, False])
+def test_what_is_said_to_lift_a_block_does(sign: float, wall: bool) -> None:
+    ramp = np.array([0.0, 2.6, 5.2, 2.6, -0.5, 0.0])
+    record = Record(acceleration_m_s2=sign * ramp, dt_s=0.1, name="push")
+    block = Block.asymmetric(left=0.15, right=0.4, height=1.2)
+    block = block.against_wall(0.5) if wall else block
+    measures = compute_measures(record, block)
+    lifts = simulate(block, record).peak > 0.0
+    assert lifts is (measures.peak_per_uplift > 1.0)  # type: ignore[operator]
+    answer = measures.describe().answer
+    assert answer is not None
+    assert ("never lifts" in str(answer.facts[0])) is not lifts
 
 
 def test_the_table_of_notebooks_has_every_measure() -> None:

@@ -19,7 +19,7 @@ from tests.seismic.grounds import ground
 
 G = 9.80665
 RECORD = ground(4)
-BLOCK = Block.asymmetric(left=0.25, right=0.4, height=2.4)
+BLOCK = Block.asymmetric(left=0.25, right=0.4, height=2.4, gravity=3.7)
 
 
 def test_each_is_what_is_measured_together() -> None:

@@ -29,9 +29,9 @@ from tests.every import every
 from tests.seismic.grounds import ground, lifting
 
 G = 9.80665
-BLOCKS = (
-    Block.rectangle(width=0.4, height=1.6),
-    Block.asymmetric(left=0.25, right=0.4, height=2.4),
+BLOCKS = (  # levels are in units of 9.80665 m/s^2, whatever the gravity of a block
+    Block.rectangle(width=0.4, height=1.6, gravity=8.0),
+    Block.asymmetric(left=0.25, right=0.4, height=2.4, gravity=11.0),
     Block.asymmetric(left=0.4, right=0.25, height=1.6, restitution=(0.9, 0.7)),
     Block.general(mass=100.0, inertia=90.0, radius=0.8, alpha=0.2, gravity=9.0),
 )

@@ -118,7 +118,7 @@ def random_counts(draw: st.DrawFn) -> Fragility:
     lifts = 0.1 * np.exp(spread * np.append(0.0, numbers.random(draw(st.integers(0, 7)))))
     near = lifts * (1.0 + draw(st.sampled_from([0.0, 1e-6, 4.5e-5, -1e-6])))
     last = draw(st.sampled_from([0.2, 0.5, 2.0]))
-    levels = np.sort([*np.geomspace(0.08, last, draw(st.integers(2, 12))), *near])
+    levels = np.sort([*np.geomspace(0.08, last, draw(st.integers(2, 12))), 0.995 * last, *near])
     levels = levels[np.diff(levels, prepend=0.0) > 4e-5 * levels]
     reached = levels > np.repeat(lifts[:, np.newaxis, np.newaxis], 2, axis=1)
     states = []
@@ -196,7 +196,7 @@ PAIR = "a median and a beta, or levels"
 @every(
     ("given_", "line"),
     [
-        ({"name": " "}, "a state has a name"), ({"name": 3}, "it must be a text"),
+        ({"name": " "}, "a text that is not empty"), ({"name": 3}, "it must be a text"),
         ({}, PAIR), ({"median": 0.4}, PAIR), ({"median": 0.4, "beta": 0.5, **POINTS}, PAIR),
         ({"levels": [0.1, 0.2]}, PAIR), ({**POINTS, "shares": [0.0, 1.0]}, "as many shares"),
         ({"median": -1.0, "beta": 0.5}, "above 0"), ({"median": 0.4, "beta": 0.0}, "above 0"),

@@ -36,6 +36,7 @@ from rocksteady.model.equations import Linear
 from rocksteady.motions import Segment
 from rocksteady.show.film._geometry import Shape, shape_of
 from rocksteady.show.film._scene import BlockScene, signed
+from rocksteady.show.film.animation import uplift_words
 from rocksteady.show.style import palette
 from rocksteady.show.style.tokens import HATCHES, inks_of
 
@@ -309,6 +310,11 @@ def test_the_numbers_in_the_picture() -> None:
     degrees = math.degrees(angle * BLOCK.alpha)
     assert bare.tilt.get_text() == f"θ = +{angle:.2f} α = +{degrees:.1f}°"
     assert bare.push.get_text().endswith(" αg")
+    moon = Block.rectangle(width=0.4, height=2.0, gravity=1.62)  # g are of 9.80665 m/s^2 there too
+    light = scene_at(simulate(moon, SHAKEN, cycles=1), 0.3)
+    pushed = float(light.trajectory.base_acceleration(0.3)) * moon.alpha * 1.62 / 9.80665
+    assert light.push.get_text() == f"a = {signed(pushed, 2)} g"
+    assert uplift_words(light) == f"lifts off at ±{0.2 * 1.62 / 9.80665:.3g} g"
     assert (signed(0.0, 2), signed(-0.001, 2), signed(1.005e7, 2)) == ("0.00", "0.00", "+1.00e+07")
 
 

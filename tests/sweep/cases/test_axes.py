@@ -65,7 +65,7 @@ def test_an_axis_of_names_gives_names() -> None:
 
 
 def test_an_axis_of_things_gives_the_things() -> None:
-    things = ({"a": 1}, [2])
+    things = (object(), (2,))
     axis = Axis(name="record", values=["one", "other"], items=things)
     found = axis.at([[1, 0], [0, 0]])
     assert found.shape == (2, 2)

@@ -183,14 +183,32 @@ def test_a_store_without_marks_is_no_more_certainly_ours(begun: Path) -> None:
     assert open_store(begun).sizes == {"a": 30, "b": 20}
 
 
-def test_a_store_that_was_about_to_be_begun_is_resumed(tmp_path: Path, undisturbed: Path) -> None:
+@every("how", [{}, {"overwrite": True}, {"resume": True}])
+def test_a_store_that_was_about_to_be_begun_is_begun(
+    how: Any, tmp_path: Path, undisturbed: Path
+) -> None:
     (tmp_path / "a.zarr" / "done").mkdir(parents=True)
     (tmp_path / "a.zarr" / "done" / "lock").touch()
-    for how in ({}, {"overwrite": True}):
-        with pytest.raises(OutputError, match="no store of a sweep"):
-            run(tmp_path / "a.zarr", **how)
-    run(tmp_path / "a.zarr", resume=True)
+    run(tmp_path / "a.zarr", **how)
     assert whole(tmp_path / "a.zarr", undisturbed)
+
+
+def test_of_two_that_begin_one_store_one_wins(
+    tmp_path: Path, undisturbed: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The second comes between the folder and the lock of the first, and finishes."""
+    place, make = tmp_path / "a.zarr", Store._make_folder
+
+    def make_and_wait(store: Store) -> bool:
+        monkeypatch.setattr(Store, "_make_folder", make)
+        made = make(store)
+        run(place)
+        return made
+
+    monkeypatch.setattr(Store, "_make_folder", make_and_wait)
+    with pytest.raises(OutputError, match="it exists; resume it"):
+        run(place)
+    assert whole(place, undisturbed)
 
 
 @pytest.mark.slow

@@ -44,6 +44,7 @@ CHECKED_INSIDE: Final = frozenset({"method"})
 CHECKED_INSIDE_OF: Final = frozenset(
     {
         ("Piecewise.__init__", "pieces"),
+        ("Prior.__init__", "defaults"),
         ("sweep_attractor", "values"),
         ("find_branches", "within"),
         ("follow_bifurcation", "origin"),
@@ -181,7 +182,7 @@ def _plan(
         chosen = parameter.name in ("model", "start") and parameter.default is None
         measured = Literal["housner"] in get_args(parameter.annotation)  # so has a restitution
         if chosen or measured or (function.__qualname__, parameter.name) in CHECKED_INSIDE_OF:
-            fit = _kept
+            fit = _kept if get_origin(parameter.annotation) is not Mapping else _any_mapping
         plan.append((parameter.name, at, variadic, _reported(fit, parameter.default)))
     return plan + ruled
 
@@ -242,7 +243,7 @@ def _fit_of(annotation: Any, names: Mapping[str, Any], numbers: bool) -> Fit | N
 def _fit_of_items(origin: Any, fits: list[Fit | None]) -> Fit:
     """Return the check of a sequence or a mapping."""
     if origin is Mapping:
-        return _mapping
+        return functools.partial(_mapping, fits[0], fits[1])
     if origin is tuple and not (len(fits) == 2 and fits[1] is None):  # not tuple[X, ...]
         return _row(fits)
     return _items(fits[0], lazily=origin is Iterable)
@@ -520,8 +521,8 @@ def _item(one: Fit | None, name: str, item: Any) -> Any:
     return item
 
 
-def _mapping(name: str, value: Any) -> Any:
-    """Pass a mapping whose values lose nothing as arrays; what it holds the function checks."""
+def _mapping(keys: Fit | None, items: Fit | None, name: str, value: Any) -> Any:
+    """Pass a mapping whose keys and values are of the types that it has."""
     if not isinstance(value, Mapping):
         if name == "axes":  # a list of names is nearly right: the function names what is missing
             return value
@@ -529,8 +530,15 @@ def _mapping(name: str, value: Any) -> Any:
     for key, item in value.items():
         if not isinstance(key, str | Number):
             raise UnfitError("its keys must be texts", "give a dict of names")
-        refuse_mask_and_unit(str(key), item)
+        for fit, part in ((keys, key), (items, item)):
+            try:
+                (fit or refuse_mask_and_unit)(str(key), part)
+            except UnfitError as unfit:
+                raise InputError(f"{name}: {key}", part, *unfit.args) from None
     return value
+
+
+_any_mapping: Final = functools.partial(_mapping, None, None)
 
 
 def _with_article(word: str) -> str:

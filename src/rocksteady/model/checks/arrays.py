@@ -7,12 +7,15 @@ Fractions are taken as the nearest floats; a `decimal.Decimal` is refused everyw
 
 import functools
 import math
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import fields, is_dataclass
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Integral, Real
+from types import MappingProxyType
 from typing import Any, Final, TypeVar
+
+from rocksteady.results.result import read_only
 
 T = TypeVar("T")
 
@@ -56,16 +59,14 @@ class UnfitError(Exception):
 def guard_result(kind: T) -> T:
     """Let a frozen result stay as it is, and be equal to its copies where it compares by value.
 
-    Its arrays cannot be written to.  Those of `KERNEL_FIELDS` of its class stay writable in the
+    What it holds cannot be written to.  Arrays of `KERNEL_FIELDS` of its class stay writable in the
     `vars` of a result: kernels take no others.
     """
     parameters = getattr(kind, "__dataclass_params__", None)
     if parameters is not None:
         if parameters.frozen:
-            made: Any = kind
-            kernels = getattr(kind, "KERNEL_FIELDS", ())
-            keep_arrays(kind, [each.name for each in fields(made) if each.name not in kernels])
-            for name in kernels:
+            keep_contents(kind)
+            for name in getattr(kind, "KERNEL_FIELDS", ()):
                 setattr(kind, name, _shown(name))
         if parameters.eq and "__eq__" in vars(kind):
             compare_by_value(kind)
@@ -98,12 +99,16 @@ def _give_away_datasets(kind: Any) -> None:
     kind.to_dataset = to_dataset
 
 
-def keep_arrays(kind: Any, names: Sequence[str] = ()) -> None:
-    """Let arrays be read only: in some fields, in tuples there, and those of public properties.
+def keep_contents(kind: Any) -> None:
+    """Let public fields of a frozen class and computed properties hold nothing that is writable.
 
-    Of properties that are computed each time there is no need.  They are views: an array that a
-    caller has given stays writable by its own name.
+    Lists become tuples, dicts read-only mappings and arrays read-only views: an array that a caller
+    has given stays writable by its own name.
     """
+    frozen = getattr(getattr(kind, "__dataclass_params__", None), "frozen", False)
+    kernels = getattr(kind, "KERNEL_FIELDS", ())
+    every = [each.name for each in fields(kind)] if frozen else []
+    names = [name for name in every if name[0] != "_" and name not in kernels]
     computed = {
         name: member
         for base in kind.__mro__
@@ -128,7 +133,8 @@ def keep_arrays(kind: Any, names: Sequence[str] = ()) -> None:
 
     if names:
         kind.__init__ = make
-    if not hasattr(kind, "__setstate__"):
+    if not hasattr(kind, "__setstate__") or hasattr(kind.__setstate__, "locks"):  # that of a base
+        restore.locks = True  # type: ignore[attr-defined]
         kind.__setstate__ = restore
 
 
@@ -168,7 +174,7 @@ def _same(one: Any, other: Any) -> bool:
 
 def _hash_of(value: Any) -> int:
     """Return a number that values share which are the same."""
-    if hasattr(value, "dtype"):
+    if hasattr(value, "dtype") or isinstance(value, Mapping):
         return 0
     if isinstance(value, list | tuple):
         return hash(tuple(map(_hash_of, value)))
@@ -181,8 +187,8 @@ def _hash_of(value: Any) -> int:
     return 0
 
 
-def _lock(thing: Any, names: Sequence[str]) -> None:
-    """Replace the arrays in some fields by views that cannot be written to."""
+def _lock(thing: Any, names: list[str]) -> None:
+    """Replace what can be written to in some fields."""
     for name in names:
         value = getattr(thing, name, None)
         locked = _locked(value)
@@ -191,7 +197,7 @@ def _lock(thing: Any, names: Sequence[str]) -> None:
 
 
 def _locking(compute: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """Return a computation of a property with read-only arrays; itself where it has them."""
+    """Return a computation of a property that is read only; itself where it is."""
     if hasattr(compute, "locks"):  # of a base that several classes share
         return compute
 
@@ -204,8 +210,15 @@ def _locking(compute: Callable[[Any], Any]) -> Callable[[Any], Any]:
 
 
 def _locked(value: Any) -> Any:
-    """Return an array as a read-only view, a tuple with such views, all else as it is."""
+    """Return an array, a list, a dict or a tuple with these in a read-only form, all else as it is.
+
+    A read-only mapping, which nothing here can replace, is returned as a new one.
+    """
     kind = type(value)
+    if kind is dict or kind is MappingProxyType:
+        return read_only({key: _locked(item) for key, item in value.items()})
+    if kind is list:
+        return tuple(map(_locked, value))
     if isinstance(value, tuple):
         items = [_locked(item) for item in value]
         if all(new is old for new, old in zip(items, value, strict=True)):

@@ -14,6 +14,7 @@ import math
 from collections.abc import Callable
 from typing import Any, Final, NamedTuple
 
+from rocksteady.errors import InputError
 from rocksteady.model.checks.validation import Ends, in_range, whole_number
 
 
@@ -45,6 +46,13 @@ class Whole(NamedTuple):
 LARGEST_SEED: Final = 2**64 - 1
 
 Rule = Bounds | Whole | Callable[[str, Any], Any]
+
+
+def nonempty_text(name: str, value: object) -> str:
+    """Return a name, which is a text and not empty: the rule of an argument."""
+    if not isinstance(value, str) or not value.strip():
+        raise InputError(name, value, "it must be a text that is not empty", "give a name")
+    return value
 
 
 def length(hint: str) -> Bounds:

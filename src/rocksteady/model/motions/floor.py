@@ -425,7 +425,7 @@ class _Modes:
                 total = total + imaginary(swing, grown(rate, s))
             return total
 
-        lasting = math.fsum(size * frequency * frequency for size, frequency, _ in turned)
+        lasting = math.fsum(abs(size) * frequency * frequency for size, frequency, _ in turned)
         parts: list[tuple[float, float]] = []
         count = math.ceil(span * min(-rate.real for rate in self.rates))  # as swings decay
         for place in range(count):
@@ -506,6 +506,5 @@ def _square(z: Parts) -> float:
 
 def _largest(piece: Segment) -> float:
     """Return an upper bound of the acceleration of a segment."""
-    span = 0.0 if piece.slope == 0.0 else piece.duration
-    sizes = [abs(size) for size, _, _ in _waves(piece)]
-    return abs(piece.constant) + abs(piece.slope) * span + math.fsum(sizes)
+    end = piece.constant if piece.slope == 0.0 else piece.constant + piece.slope * piece.duration
+    return max(abs(piece.constant), abs(end)) + math.fsum(abs(each[0]) for each in _waves(piece))

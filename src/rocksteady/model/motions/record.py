@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.arrays import UnfitError, guard_result, numeric_array
+from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.model.checks.validation import LARGEST, in_range, positive
 from rocksteady.model.motions._described import DescribedMotion
 
@@ -56,7 +56,6 @@ def _text(name: str, value: object) -> str:
     return value
 
 
-@guard_result
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Record(DescribedMotion):

@@ -1,7 +1,7 @@
 """The whole assessment of one object: counted runs, verdict, sensitivity, formulas, curve."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -149,7 +149,7 @@ class Assessment(Result):
         return screen_of(self.described, self.judged, self.suite)
 
     @cached_property
-    def qualification(self) -> dict[str, float | None]:
+    def qualification(self) -> Mapping[str, float | None]:
         """Top and clearance [m] and edge speed [m/s] of most runs that rock and stand.
 
         84 % of them do not exceed it at the demand; empty where nothing was counted.

@@ -88,7 +88,7 @@ class ObjectsTable(Result):
         Time that it took [s].
     """
 
-    rows: tuple[dict[str, Any], ...]
+    rows: tuple[Mapping[str, Any], ...]
     pga_g: float | None
     pgv_m_s: float | None
     target: Target
@@ -137,7 +137,7 @@ class ObjectsTable(Result):
             return demand.where
         return f"{Peaks(pga_g=demand.pga_g).where} with each record's own PGV"
 
-    def sorted_by(self, column: str, *, descending: bool = True) -> tuple[dict[str, Any], ...]:
+    def sorted_by(self, column: str, *, descending: bool = True) -> tuple[Mapping[str, Any], ...]:
         """Return the rows in the order of a column; those without a value come last.
 
         Parameters
@@ -161,16 +161,16 @@ class ObjectsTable(Result):
         return (*ranked, *others)
 
     @property
-    def worst(self) -> list[dict[str, Any]]:
+    def worst(self) -> list[Mapping[str, Any]]:
         """The rows, by verdict, and of each verdict the highest share first."""
         column = "share" if self.target.years is None else "rate_per_year"
         return sorted(self.sorted_by(column), key=lambda row: VERDICTS.index(row["verdict"]))
 
     @property
-    def kinds(self) -> list[tuple[dict[str, Any], int]]:
+    def kinds(self) -> list[tuple[Mapping[str, Any], int]]:
         """The first row of objects that are alike, and their number; the worst first."""
         counts = Counter(row["like"] for row in self.rows)
-        seen = dict[int, dict[str, Any]]()
+        seen = dict[int, Mapping[str, Any]]()
         for row in self.worst:
             seen.setdefault(row["like"], row)
         return [(row, counts[like]) for like, row in seen.items()]

@@ -107,7 +107,7 @@ class Calibration(Result):
     most_runs: int
     model: Model
     posteriors: Mapping[str, Posterior]
-    parameters: tuple[dict[str, Any], ...]
+    parameters: tuple[Mapping[str, Any], ...]
     validation: Validation
     new_day: Validation | None
     conflicts: tuple[Conflict, ...]

@@ -103,7 +103,7 @@ class Posterior(Result):
         return mean, mean - far, mean + far
 
     @cached_property
-    def columns(self) -> dict[str, Floats]:
+    def columns(self) -> Mapping[str, Floats]:
         """Each parameter and each derived number by its name, shape (draws,)."""
         columns = {name: self.values[:, place] for place, name in enumerate(self.names)}
         return columns | self.space.derived(self.values)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Integers
+from rocksteady.model.checks.arrays import guard_result
 from rocksteady.outcomes import Status
 from rocksteady.risk.counted.band import mean_of, share_band
 
@@ -19,6 +20,7 @@ ANSWERS = (Status.ROCKING, Status.AT_REST, Status.OVERTURNED)
 DIMENSIONS = ("record", "block", "direction", "vertical", "draw", "level")
 
 
+@guard_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Count:
     """Runs of some records at one level.

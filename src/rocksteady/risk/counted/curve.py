@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
+from rocksteady.model.checks.arrays import guard_result
 from rocksteady.risk.counted.count import Count
 
 KEPT: Final = (1e12, 1e6)
@@ -16,6 +17,7 @@ SAME: Final = 1e-9
 """Relative distance of levels that are the same."""
 
 
+@guard_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Curve:
     """Counted shares of a state over levels, and what is known without a run.

@@ -8,6 +8,7 @@ from typing import Any, Final
 import numpy as np
 
 from rocksteady.arrays import Floats
+from rocksteady.model.checks.arrays import guard_result
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.stated import Stated
 from rocksteady.risk.counted.motions import Motion, across, folds, median_fold
@@ -30,6 +31,7 @@ DOUBTFUL_STRETCH: Final = 3.5
 """Median fold of stretches on a spectrum above which there is a doubt."""
 
 
+@guard_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Placing:
     """How motions lie on a design spectrum.

@@ -10,6 +10,7 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arrays import guard_result
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import Floor
@@ -93,6 +94,7 @@ Demanded = Peaks | DesignSpectrum
 """What motions are to have."""
 
 
+@guard_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Suite:
     """Motions of the ground, each once.
@@ -211,6 +213,7 @@ class Suite:
         )
 
 
+@guard_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Shaking:
     """Motions where an object stands, whose level is the demand.

@@ -4,13 +4,14 @@ import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final, TypeVar
+from typing import Annotated, Any, Final, TypeVar
 
 import msgspec
 
 from rocksteady.errors import InputError, ModelError, RocksteadyError, Words
 from rocksteady.model.blocks.housner_forms import VALID_TEXT, form_of_text
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import nonempty_text
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
 from rocksteady.risk.facades._facade_schema import (
@@ -64,7 +65,7 @@ class DescribedFacade(Result):
 
     facade: Facade
     demand: FacadeDemand
-    source: str = "facade"
+    source: Annotated[str, nonempty_text] = "facade"
     sha256: str | None = None
     files: tuple[Path, ...] = ()
 

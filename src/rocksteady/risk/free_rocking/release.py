@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import nonempty_text
 from rocksteady.model.checks.validation import in_range, side_value
 
 MOST_PEAKS = 100_000
@@ -53,12 +54,10 @@ class Release:
     sides: Sequence[int] | int | None = None
     sigma_rad: ArrayLike | None = None
     times_s: ArrayLike | None = None
-    name: str = "release"
+    name: Annotated[str, nonempty_text] = "release"
 
     def __post_init__(self) -> None:
         """Validate."""
-        if not isinstance(self.name, str) or not self.name.strip():  # type: ignore[redundant-expr]
-            raise InputError("name", self.name, "it must be a text that is not empty", "give one")
         peaks = real_array("peaks_rad", self.peaks_rad)
         if peaks.ndim != 1 or not 2 <= peaks.size <= MOST_PEAKS:
             raise InputError(

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arrays import guard_result
 from rocksteady.model.checks.validation import non_negative, positive
 from rocksteady.risk.counted.curve import Curve
 from rocksteady.risk.counted.verdict import LEAST
@@ -28,6 +29,7 @@ LEAST_BETA = 1e-9
 """Beta below which a lognormal is a step."""
 
 
+@guard_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fragile:
     """Shares of a fragility at levels of a hazard curve.

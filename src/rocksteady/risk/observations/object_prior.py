@@ -14,7 +14,7 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.checks.bounds import Bounds, nonempty_text
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, plural
 from rocksteady.results.result import Result
@@ -24,7 +24,6 @@ from rocksteady.risk.observations._sides import (
     least_momentum_ratio,
     sides_of_numbers,
 )
-from rocksteady.risk.observations.shaking_test import text
 from rocksteady.risk.observations.spread import PriorRange, spread_of
 
 LARGEST_M: Final = 20.0
@@ -152,7 +151,7 @@ class ObjectPrior(Result):
     0.2450 rad
     """
 
-    name: Annotated[str, text]
+    name: Annotated[str, nonempty_text]
     width_m: Given = None
     height_m: Given = None
     alpha_rad: Given = None

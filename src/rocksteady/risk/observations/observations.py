@@ -66,9 +66,6 @@ class Observations(Result):
     def __post_init__(self) -> None:
         """Validate."""
         object.__setattr__(self, "tests", distinct(self.tests))
-        for key, prior in self.objects.items():
-            if not isinstance(prior, ObjectPrior):
-                raise InputError("objects", {key: prior}, "each must be an ObjectPrior", "give one")
         for test in self.tests:
             if test.object not in self.objects:
                 close = difflib.get_close_matches(test.object, map(str, self.objects), n=1)
@@ -81,7 +78,6 @@ class Observations(Result):
         used = {test.object for test in self.tests}
         objects = {name: prior for name, prior in self.objects.items() if name in used}
         object.__setattr__(self, "objects", objects)
-        object.__setattr__(self, "sources", dict(self.sources))
         object.__setattr__(self, "remarks", tuple(self.remarks))
 
     def __len__(self) -> int:

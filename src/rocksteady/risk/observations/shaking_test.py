@@ -8,7 +8,7 @@ from typing import Annotated, Final
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.checks.bounds import Bounds, nonempty_text
 from rocksteady.model.motions.record import Record
 
 GAIN: Final = Bounds(
@@ -26,13 +26,6 @@ _RADIANS: Final = "give the angle in radians: 1 degree is 0.01745"
 PEAK: Final = Bounds(0.0, 0.5 * math.pi, "[)", _RADIANS)
 PEAK_ERROR: Final = Bounds(1e-9, 0.5 * math.pi, "[)", _RADIANS)
 """Of a measured angle [rad]: no instrument is better than 1e-9, and densities stay finite."""
-
-
-def text(name: str, value: object) -> str:
-    """Return a name, which is a text and not empty: the rule of an argument."""
-    if not isinstance(value, str) or not value.strip():
-        raise InputError(name, value, "it must be a text that is not empty", "give a name")
-    return value
 
 
 @checked
@@ -89,16 +82,16 @@ class ShakingTest:
     ('run 7', 1.55)
     """
 
-    name: Annotated[str, text]
+    name: Annotated[str, nonempty_text]
     record: Record
-    object: Annotated[str, text]
+    object: Annotated[str, nonempty_text]
     fell: bool | None = None
     gain: Annotated[float, GAIN] = 1.0
     sigma_ln: Annotated[float | None, SIGMA] = None
     vertical: Record | None = None
     reversed: bool = False
-    group: Annotated[str | None, text] = None
-    session: Annotated[str | None, text] = None
+    group: Annotated[str | None, nonempty_text] = None
+    session: Annotated[str | None, nonempty_text] = None
     peak_rad: Annotated[float | None, PEAK] = None
     sigma_rad: Annotated[float | None, PEAK_ERROR] = None
     transverse: Record | None = None

@@ -15,7 +15,7 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
-from rocksteady.model.checks.arrays import UnfitError, compare_by_value, numeric_array
+from rocksteady.model.checks.arrays import UnfitError, guard_result, numeric_array
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import plural
@@ -32,6 +32,7 @@ from rocksteady.seismic.measures.response_spectrum import (
     ResponseSpectrum,
     compute_response_spectrum,
 )
+from rocksteady.small_files import content_of, text_of
 
 RIGID_S = 0.01
 """Period [s] up to which a spectrum has the value of its row at zero."""
@@ -102,7 +103,7 @@ class RecordSpectrum:
         return Chain(tuple(periods.tolist()), tuple(values.tolist())), how
 
 
-@compare_by_value
+@guard_result
 @dataclass(frozen=True)
 class TabulatedSpectrum:
     """A table: periods [s], dampings and Sa [g] of shape (periods, dampings), both ascending.
@@ -288,15 +289,11 @@ def read_table(path: Path, damping: Any = None) -> tuple[Floats, Any]:
     if (formula := formula_of(str(path))) is not None:
         return _by_formula(formula, damping)
     refusal = functools.partial(InputError, "spectrum", path)
-    try:
-        size = path.stat().st_size
-        lines = path.read_text(encoding="utf-8").splitlines() if size <= MOST_BYTES else []
-    except (OSError, ValueError) as error:  # a name with a zero byte too
-        reason = getattr(error, "strerror", None) or "it is no text"
-        hint = f"formulas are {formulas_words()}" if ":" in str(path) else SHAPE_HINT
-        raise refusal(f"it cannot be read ({reason})", hint) from error
-    if size > MOST_BYTES:
+    hint = f"formulas are {formulas_words()}" if ":" in str(path) else SHAPE_HINT
+    content = content_of(path, "spectrum", hint)
+    if len(content) > MOST_BYTES:
         raise refusal("it is too large for a spectrum", SHAPE_HINT)
+    lines = text_of(content, path.name, "a table").splitlines()
     _refuse_commas(path, lines)
     rows: list[list[float]] = []
     comments: dict[int, str] = {}

@@ -103,7 +103,7 @@ class Measures(Result):
         PGV.
     pga_per_uplift, p_pgv_per_uplift, p_pgv_per_pga
         PGA/(g tan alpha), p PGV/(g tan alpha) and p PGV/PGA of a block, of the side that lifts
-        first; None without.  Below 1 the first means that a block at rest stays so.
+        first; None without.
     """
 
     record: Record
@@ -135,6 +135,20 @@ class Measures(Result):
     def peaks_text(self) -> str:
         """PGA, PGV and PGD in words."""
         return f"{number(self.pga_g)} g, {number(self.pgv_m_s)} m/s and {number(self.pgd_m)} m"
+
+    @property
+    def peak_per_uplift(self) -> float | None:
+        """Largest acceleration towards a side over what lifts the block to that side.
+
+        None without a block; below 1 a block at rest stays so.  A block against a wall has one
+        side.
+        """
+        if self.block is None:
+            return None
+        samples, block = self.record.acceleration_m_s2, self.block
+        peaks = [(float(samples.max()), block.positive), (-float(samples.min()), block.negative)]
+        sides = peaks[:1] if block.one_sided else peaks
+        return max(0.0, *(peak / (block.gravity * tan(side.alpha)) for peak, side in sides))
 
     @property
     def warning(self) -> str | None:
@@ -182,9 +196,10 @@ class Measures(Result):
             ("Arias intensity", quantity(self.arias_m_s, "m/s")),
             ("PGV/PGA", f"{ratio}; mean period {quantity(self.mean_period_s, 's')}"),
         ]
-        if self.pga_per_uplift is not None:
-            lifts = "never lifts" if self.pga_per_uplift < 1.0 else "lifts"
-            words = f"it {lifts}: PGA is {number(self.pga_per_uplift)} x what lifts it"
+        if (reached := self.peak_per_uplift) is not None:
+            lifts = "never lifts" if reached < 1.0 else "lifts"
+            what = "PGA is" if reached == self.pga_per_uplift else "to a free side it reaches"
+            words = f"it {lifts}: {what} {number(reached)} x what lifts it"
             facts.insert(0, ("block at rest", words))
         strong = quantity(self.significant_5_95_s, "s")
         return Answer(f"{name} peaks at {self.peaks_text}; its strong part lasts {strong}.", facts)

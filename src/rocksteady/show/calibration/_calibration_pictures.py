@@ -1,5 +1,6 @@
 """Pictures of a calibration's page, each with the words for those who do not see it."""
 
+from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
@@ -76,7 +77,7 @@ def _ladders(calibration: Calibration) -> list[Picture]:
     ]
 
 
-def _interval_words(row: dict[str, Any]) -> str:
+def _interval_words(row: Mapping[str, Any]) -> str:
     """Return median and interval of a parameter, or that it has none."""
     if row["low"] is None:
         return NOT_IDENTIFIED

@@ -140,7 +140,7 @@ def verdict_words(calibration: Calibration) -> str:
     return " ".join(sentence(f"{each}: {greek(MEANINGS[each])}") for each in verdicts)
 
 
-def ordered(rows: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+def ordered(rows: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
     """Return the rows of parameters, of each object alpha first."""
     names = list(dict.fromkeys(each["object"] for each in rows))
     return sorted(rows, key=lambda each: (names.index(each["object"]), each["parameter"] != FIRST))

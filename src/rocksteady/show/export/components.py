@@ -20,7 +20,7 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import checked_array
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.checks.bounds import Bounds, nonempty_text
 from rocksteady.model.checks.validation import positive
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.risk.fragility.damage_states import UPLIFT
@@ -58,13 +58,6 @@ def text_value(name: str, value: object) -> str:
     if isinstance(value, str):
         return value
     raise InputError(name, value, "it must be a text", "give a str")
-
-
-def _name(name: str, value: object) -> str:
-    """Return the name of a state."""
-    if not text_value(name, value).strip():
-        raise InputError(name, value, "a state has a name", "name it as 'overturned'")
-    return str(value)
 
 
 def _identifier(name: str, value: object) -> str:
@@ -143,7 +136,7 @@ class LossState:
     [0.0, 0.25, 0.5, 0.75]
     """
 
-    name: Annotated[str, _name]
+    name: Annotated[str, nonempty_text]
     median: Annotated[float | None, partial(positive, hint="give an intensity")] = None
     beta: Annotated[float | None, partial(positive, hint="give that of ln x")] = None
     levels: Annotated[Sequence[float] | None, _levels] = None

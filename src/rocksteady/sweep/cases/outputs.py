@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from numbers import Integral
 from typing import Any
 
 import numpy as np
@@ -58,18 +57,6 @@ class Output:
         identifier(self.name)
         described(self.long_name, self.units)
         object.__setattr__(self, "dtype", _dtype(self.dtype))
-        flags = dict(self.flags)
-        entries: list[tuple[object, object]] = list(flags.items())
-        if not all(
-            isinstance(value, Integral) and isinstance(meaning, str) for value, meaning in entries
-        ):
-            raise InputError(
-                "flags",
-                self.flags,
-                "each value of an integer has a meaning in words",
-                "give flags={0: 'rest', 1: 'overturned'}",
-            )
-        object.__setattr__(self, "flags", flags)
         if self.dtype.kind not in "biuf" or self.dtype.itemsize > 8:
             raise InputError(
                 "dtype",

@@ -6,7 +6,9 @@ from zarr.abc.store import ByteRequest
 from zarr.core.buffer import Buffer, BufferPrototype
 from zarr.storage import LocalStore
 
+from rocksteady.small_files import refuse_device
 from rocksteady.sweep.store._checksums import checksum
+from rocksteady.sweep.store._contents import NAMED
 
 
 class ChunkFiles(LocalStore):
@@ -35,6 +37,7 @@ class ChunkFiles(LocalStore):
         byte_range: ByteRequest | None = None,
     ) -> Buffer | None:
         """Return the content of a file, whole where it is checked."""
+        refuse_device(self.root / key, "store", NAMED)
         data = await super().get(key, prototype, byte_range)
         return self._checked(key, data)
 
@@ -46,6 +49,7 @@ class ChunkFiles(LocalStore):
         byte_range: ByteRequest | None = None,
     ) -> Buffer | None:
         """Return the content of a file, whole where it is checked."""
+        refuse_device(self.root / key, "store", NAMED)
         return self._checked(key, super().get_sync(key, prototype=prototype, byte_range=byte_range))
 
     def _checked(self, key: str, data: Buffer | None) -> Buffer | None:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, RocksteadyError
+from rocksteady.small_files import content_of
 from rocksteady.sweep.cases.axes import Array
 from rocksteady.sweep.cases.inputs import digest_of
 from rocksteady.sweep.store._checksums import identity_of
@@ -30,6 +31,7 @@ CHUNK = "chunk"
 """Dimension of the checksums."""
 COMPUTED = "computed"
 """Whether cells are finished, in an unfinished result."""
+NAMED = "name the folder that a sweep wrote, as map.zarr"
 TAKEN = (DONE, CHUNK, COMPUTED)
 OUTPUTS = "outputs"
 """Attribute of the checksums: names of the outputs in their order, which a folder does not keep."""
@@ -89,8 +91,8 @@ class Contents:
         dtype, (length,) = self.flags.dtype, self.flags.chunks
         sums = np.zeros((len(self.chunks), length), dtype=np.uint64)
         for chunk, row in enumerate(sums):
-            with suppress(OSError):
-                content = self._flag(chunk).read_bytes()
+            with suppress(InputError):
+                content = content_of(self._flag(chunk), "store", NAMED)
                 if len(content) == dtype.itemsize * length:
                     row[:] = np.frombuffer(content, dtype)
         return sums
@@ -129,9 +131,9 @@ class Contents:
 def attributes_in(folder: Path) -> dict[str, Any] | None:
     """Return the attributes of a store; None where that is none, or they cannot be read."""
     try:
-        attributes = json.loads((folder / GROUP).read_text(encoding="utf-8"))["attributes"]
+        attributes = json.loads(content_of(folder / GROUP, "store", NAMED))["attributes"]
         json.loads(attributes["inputs"])
-    except (OSError, ValueError, LookupError, TypeError):
+    except (ValueError, LookupError, TypeError):
         return None
     return dict(attributes)
 
@@ -151,7 +153,8 @@ def contents_of(folder: Path, refused: Callable[[str], RocksteadyError]) -> Cont
     from rocksteady.sweep.store._chunk_files import ChunkFiles
 
     try:
-        group = zarr.open_group(folder, mode="r", zarr_format=3, use_consolidated=False)
+        files = ChunkFiles(folder, read_only=True)
+        group = zarr.open_group(files, mode="r", zarr_format=3, use_consolidated=False)
         flags: Any = group[DONE]
         if (form := flags.attrs.get(SCHEMA, FORM)) != FORM:
             message = f"its form is {form}, and this version of rocksteady reads {FORM}"
@@ -159,7 +162,6 @@ def contents_of(folder: Path, refused: Callable[[str], RocksteadyError]) -> Cont
         names = list(flags.attrs[OUTPUTS])
         first: Any = group[names[0]]
         chunks = Chunks(shape=first.shape, box=first.chunks)
-        files = ChunkFiles(folder, read_only=True)
         outputs = {name: zarr.open_array(files, path=name, mode="r") for name in names}
         axes: dict[str, Any] = {name: group[name] for name in first.metadata.dimension_names}
         contents = Contents(

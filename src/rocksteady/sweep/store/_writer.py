@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from rocksteady import durable
 from rocksteady.errors import OutputError, UnfinishedError
+from rocksteady.small_files import content_of
 from rocksteady.sweep.cases.axes import Array
 from rocksteady.sweep.cases.task import Answer, CellRange, Task
 from rocksteady.sweep.store._checksums import checksum, is_identity
@@ -150,8 +151,8 @@ def locked(folder: Path) -> Iterator[StoreFiles]:
 
 def _holder(file: Path) -> tuple[str, str]:
     """Return who has a lock, or had it when that process was killed, and its token."""
-    with suppress(OSError):
-        words, _, token = file.read_text(encoding="utf-8", errors="replace").partition("\n")
+    with suppress(ValueError):
+        words, _, token = content_of(file, "lock", "").decode(errors="replace").partition("\n")
         return words, token
     return "", ""
 

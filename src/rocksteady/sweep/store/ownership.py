@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from rocksteady import durable
+from rocksteady.small_files import content_of
 from rocksteady.sweep.store._checksums import HEX, is_identity
-from rocksteady.sweep.store._contents import DONE, GROUP, LOCK, attributes_in
+from rocksteady.sweep.store._contents import DONE, GROUP, LOCK, NAMED, attributes_in
 
 MARKS = (f"{DONE}/store.json", f"{DONE}/store-copy.json")
 """Files that make a folder a store: no copy of the results that another program writes has them.
@@ -65,8 +66,8 @@ def is_store(folder: Path) -> bool:
 def _marks(folder: Path) -> dict[str, Any] | None:
     """Return what stands in the first file of marks that can be read."""
     for name in MARKS:
-        with suppress(OSError, ValueError, LookupError, TypeError):
-            values = json.loads((folder / name).read_text(encoding="utf-8"))
+        with suppress(ValueError, LookupError, TypeError):
+            values = json.loads(content_of(folder / name, "store", NAMED))
             for marks in (values, values.get(REPLACES)):
                 if marks is not None:
                     _marks_of(marks)

@@ -12,6 +12,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.sweep.cases.outputs import words_of
 from rocksteady.sweep.store._contents import (
     COMPUTED,
+    NAMED,
     Contents,
     attributes_in,
     contents_of,
@@ -67,7 +68,7 @@ folder; name the folder that a sweep wrote, as map.zarr
     folder = Path(path)
     if attributes_in(folder) is None:
         what = "it is no store of a sweep" if folder.exists() else "there is no such folder"
-        raise _refused(path, what, "name the folder that a sweep wrote, as map.zarr")
+        raise _refused(path, what, NAMED)
     check_installed(lambda valid, hint: _refused(path, valid, hint), "stores", "zarr")
     hint = "take a copy of it, or compute it again"
     contents = contents_of(folder, lambda valid: _refused(path, valid, hint))

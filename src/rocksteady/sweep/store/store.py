@@ -108,7 +108,8 @@ class Store:
         except OSError as error:
             raise self._refused(error.strerror or str(error), "name another one") from error
         if marks is None:
-            if foreign or not self.resume:  # else one that was about to be begun
+            about_to_begin = self.resume or (self.folder / DONE).is_dir()
+            if foreign or not about_to_begin:
                 raise self._refused(
                     "it is a folder and no store of a sweep of this version", "name another one"
                 )

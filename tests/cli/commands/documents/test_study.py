@@ -79,6 +79,8 @@ def test_the_text_says_where_to_look_and_progress_goes_to_standard_error(tmp_pat
     assert screen[0] == (
         "Several steady motions exist side by side in 55.6 % of the plane, 2 at the most."
     )
+    assert rocksteady(f"study atlas {AXES} --force --quiet --out", folder).out == f"{screen[0]}\n"
+    assert len(rocksteady(f"study atlas {AXES} --force --more --out", folder).out) > len(ran.out)
     lines = [line for line in ran.err.splitlines() if not line.startswith("compiling")]
     assert all(PROGRESS.fullmatch(line) for line in lines), ran.err
     assert lines[-1].startswith("drawing: 4 of 4 (100 %)")
@@ -271,7 +273,7 @@ def test_checks_of_facades_keep_the_contract(
     for name in ("verdict_figure", "ratio_figure", "worked_figure"):
         monkeypatch.setattr(checks, name, lambda *_, **__: tiny())
     folder = tmp_path / "out"
-    ran = rocksteady(f"{WALLS} --workers 1 --json --out", folder)
+    ran = rocksteady(f"{WALLS} --workers 1 --confidence-factor 1.2 --json --out", folder)
     assert ran.code == 0, ran.err
     values = ran.json
     assert values["schema"] == "rocksteady/facade-checks/2"
@@ -284,6 +286,10 @@ def test_checks_of_facades_keep_the_contract(
     assert "agree on" in again.out
     assert f"webbrowser {folder / 'facade-checks.html'}" in again.out
     assert len(again.out.splitlines()) <= 9  # a line is the path of the test's folder
+    whole = rocksteady(f"{WALLS} --force --more --out", folder).out
+    assert len(whole) > len(again.out)
+    first = rocksteady(f"{WALLS} --resume --quiet --out", tmp_path / "other").out
+    assert again.out.startswith(first)
 
 
 @every(
@@ -325,9 +331,11 @@ def test_the_study_of_chaos_leaves_its_page_and_its_contract(
     assert ran.json["schema"] == chaos_study.SCHEMA
     assert ran.json["files"] == sorted(file.name for file in folder.iterdir())
     assert "proved on 1 of 1 boxes" in ran.json["sentences"][0]
-    again = rocksteady("study chaos --out", folder)
-    assert again.code != 0
-    assert "--force" in again.err
+    assert "--force" in refused("study chaos --out", folder)
+    whole = rocksteady("study chaos --force --more --out", folder).out
+    first = rocksteady("study chaos --force --quiet --out", folder).out
+    assert whole.startswith(first)
+    assert first.count("\n") < whole.count("\n")
 
 
 @pytest.mark.slow

@@ -51,7 +51,7 @@ def test_a_file_says_what_the_constructor_does(tmp_path: Path) -> None:
     assert museum.storey(" 2.0 ") == 2  # as a spreadsheet writes it
     with pytest.raises(InputError, match="must be a name"):
         Building.of_first_mode("house", storeys=2, period_s=0.3, rooms={"2": 1})
-    with pytest.raises(InputError, match="must be a name"):
+    with pytest.raises(InputError, match="rooms: 1 = 1 is not valid: it must be a text"):
         Building.of_first_mode("house", storeys=2, period_s=0.3, rooms={1: 2})  # type: ignore[dict-item]
 
 

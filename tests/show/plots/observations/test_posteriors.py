@@ -41,7 +41,7 @@ def test_the_interval_and_the_outline_are_those_of_the_table() -> None:
     key = drawn().get_legend()
     assert key is not None
     assert "not identified" in [text.get_text() for text in key.get_texts()]
-    row = few | {"median": 0.24, "low": 0.21, "high": 0.26}
+    row = {**few, "median": 0.24, "low": 0.21, "high": 0.26}
     known = replace(calibrated(), parameters=(row,))
     axes = plots.posterior(known, Figure().add_subplot())
     lines = {str(each.get_label()): np.asarray(each.get_xdata()) for each in axes.lines}

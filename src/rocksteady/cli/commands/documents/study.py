@@ -226,6 +226,8 @@ def _leave(
         facts=[*result.answer.facts, ("files", f"{len(files)} in {out}")],
         follow_up=f"python3 -m webbrowser {page}",
     )
-    texts = [text.replace("\N{NO-BREAK SPACE}", " ") for text in result.sentences]
-    description = Description(answer.sentence, notes=texts, answer=answer)
+    first, *texts = (
+        text.replace("\N{NO-BREAK SPACE}", " ") for text in (answer.sentence, *result.sentences)
+    )
+    description = Description(first, notes=texts, answer=replace(answer, sentence=first))
     output.leave(name, description, values=values, suite=suite)

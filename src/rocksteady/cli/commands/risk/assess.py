@@ -1,6 +1,6 @@
 """`rocksteady assess`: from an object to an answer."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -626,5 +626,5 @@ def _refuse_idle(
 def _one_row(description: "Description") -> "tuple[list[str], list[list[object]]]":
     """Return the plain facts as a table of one row."""
     facts = {fact.key: fact.value for fact in description.facts if fact.key}
-    row = {key: each for key, each in facts.items() if not isinstance(each, list | dict)}
+    row = {key: each for key, each in facts.items() if not isinstance(each, list | Mapping)}
     return list(row), [list(row.values())]

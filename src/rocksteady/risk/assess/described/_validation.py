@@ -81,6 +81,8 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
     texts = {
         ("", "name"): given.name,
         ("", "kind"): given.kind,
+        ("", "floor"): given.floor,
+        ("", "building"): given.building,
         ("assessment", "records"): given.assessment.records,
         ("demand", "spectrum"): given.demand.spectrum,
     }

@@ -9,7 +9,7 @@ import msgspec
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Bounds, Whole
+from rocksteady.model.checks.bounds import Bounds, Whole, nonempty_text
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.motions.floor import DAMPING, LARGEST_SUM, SHAPE, Floor
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
@@ -79,7 +79,7 @@ class Building:
     floor of 1.667 Hz, damping 5 %, shape 0.4286
     """
 
-    name: str
+    name: Annotated[str, nonempty_text]
     floors: Sequence[Floor]
     rooms: Mapping[str, int] = field(default_factory=dict, hash=False)
 
@@ -90,7 +90,7 @@ class Building:
         object.__setattr__(self, "floors", tuple(self.floors))
         for room, place in self.rooms.items():
             hint = "give the number of its floor; 0 is the ground"
-            if str(room).strip() != room or floor_number(room) is not None:
+            if room.strip() != room or floor_number(room) is not None:
                 words = "it must be a name, without a number alone and spaces at its ends"
                 raise InputError("rooms", room, words, "name it, as hall 2")
             whole_number(f"rooms: {room}", place, at_least=0, at_most=len(self.floors), hint=hint)
@@ -99,7 +99,7 @@ class Building:
     @checked
     def of_first_mode(
         cls,
-        name: str,
+        name: Annotated[str, nonempty_text],
         *,
         storeys: Annotated[int, STOREYS],
         period_s: Annotated[float, PERIOD],

@@ -1,6 +1,5 @@
 """One object as its owner describes it: a TOML file, checked, and the blocks that it can be."""
 
-import copy
 import hashlib
 import itertools
 from collections.abc import Mapping
@@ -15,7 +14,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Restitution, form_of_text
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.checks.bounds import Bounds, nonempty_text
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
@@ -155,7 +154,7 @@ did you mean width_m?
     """
 
     values: Mapping[str, object]
-    source: str = "object"
+    source: Annotated[str, nonempty_text] = "object"
     extra: Mapping[str, str] = field(default_factory=dict)
     sha256: str | None = None
     amplified: tuple[float, float] = (1.0, 1.0)
@@ -377,9 +376,9 @@ did you mean width_m?
             return ()
         blocks = []
         for ends in itertools.product(*(pair for _, _, pair in ranges)):
-            values: dict[str, Any] = copy.deepcopy(dict(self.values))
+            values: dict[str, Any] = dict(self.values)
             for (table, name, _), end in zip(ranges, ends, strict=True):
-                values[table][name] = end
+                values[table] = {**values[table], name: end}
             with suppress(InputError, ModelError):
                 blocks.append(replace(self, values=values).block)
         return tuple(blocks)

@@ -57,8 +57,8 @@ class Content(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
 class ObjectSpectrum(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A response spectrum of the floor or the ground."""
 
-    period_s: list[float]
-    sa_g: list[float]
+    period_s: tuple[float, ...]
+    sa_g: tuple[float, ...]
     damping: float
 
 
@@ -83,7 +83,7 @@ class OwnState(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
 class Options(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """How the object is assessed."""
 
-    damage_states: list[str | OwnState] | None = None
+    damage_states: tuple[str | OwnState, ...] | None = None
     target_probability: float | None = None
     target_50_years: float | None = None
     draws: int = 5
@@ -144,7 +144,7 @@ def numbers_of(given: msgspec.Struct, table: str = "") -> Iterator[tuple[str, st
         value = getattr(given, key)
         if isinstance(value, msgspec.Struct) and not isinstance(value, Range):
             yield from numbers_of(value, f"{table}.{key}" if table else key)
-        elif isinstance(value, list):
+        elif isinstance(value, tuple):
             for each in value:
                 if isinstance(each, OwnState):
                     yield table, "peak", each.peak

@@ -77,9 +77,9 @@ class Validation(Result):
     folds: str
     rows: Mapping[str, Scores]
     predictions: Predictions
-    reliability: tuple[Row, ...]
-    residuals: Mapping[str, tuple[Row, ...]]
-    learning: tuple[Row, ...]
+    reliability: tuple[Mapping[str, Any], ...]
+    residuals: Mapping[str, tuple[Mapping[str, Any], ...]]
+    learning: tuple[Mapping[str, Any], ...]
     curve: LogisticCurve
     stack: Stack
     warnings: tuple[str, ...] = ()
@@ -87,7 +87,7 @@ class Validation(Result):
     def describe(self) -> Description:
         """Return the scores, one row for each rule."""
         rows = [{"rule": name} | _plain(scores) for name, scores in self.rows.items()]
-        residuals = [{"by": by} | row for by, rows in self.residuals.items() for row in rows]
+        residuals = [{"by": by, **row} for by, rows in self.residuals.items() for row in rows]
         columns = (
             Column("rule", "predicted by", left=True),
             Column("accuracy", "accuracy", number),

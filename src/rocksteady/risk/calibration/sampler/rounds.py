@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rocksteady.arrays import Bools, Floats, Integers
+from rocksteady.model.checks.arrays import guard_result
 from rocksteady.risk.calibration.sampler.bench import GAINS, Bench
 from rocksteady.risk.calibration.sampler.exact import effective, rounded, softmax
 from rocksteady.risk.calibration.sampler.mixture import (
@@ -46,6 +47,7 @@ class Round:
     apart: float
 
 
+@guard_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fit:
     """Draws that have been run, weighted by all outcomes.

@@ -64,8 +64,9 @@ class TomlTables:
             With the key that is unknown and the nearest known one, or the key that is missing or
             of another type.
         """
+        values = _plain(values)
         try:
-            return msgspec.convert(dict(values), kind)
+            return msgspec.convert(values, kind)
         except msgspec.ValidationError as error:
             raise self._translated(str(error), values, source) from None
         except UnicodeError:
@@ -168,6 +169,15 @@ class TomlTables:
         """Return the default value of a key."""
         fields = {field.name: field for field in msgspec.structs.fields(self.kinds[table])}
         return repr(fields[key].default)
+
+
+def _plain(value: Any) -> Any:
+    """Return tables and lists of Python, where those of NumPy would pass as empty tables."""
+    if isinstance(value, Mapping):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return list(map(_plain, value))
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def named(source: str, table: str, key: str) -> str:

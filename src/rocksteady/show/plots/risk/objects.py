@@ -1,5 +1,6 @@
 """Picture of a table of objects: the share of the runs in which each falls, the worst on top."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.model.checks.arguments import checked
@@ -99,7 +100,7 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
     return axes
 
 
-def _bar(row: dict[str, Any], target: Target) -> tuple[float, tuple[float, float] | None] | None:
+def _bar(row: Mapping[str, Any], target: Target) -> tuple[float, tuple[float, float] | None] | None:
     """Return what the target is for, and its interval; None without a count."""
     if target.years is not None:
         value, ends = row["probability_50_years"], (row["rate_low"], row["rate_high"])
@@ -112,7 +113,7 @@ def _bar(row: dict[str, Any], target: Target) -> tuple[float, tuple[float, float
     return row["share"], (row["low"], row["high"])
 
 
-def _words(row: dict[str, Any], target: Target) -> str:
+def _words(row: Mapping[str, Any], target: Target) -> str:
     """Return share and verdict of a kind of object."""
     verdict = BADGES[row["verdict"]][0]
     if target.years is not None and row["probability_50_years"] is not None:

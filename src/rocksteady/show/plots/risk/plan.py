@@ -1,6 +1,7 @@
 """Plot of the floors of buildings with the objects on them, in the colours of their risk."""
 
 from collections import defaultdict
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import InputError, Words
@@ -33,9 +34,9 @@ BELOW, ABOVE = 0.55, 0.6
 """Room below the lowest floor and above the highest, over the same."""
 
 
-def floors_of(table: ObjectsTable) -> list[tuple[str, list[dict[str, Any]]]]:
+def floors_of(table: ObjectsTable) -> list[tuple[str, list[Mapping[str, Any]]]]:
     """Return the floors with an object, the lowest first, and their objects, the worst first."""
-    floors: dict[tuple[str, int, str], list[dict[str, Any]]] = defaultdict(list)
+    floors: dict[tuple[str, int, str], list[Mapping[str, Any]]] = defaultdict(list)
     for row in table.worst:
         storey, room = row["storey"], str(row["floor"] or "").strip()
         where = f"floor {storey}" if storey else "ground"
@@ -164,7 +165,7 @@ def plot_plan(table: ObjectsTable, ax: "Axes | None" = None) -> "Axes":
     return axes
 
 
-def _size(row: dict[str, Any]) -> tuple[float, float]:
+def _size(row: Mapping[str, Any]) -> tuple[float, float]:
     """Return width and height of the homogeneous rectangle that rocks as an object does [m]."""
     block = Block.from_p(alpha=row["alpha_rad"], p=row["p_rad_s"])
     return block.width, block.height
