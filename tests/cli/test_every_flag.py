@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from tools.freeze.commands import flag_lines, freeze_line, program
-from tools.freeze.records import FILE, FOLDER, apart, loaded
+from tools.freeze.records import FILE, FOLDER, apart, dumped, loaded
 
 LITERALS = ("tests/cli", "tests/certify", "tests/installation")
 """Folders of tests whose texts count as lines where they begin with a command."""
@@ -99,7 +99,7 @@ def test_each_flag_of_each_command_is_used() -> None:
 
 @pytest.mark.parametrize("line", flag_lines())
 def test_a_line_answers_as_recorded(line: str) -> None:
-    now = dict(freeze_line(line))
+    now = loaded(dumped(dict(freeze_line(line))))
     before = {name: text for name, text in recorded().items() if name.partition(FILE)[0] in now}
     assert before.keys() == now.keys()
     texts = [name for name in now if not name.endswith(OF_A_PROCESSOR)]

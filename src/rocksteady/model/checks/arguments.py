@@ -56,6 +56,7 @@ CHECKED_INSIDE_OF: Final = frozenset(
         ("steady_states", "order"),
         ("Scatter.__init__", "deviation"),
         ("Axis.__init__", "values"),
+        ("Execution.__init__", "executor"),
         ("Grid.__init__", "axes"),
         ("check_boundary", "labels"),
         ("compute_basin_entropy", "labels"),
@@ -243,7 +244,8 @@ def _fit_of(annotation: Any, names: Mapping[str, Any], numbers: bool) -> Fit | N
 def _fit_of_items(origin: Any, fits: list[Fit | None]) -> Fit:
     """Return the check of a sequence or a mapping."""
     if origin is Mapping:
-        return functools.partial(_mapping, fits[0], fits[1])
+        free = fits[1] is numeric_array  # of axes, which may be names too
+        return functools.partial(_mapping, fits[0], None if free else fits[1])
     if origin is tuple and not (len(fits) == 2 and fits[1] is None):  # not tuple[X, ...]
         return _row(fits)
     return _items(fits[0], lazily=origin is Iterable)

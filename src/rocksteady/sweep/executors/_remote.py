@@ -138,8 +138,8 @@ def _connected(address: str) -> Client:
         "executor",
         address,
         f"a dask scheduler must answer there within {ANSWERED:g} seconds: {reason}",
-        "start one with 'dask scheduler' and give the address that it prints, or for TLS a client: "
-        "distributed.Client(address, security=...)",
+        "start one with 'dask scheduler' and give the address that it prints, or give a connected "
+        "distributed.Client",
     )
 
 

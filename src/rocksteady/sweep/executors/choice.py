@@ -80,7 +80,7 @@ def validated_executor(name: str, value: object) -> "str | Client":
                 name,
                 value,
                 "a client must be connected, and not asynchronous",
-                "give distributed.Client(address), and close it after the sweep",
+                "connect it, and close it after the sweep",
             )
         return value
     if isinstance(value, str) and "://" in value:
