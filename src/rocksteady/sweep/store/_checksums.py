@@ -11,6 +11,8 @@ HEX = 32
 """Digits of an identity."""
 BYTES = 8
 """Of a checksum."""
+NAMED = "name the folder that a sweep wrote, as map.zarr"
+"""What to do where a folder or a file in it is no sweep's."""
 
 
 def identity_of(inputs: Mapping[str, Any], box: Sequence[int]) -> str:

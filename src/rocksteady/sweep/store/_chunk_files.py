@@ -7,8 +7,7 @@ from zarr.core.buffer import Buffer, BufferPrototype
 from zarr.storage import LocalStore
 
 from rocksteady.small_files import refuse_device
-from rocksteady.sweep.store._checksums import checksum
-from rocksteady.sweep.store._contents import NAMED
+from rocksteady.sweep.store._checksums import NAMED, checksum
 
 
 class ChunkFiles(LocalStore):

@@ -18,7 +18,7 @@ from rocksteady.errors import InputError, RocksteadyError
 from rocksteady.small_files import content_of
 from rocksteady.sweep.cases.axes import Array
 from rocksteady.sweep.cases.inputs import digest_of
-from rocksteady.sweep.store._checksums import identity_of
+from rocksteady.sweep.store._checksums import NAMED, identity_of
 from rocksteady.sweep.store.chunks import Chunks
 
 if TYPE_CHECKING:
@@ -31,7 +31,6 @@ CHUNK = "chunk"
 """Dimension of the checksums."""
 COMPUTED = "computed"
 """Whether cells are finished, in an unfinished result."""
-NAMED = "name the folder that a sweep wrote, as map.zarr"
 TAKEN = (DONE, CHUNK, COMPUTED)
 OUTPUTS = "outputs"
 """Attribute of the checksums: names of the outputs in their order, which a folder does not keep."""

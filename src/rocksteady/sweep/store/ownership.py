@@ -11,8 +11,8 @@ from typing import Any
 
 from rocksteady import durable
 from rocksteady.small_files import content_of
-from rocksteady.sweep.store._checksums import HEX, is_identity
-from rocksteady.sweep.store._contents import DONE, GROUP, LOCK, NAMED, attributes_in
+from rocksteady.sweep.store._checksums import HEX, NAMED, is_identity
+from rocksteady.sweep.store._contents import DONE, GROUP, LOCK, attributes_in
 
 MARKS = (f"{DONE}/store.json", f"{DONE}/store-copy.json")
 """Files that make a folder a store: no copy of the results that another program writes has them.

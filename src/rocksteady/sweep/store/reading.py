@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError, UnfinishedError, check_installed
 from rocksteady.model.checks.arguments import checked
 from rocksteady.sweep.cases.outputs import words_of
+from rocksteady.sweep.store._checksums import NAMED
 from rocksteady.sweep.store._contents import (
     COMPUTED,
-    NAMED,
     Contents,
     attributes_in,
     contents_of,
