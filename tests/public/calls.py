@@ -1,11 +1,7 @@
 """One valid call of every public function, constructor and method, cheap enough to repeat."""
 
-import atexit
-import contextlib
 import functools
 import inspect
-import shutil
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -19,7 +15,7 @@ from tests.public.facade_calls import facade_calls
 from tests.public.observation_calls import observation_calls
 from tests.public.proof_calls import proof_calls
 from tests.public.risk_calls import risk_calls
-from tests.public.things import MANY, fields, square, things
+from tests.public.things import MANY, fields, folder, made_in_the_folder, square, things
 from tools.namespace import THINGS
 
 ELSEWHERE = {"installation", "check_installation", "Installation", "KernelCheck"}
@@ -53,18 +49,14 @@ class Call(NamedTuple):
         return self.function(*row, **arguments)
 
 
-@functools.cache
 def room() -> Path:
-    """Return a folder with the files of things; it is removed when the process ends."""
-    folder = Path(tempfile.mkdtemp(prefix="things-"))
-    atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    make = things.__wrapped__ if things.cache_info().currsize else calls
-    with contextlib.chdir(folder):
-        make()
-    return folder
+    """Return the folder with the files of things and of calls."""
+    calls()
+    return folder()
 
 
 @functools.cache
+@made_in_the_folder
 def calls() -> dict[str, Call]:
     """Return every call by a label, as ``Block.rectangle``."""
     t = things()

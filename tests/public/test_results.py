@@ -1,6 +1,5 @@
 """What every result has: rows of a data frame, whose columns are numeric, and its model."""
 
-import contextlib
 import copy
 import dataclasses
 import functools
@@ -50,11 +49,8 @@ HISTORY = ("acceleration", "velocity", "displacement")
 
 
 @pytest.fixture(scope="module", name="made")
-def _made(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    """One of every class, made anew: what is kept has its files in a folder of other tests."""
-    with contextlib.chdir(tmp_path_factory.mktemp("things")):
-        made: dict[str, Any] = things.__wrapped__()
-    return made
+def _made() -> dict[str, Any]:
+    return things()
 
 
 @pytest.mark.slow

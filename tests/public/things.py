@@ -1,9 +1,13 @@
 """One of every class, made once, for the calls of the namespace."""
 
+import atexit
+import contextlib
 import dataclasses
 import functools
 import inspect
+import shutil
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +24,25 @@ def square(amplitude: Any, **_: Any) -> dict[str, Any]:
 
 NOISE = rs.motions.BandNoise(rms=0.2, band=(1.0, 5.0), duration=8.0, seed=1)
 MANY = [field.name for field in dataclasses.fields(rs.orbits.Attractors)]
+
+
+@functools.cache
+def folder() -> Path:
+    """Return the folder with the files of things; it is removed when the process ends."""
+    path = Path(tempfile.mkdtemp(prefix="things-"))
+    atexit.register(shutil.rmtree, path, ignore_errors=True)
+    return path
+
+
+def made_in_the_folder(make: Callable[[], dict[str, Any]]) -> Callable[[], dict[str, Any]]:
+    """Make a function write its files in that folder, wherever the process is."""
+
+    @functools.wraps(make)
+    def made() -> dict[str, Any]:
+        with contextlib.chdir(folder()):
+            return make()
+
+    return made
 
 
 @functools.cache
@@ -44,6 +67,7 @@ def on_floors(described: rs.risk.DescribedObject, motions: list[rs.Record]) -> d
 
 
 @functools.cache
+@made_in_the_folder
 def things() -> dict[str, Any]:
     """Return one of every class, made once."""
     block = rs.Block.rectangle(width=0.4, height=1.2)

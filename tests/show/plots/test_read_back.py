@@ -23,9 +23,8 @@ G = 9.80665
 
 
 @pytest.fixture(scope="module", name="t")
-def _made(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    with contextlib.chdir(tmp_path_factory.mktemp("things")):
-        return everything(things.__wrapped__())
+def _made() -> dict[str, Any]:
+    return everything(things())
 
 
 def everything(things: dict[str, Any]) -> dict[str, Any]:
