@@ -23,8 +23,8 @@ PEERS := heyoka mujoco
 # commands, which call what is run here, and tests of pages, tools and the manual. The examples of all docstrings
 # are in tests/public.
 FLOOR_TESTS := $(addprefix tests/,certify cli/console cli/flags cli/test_app.py dynamics/basins \
-	dynamics/continuation/chains kernels/machine_code model public records results risk/assess/described \
-	risk/back_analysis risk/calibration risk/ensemble risk/facades risk/fits risk/fragility risk/free_rocking \
+	dynamics/continuation/chains facades/checks kernels/machine_code model public records results risk/assess/described \
+	risk/back_analysis risk/calibration risk/ensemble risk/fits risk/fragility risk/free_rocking \
 	risk/hazard risk/observations risk/screens seismic show/export show/figures show/film show/plots show/style sweep)
 CHECKS := lint types layers library tests
 # What make test leaves to make test-all, with what its end says of each.

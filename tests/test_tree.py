@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from rocksteady.cli._registration import GROUPS
 from tests.every import every
 from tests.trees import nodes_of, tree_of
 
@@ -18,15 +19,21 @@ SOURCE = ROOT / "src" / "rocksteady"
 FILES = sorted(SOURCE.rglob("*.py"))
 STARTED = {
     *("rocksteady.__main__", "rocksteady.cli.app", "rocksteady.kernels.entries"),
-    *("rocksteady.certify.checker", "rocksteady.certify.fate_checker"),
-    *(f"rocksteady.certify.{kind}_checker" for kind in ("base", "chaos", "point", "region")),
+    *(
+        f"rocksteady.{each.partition(':')[0]}"
+        for group in GROUPS.values()
+        for each in group.values()
+    ),
+    *("rocksteady.certify.proofs.checker", "rocksteady.certify.proofs.fate_checker"),
+    *(f"rocksteady.certify.proofs.{kind}_checker" for kind in ("base", "chaos", "point", "region")),
 }
-"""Modules that are run by their names."""
+"""Modules that are run, or imported, by their names."""
 TWICE = {
     frozenset({"kernels/linear", "kernels/nonlinear"}),  # one thing in both models
     frozenset({"kernels/march", "kernels/nonlinear"}),
     frozenset({"kernels/lanes", "kernels/nonlinear_lanes"}),
     frozenset({"show/plots", "show/figures"}),  # a thing and its figure
+    frozenset({"certify", "certify/chaos_study"}),  # a command each
 }
 """Folders of one layer that may have files of one name."""
 

@@ -27,7 +27,7 @@ from bench.explorer.session import (
 )
 from bench.report import EXPLORER, ROOT, machine_line, write_section
 from rocksteady import write_explorer
-from rocksteady.explorer.module import page_module
+from rocksteady.explorer._module import page_module
 from rocksteady.explorer.view import PLACES
 from rocksteady.export import ExplorerView
 

@@ -67,8 +67,8 @@ from .risk.back_analysis.back_analyse import back_analyse as back_analyse
 from .risk.back_analysis.read_survey import read_survey as read_survey
 from .risk.calibration.calibrate import calibrate as calibrate
 from .risk.ensemble.runs import run_ensemble as run_ensemble
-from .risk.facades.check_facade import check_facade as check_facade
-from .risk.facades.read_facade import read_facade as read_facade
+from .facades.checks.check_facade import check_facade as check_facade
+from .facades.checks.read_facade import read_facade as read_facade
 from .risk.fragility.compute_fragility import compute_fragility as compute_fragility
 from .risk.free_rocking.fit_restitution import fit_restitution as fit_restitution
 from .risk.hazard.failure_risk import compute_risk as compute_risk

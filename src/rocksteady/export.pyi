@@ -13,6 +13,6 @@ from .show.export.manifest import write_manifest as write_manifest
 from .show.export.openquake import write_openquake as write_openquake
 from .show.export.pelicun import write_pelicun as write_pelicun
 from .show.export.tests_folder import write_tests as write_tests
-from .show.facade.facade_folder import write_facade as write_facade
+from .facades.page.facade_folder import write_facade as write_facade
 
 __all__: list[str]

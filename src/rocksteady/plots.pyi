@@ -7,9 +7,9 @@ from .show.plots.channels import plot_channels as channels
 from .show.plots.branches.bifurcations import plot_bifurcations as bifurcations
 from .show.plots.branches.cascades import plot_cascade as cascade
 from .show.plots.branches.curves import plot_bifurcation_curves as bifurcation_curves
-from .show.plots.facades.capacity import plot_facade_capacity as facade_capacity
-from .show.plots.facades.run_displacements import plot_facade_runs as facade_runs
-from .show.plots.facades.section import plot_facade_section as facade_section
+from .facades.plots.capacity import plot_facade_capacity as facade_capacity
+from .facades.plots.run_displacements import plot_facade_runs as facade_runs
+from .facades.plots.section import plot_facade_section as facade_section
 from .show.plots.maps import plot_outcomes as outcomes
 from .show.plots.motion import plot_base as base
 from .show.plots.motion import plot_phase_portrait as phase_portrait
@@ -40,7 +40,7 @@ from .show.plots.portraits.entropies import plot_uncertainty as uncertainty
 from .show.plots.portraits.fate_basins import plot_fate_basins as fate_basins
 from .show.plots.portraits.manifolds import plot_manifolds as manifolds
 from .show.plots.portraits.shares import plot_basin_shares as basin_shares
-from .show.plots.proofs import plot_proved_region as proved_region
+from .certify.plots import plot_proved_region as proved_region
 from .show.plots.records import plot_husid as husid
 from .show.plots.records import plot_integrated_record as integrated_record
 from .show.plots.records import plot_response_spectra as response_spectra

@@ -171,12 +171,9 @@ USUAL = {
     "facade": [["wall.toml"], ["wall.toml", "--records", "a.at2"]],
     "paper": [["--only", "10", "--out", "out"]],
     "study atlas": [["-A", "1:3:3", "-W", "2:6:3", "-n", "1", "--out", "out"]],
-    "study facade-checks": [
-        ["--height-m", "3:6:2", "--slenderness", "8:16:2", "--pga-g", "0.3", "--out", "out"]
-    ],
 }
 """Small cases, which random flags are added to; a new command has none and needs none."""
-LONG = {"paper", "study atlas", "study chaos", "study facade-checks"}
+LONG = {"paper", "study atlas", "study chaos"}
 """Commands that run for minutes where their usual flags are not there."""
 VAGUE = re.compile(
     r"= '?(not given|both given|neither given|given|no axis|one size)'? is|the block = "

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from rocksteady import __version__
+from rocksteady.certify import command as certify
 from rocksteady.cli import app
-from rocksteady.cli.commands import certify
 from rocksteady.cli.console import terminal
 from tests.cli.bad_input import BAD_INPUT
 from tests.cli.motion_files import at2, samples

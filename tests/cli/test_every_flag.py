@@ -11,10 +11,11 @@ from typing import Any
 import pytest
 
 from rocksteady.cli.console import progress
+from rocksteady.leaves import LEAVES
 from tools.freeze.commands import flag_lines, freeze_line, program
 from tools.freeze.records import FILE, FOLDER, apart, dumped, loaded
 
-LITERALS = ("tests/cli", "tests/certify", "tests/installation")
+LITERALS = ("tests/cli", *(f"tests/{leaf}" for leaf in LEAVES), "tests/installation")
 """Folders of tests whose texts count as lines where they begin with a command."""
 OF_A_PROCESSOR = (".svg", ".html", ".zarr")
 """Files whose hash alone is recorded, which the last bit of a number changes."""

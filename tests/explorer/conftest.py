@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from rocksteady.errors import MissingKernelsError
-from rocksteady.explorer.module import page_module
+from rocksteady.explorer._module import page_module
 from tests.explorer.in_node import InNode, Server
 from tests.strategies import PLAIN
 from tools.aot.replay.outcome import MissingProgramError

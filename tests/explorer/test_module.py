@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from rocksteady.errors import MissingKernelsError
-from rocksteady.explorer import module
-from rocksteady.explorer.module import BEGINS, NAME, page_module
+from rocksteady.explorer import _module as module
+from rocksteady.explorer._module import BEGINS, NAME, page_module
 from rocksteady.kernels.machine_code.library import checksum_file
 from rocksteady.kernels.machine_code.sources import sources_hash
 

@@ -11,9 +11,9 @@ import pytest
 from rocksteady import Harmonic, Record, write_explorer
 from rocksteady.errors import InputError, MissingKernelsError, OutputError
 from rocksteady.explorer import _motions, write
+from rocksteady.explorer._module import page_module
 from rocksteady.explorer._motions import motions_of
 from rocksteady.explorer._program import SCENES
-from rocksteady.explorer.module import page_module
 from rocksteady.export import ExplorerView
 from rocksteady.records import Recording
 from tests.every import every

@@ -70,7 +70,7 @@ def parsed(markdown: str) -> nodes.document:
 
 def test_there_is_a_page_for_each_command_that_the_help_lists() -> None:
     listed = re.findall(r"^  ([a-z][a-z-]*) ", rocksteady("", "--help").out, re.MULTILINE)
-    below = {f"study-{name}.md" for name in ("atlas", "chaos", "facade-checks")}
+    below = {f"study-{name}.md" for name in ("atlas", "chaos")}
     assert set(PAGES) == {f"{name}.md" for name in listed} | below | {"flags.md"}
     assert len(listed) == 25
 

@@ -14,6 +14,9 @@ import pytest
 
 import rocksteady as rs
 from rocksteady.errors import InputError, RocksteadyError
+from rocksteady.facades.checks._facade_schema import FILE as FACADE_FILE
+from rocksteady.facades.checks.actions import BOUNDS as FACADE_BOUNDS
+from rocksteady.facades.checks.spectrum_table import COLUMNS as SPECTRUM_COLUMNS
 from rocksteady.model.blocks.sizes import TALL
 from rocksteady.records.core.units import UNITS
 from rocksteady.records.read import FORMATS
@@ -22,9 +25,6 @@ from rocksteady.risk.assess.described import _validation as object_bounds
 from rocksteady.risk.assess.described.schema import TABLES as OBJECT_TABLES
 from rocksteady.risk.assess.described.tables import COLUMNS as OBJECT_COLUMNS
 from rocksteady.risk.calibration.sampler.space import WIDEST
-from rocksteady.risk.facades._facade_schema import FILE as FACADE_FILE
-from rocksteady.risk.facades.actions import BOUNDS as FACADE_BOUNDS
-from rocksteady.risk.facades.spectrum_table import COLUMNS as SPECTRUM_COLUMNS
 from rocksteady.risk.observations import object_prior, prior, read_peaks, read_tests
 from rocksteady.risk.spectra.elastic_spectrum import LIMITS as SPECTRUM_LIMITS
 from rocksteady.show.export.ensemble_rows import HEAD as RUN_COLUMNS
@@ -482,7 +482,8 @@ def test_formats_and_units_of_motions_are_those_of_the_readers() -> None:
 
 
 def test_files_of_folders_and_columns_of_runs_are_those_that_are_written() -> None:
-    from rocksteady.show.export.folders import ASSESSMENT, CALIBRATION, FACADE
+    from rocksteady.facades.page.files import FACADE
+    from rocksteady.show.export.folders import ASSESSMENT, CALIBRATION
     from rocksteady.show.export.manifest import SCHEMA, make_manifest
 
     parts = sections("results")

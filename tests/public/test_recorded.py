@@ -17,7 +17,7 @@ from tools.freeze.records import FILE, FOLDER, Items, apart, dumped, loaded, mov
 from tools.freeze.results import freeze_call, freeze_things
 
 PACKAGES = (
-    *("certify", "dynamics", "explorer", "model", "records"),
+    *("certify", "dynamics", "explorer", "facades", "model", "records"),
     *("risk", "seismic", "show", "sweep"),
 )
 ANEW = "where that is meant: python -m tools.freeze record calls things"

@@ -10,12 +10,13 @@ import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
 import rocksteady as rs
+from rocksteady.facades._figures import facade_figure
+from rocksteady.facades.page._facade_page import facade_html
+from rocksteady.facades.plots.languages import language_of
 from rocksteady.histories import Trajectory
 from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.calibration._calibration_report import calibration_html
 from rocksteady.show.export.manifest import make_manifest
-from rocksteady.show.facade._facade_page import facade_html
-from rocksteady.show.figures.facades import facade_figure
 from rocksteady.show.figures.observations import (
     back_analysis_figure,
     calibration_figure,
@@ -29,15 +30,14 @@ from rocksteady.show.figures.single import (
     fate_basins_figure,
 )
 from rocksteady.show.film.animation import Film, film_of
-from rocksteady.show.plots.facades.languages import language_of
 from rocksteady.show.style.legends import PLACES
 from rocksteady.show.style.page import Page
+from tests.facades.page.checked_facades import SUITE, alone, thin, tied
 from tests.public.calls import Call, calls, room
 from tests.public.things import things
 from tests.show.assessment.pages import drawn_once
 from tests.show.calibrated import calibrated, unscored
 from tests.show.drawn_figures import BARE, BLOCK, makers, rocking, vertical_too
-from tests.show.facade.checked_facades import SUITE, alone, thin, tied
 from tests.show.varied_pictures import varied
 
 FIGURES: dict[str, Callable[..., Figure]] = {

@@ -19,7 +19,7 @@ from packaging.metadata import Metadata
 from packaging.tags import sys_tags
 
 from rocksteady.explorer import _program as program
-from rocksteady.explorer.module import BEGINS, NAME
+from rocksteady.explorer._module import BEGINS, NAME
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code import sources
 from rocksteady.kernels.machine_code.compilation import PURE as PURE_FILE

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from rocksteady.explorer import module
+from rocksteady.explorer import _module as module
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code.library import file_name
 

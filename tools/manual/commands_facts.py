@@ -32,7 +32,6 @@ GUIDES = {
     "paper": ("theory/literature.md",),
     "study-atlas": ("theory/steady.md", "guides/sweeps.md"),
     "study-chaos": ("theory/proofs.md", "how-to/prove.md"),
-    "study-facade-checks": ("guides/facade-checks.md",),
 }
 """Pages that explain the subject of a command, below `docs`."""
 
@@ -54,7 +53,6 @@ FILES = {
     "paper": ("results",),
     "study-atlas": ("results",),
     "study-chaos": ("results",),
-    "study-facade-checks": ("results",),
 }
 """Pages on the files that a command reads and writes, in `docs/reference/files`."""
 

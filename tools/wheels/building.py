@@ -11,8 +11,8 @@ from typing import Any
 from hatchling.builders.wheel import WheelBuilder
 
 from rocksteady import __version__
+from rocksteady.explorer import _module as module
 from rocksteady.explorer import _program as program
-from rocksteady.explorer import module
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code import sources

@@ -1,7 +1,1 @@
-"""Proofs in ball arithmetic, their certificates, and the programs that check them alone."""
-
-from functools import partial
-
-from rocksteady.errors import ModelError, Words, check_installed
-
-check_installed(partial(ModelError, "proofs", Words("cannot be computed")), "proof", "flint")
+"""Proofs in ball arithmetic: certificates, their checkers, a picture and a study of chaos."""

@@ -12,34 +12,16 @@ import traceback
 import warnings
 from copy import copy
 from functools import cache
-from types import ModuleType
-from typing import Annotated, Any, TextIO
+from typing import Annotated, Any, Final, TextIO
 
 import typer
 from typer.exceptions import TyperException
 from typer.models import CommandInfo
 
 from rocksteady import __version__
-from rocksteady.cli.commands import (
-    attractor,
-    bifurcate,
-    certify,
-    curves,
-    doctor,
-    maps,
-    orbits,
-    overturn,
-    record,
-    simulate,
-    spectrum,
-    steady,
-)
-from rocksteady.cli.commands.documents import explore, paper, study
-from rocksteady.cli.commands.observations import back_analyse, calibrate, predict, restitution
-from rocksteady.cli.commands.risk import assess, facade, fragility, screens
-from rocksteady.cli.commands.windows import basins, edge
+from rocksteady.cli._registration import Registered, questions, registered_commands
 from rocksteady.cli.console import terminal
-from rocksteady.cli.console.help import NAMES, Program, with_main
+from rocksteady.cli.console.help import NAMES, HelpfulGroup, Program, with_main
 from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
@@ -74,37 +56,42 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": NAMES},
 )
-GROUPS = {
-    "One block": (simulate, overturn, record, spectrum, restitution),
-    "Steady motions": (steady, attractor, orbits, bifurcate, curves, basins, edge, maps),
-    "Objects and risk": (
-        *(assess, screens, facade, fragility),
-        *(calibrate, predict, back_analyse),
-    ),
-    "Pages and papers": (explore, paper, study),
-    "Proofs": (certify,),
-    "This installation": (doctor,),
-}
-"""Modules of commands, by the titles under which --help lists them."""
-COMMANDS = tuple(each for group in GROUPS.values() for each in group if each is not study)
+STUDY: Final = "study"
+"""The group of commands that fill a folder each, `rocksteady study NAME`."""
+studies = typer.Typer(cls=HelpfulGroup, no_args_is_help=True, rich_markup_mode="rich")
 
 
-def _name(command: ModuleType) -> str:
-    """Return the name of the command of a module."""
-    if command is maps:
-        return "map"
-    return command.__name__.rpartition(".")[2].replace("_", "-")
+@studies.callback()
+def study() -> None:
+    """Run a study; its help is what its users read."""
 
 
-Program.groups = {title: [*map(_name, group)] for title, group in GROUPS.items()}
-for command in COMMANDS:
-    app.command(
-        _name(command),
-        cls=with_main(OncePerFlag, getattr(command, "MAIN", "")),
-        help=command.HELP,
-        epilog=command.EXAMPLES,
-    )(getattr(command, command.__name__.rpartition(".")[2]))
-app.add_typer(study.app, name="study", help=study.HELP)
+def _register() -> dict[str, Registered]:
+    """Add the commands to the program, and return them by their names."""
+    groups = registered_commands()
+    Program.groups = {
+        title: list(dict.fromkeys(name.partition(" ")[0] for name in commands))
+        for title, commands in groups.items()
+    }
+    every = {name: each for commands in groups.values() for name, each in commands.items()}
+    Program.questions = questions(every)
+    for name, each in every.items():
+        group, _, last = name.rpartition(" ")
+        (studies if group else app).command(
+            last,
+            cls=with_main(OncePerFlag, getattr(each.module, "MAIN", "")),
+            help=each.module.HELP,
+            epilog=each.module.EXAMPLES,
+        )(each.run)
+    names = [command.name for command in studies.registered_commands]
+    if names:
+        purpose = f"Run a study into a folder: {', '.join(map(str, names))}."
+        app.add_typer(studies, name=STUDY, help=purpose)
+    return every
+
+
+COMMANDS = _register()
+"""By name, as "simulate" or "study atlas"."""
 
 
 def _version(asked: bool) -> None:
@@ -178,7 +165,7 @@ def _program(first: str | None) -> Any:
     Flags take long to build: beside a command or --help only what is called has them.
     """
     names = {command.name for command in app.registered_commands}
-    if first not in {*names, "study", *NAMES, "--version"}:  # all, as to complete a line
+    if first not in {*names, STUDY, *NAMES, "--version"}:  # all, as to complete a line
         return typer.main.get_command(app)
     program = copy(app)
     program.registered_commands = [

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from rocksteady.errors import InputError, OutputError, Words
+from rocksteady.explorer._module import page_module
 from rocksteady.explorer._motions import motions_of
 from rocksteady.explorer._page import document, scene_document
 from rocksteady.explorer._program import SCENES
-from rocksteady.explorer.module import page_module
 from rocksteady.explorer.view import ExplorerView, is_plain, state_of
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.record import Record

@@ -6,7 +6,8 @@ import pytest
 import typer
 
 from rocksteady.cli import app
-from rocksteady.cli.console.help import MOST, QUESTIONS
+from rocksteady.cli._registration import questions
+from rocksteady.cli.console.help import MOST
 from tests.cli.program import rocksteady
 from tests.every import every
 
@@ -50,14 +51,14 @@ def test_the_program_lists_every_command_once_in_80_columns() -> None:
 def test_the_program_alone_shows_questions_with_commands_that_exist() -> None:
     ran = rocksteady("")
     assert (ran.code, ran.err) == (0, "")
-    assert ran.out.rstrip() == QUESTIONS
+    assert ran.out.rstrip() == questions(app.COMMANDS)
     assert max(map(len, ran.out.splitlines())) <= 80
     assert len(ran.out.rstrip().splitlines()) <= 12
 
 
 @pytest.mark.slow
 def test_the_questions_of_the_program_run() -> None:
-    text = QUESTIONS.replace("\\\n", " ")
+    text = questions(app.COMMANDS).replace("\\\n", " ")
     commands = re.findall(r"  rocksteady (.*)", text)
     runnable = [each for each in commands if "FILE" not in each and each != "explore"]
     assert len(runnable) == 5

@@ -157,7 +157,6 @@ def test_no_combination_of_outputs_replaces_an_input(tmp_path: Path) -> None:
         (f"assess --pgv-m-s 0.4 --records {record}", ("answers.csv", "results.csv"), rows),
         ("calibrate --tests", ("predictions.csv", "posterior.csv"), "name\n"),
         ("calibrate --example --prior", ("predictions.csv", "report.html"), "name\n"),
-        ("study facade-checks --records", ("facade-checks.html", "facade-checks.json"), text),
         ("explore --no-browser --record", ("page.html",), text),
     )
     for number in range(50):

@@ -5,7 +5,6 @@ from types import UnionType
 from typing import get_args, get_origin
 
 from rocksteady.cli import app
-from rocksteady.cli.commands.documents import study
 from rocksteady.cli.flags import options
 from tests.cli.program import rocksteady
 
@@ -23,12 +22,11 @@ def test_every_flag_that_errors_name_exists() -> None:
 
 def test_the_default_of_each_flag_is_of_its_type() -> None:
     seen = 0
-    for command in app.app.registered_commands + study.app.registered_commands:
-        assert command.callback is not None
-        for parameter in inspect.signature(command.callback).parameters.values():
+    for name, command in app.COMMANDS.items():
+        for parameter in inspect.signature(command.run).parameters.values():
             if get_args(parameter.annotation) and parameter.default not in (parameter.empty, ...):
                 kind, option = get_args(parameter.annotation)
                 kinds = get_args(kind) if get_origin(kind) is UnionType else (kind,)
-                assert type(parameter.default) in kinds, (command.name, option.param_decls)
+                assert type(parameter.default) in kinds, (name, option.param_decls)
                 seen += 1
     assert seen > 300

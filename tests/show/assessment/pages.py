@@ -8,9 +8,9 @@ from unittest import mock
 
 from matplotlib.figure import Figure
 
+from rocksteady.facades.page import _facade_pictures
 from rocksteady.show import report
 from rocksteady.show.assessment import _assessment_pictures
-from rocksteady.show.facade import _facade_pictures
 from rocksteady.show.style.page import SCREEN
 from rocksteady.show.style.page import Page as Paper
 

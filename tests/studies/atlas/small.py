@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 from matplotlib.figure import Figure
 
+from rocksteady.studies.atlas._study import Atlas, atlas
 from rocksteady.studies.atlas.analysis.plane import Plane
-from rocksteady.studies.atlas.study import Atlas, atlas
 
 AMPLITUDES = np.linspace(0.4, 8.0, 5)
 FREQUENCY_RATIOS = np.linspace(0.6, 12.0, 5)

@@ -11,9 +11,9 @@ import pytest
 
 from rocksteady import Execution
 from rocksteady.errors import OutputError
-from rocksteady.studies.atlas import study as module
+from rocksteady.studies.atlas import _study as module
+from rocksteady.studies.atlas._study import PICTURES, SCHEMA, TABLES, atlas, plane_of, steps
 from rocksteady.studies.atlas.analysis.from_rest import FATES
-from rocksteady.studies.atlas.study import PICTURES, SCHEMA, TABLES, atlas, plane_of, steps
 from tests.outputs import unrendered
 from tests.studies.atlas.small import AMPLITUDES, FREQUENCY_RATIOS, small, smallest, tiny
 

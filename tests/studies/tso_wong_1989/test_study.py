@@ -17,8 +17,8 @@ from rocksteady.errors import InputError, OutputError
 from rocksteady.formulas import steady_states
 from rocksteady.orbits import compute_region_boundaries
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv
-from rocksteady.studies.tso_wong_1989 import study as study_module
-from rocksteady.studies.tso_wong_1989.study import (
+from rocksteady.studies.tso_wong_1989 import _study as study_module
+from rocksteady.studies.tso_wong_1989._study import (
     FIGURES,
     SCHEMA,
     Study,

@@ -8,7 +8,8 @@ from unittest.mock import patch
 
 from matplotlib.figure import Figure
 
-from rocksteady.studies.tso_wong_1989 import study as study_module
+from rocksteady.studies.tso_wong_1989 import _study as study_module
+from rocksteady.studies.tso_wong_1989._study import Study, TimedPanel, reproduce
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Sample
 from rocksteady.studies.tso_wong_1989.claims.findings import Claim, Finding
 from rocksteady.studies.tso_wong_1989.claims.statements import STATEMENTS
@@ -16,7 +17,6 @@ from rocksteady.studies.tso_wong_1989.figures.fates import Fate
 from rocksteady.studies.tso_wong_1989.figures.histories import History
 from rocksteady.studies.tso_wong_1989.figures.regions import Plane
 from rocksteady.studies.tso_wong_1989.figures.responses import Responses
-from rocksteady.studies.tso_wong_1989.study import Study, TimedPanel, reproduce
 
 UNSTABLE = ("8a", "8b", "8c", "9a", "9b", "9c", "11a", "12b", "12c", "12d", "13b", "13c", "13d")
 STABLE = ("10", "11b", "12a", "13a")

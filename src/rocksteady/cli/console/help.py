@@ -18,20 +18,6 @@ WIDTH: Final = 80
 LABEL: Final = 24
 """Columns of a flag with the placeholder of its value."""
 
-QUESTIONS: Final = """\
-Does it rock, does it fall? Exact answers for free-standing rigid blocks.
-  Does it fall in a pulse?    rocksteady simulate --width-m 0.5 --height-m 2 \\
-                                --pulse one-sine --accel-g 0.4 --freq-hz 1
-  At which strength?          rocksteady overturn --pulse one-sine -W 3 -r 0.9
-  Does it fall in my record?  rocksteady simulate --block server-rack \\
-                                --record FILE
-  How likely does it fall?    rocksteady assess --example
-  Does my facade hold?        rocksteady facade --example
-  What does it settle to?     rocksteady attractor -A 2 -W 1.9 -r 0.8
-  Show me.                    rocksteady explore
-All commands: rocksteady --help"""
-"""What the program alone shows: questions that it answers, each with a line that runs."""
-
 
 class _Named:
     """The names of help in one order, of which typer makes a set."""
@@ -73,6 +59,8 @@ class Program(HelpfulGroup):
 
     groups: ClassVar[dict[str, Sequence[str]]] = {}
     """Names of commands under the title of their group."""
+    questions: ClassVar[str] = ""
+    """What the program alone shows."""
 
     def format_help(self, ctx: Any, formatter: Any) -> None:
         """Print the commands by group; of the program alone the questions that it answers."""
@@ -81,7 +69,7 @@ class Program(HelpfulGroup):
             style_help()
             super().format_help(ctx, formatter)
         elif not given:
-            console().print(QUESTIONS)
+            console().print(self.questions)
         else:
             console().print("\n".join(self._lines()))
 

@@ -23,7 +23,6 @@ from rocksteady.show.export.files import check_apart, check_writable, impossible
 if TYPE_CHECKING:
     import xarray
 
-    from rocksteady.studies.parts import Parts
     from rocksteady.sweep.run import Execution
     from rocksteady.sweep.store.store import Store
 
@@ -233,33 +232,6 @@ class RunsFlags:
         return _KeptRuns(
             out=self.runs, resume=self.resume, executor=self.executor, workers=self.workers
         )
-
-
-@contextmanager
-def resumable_study(parts: "Parts", context: typer.Context) -> Iterator[None]:
-    """Print where the finished parts of an ended study are, and remove those of a whole one.
-
-    Parameters
-    ----------
-    parts
-        Parts of the study.
-    context
-        Context of the command.
-    """
-    try:
-        yield
-    except BaseException as error:
-        ended = isinstance(error, KeyboardInterrupt | UnfinishedError)
-        if not (ended or (isinstance(error, OutputError) and parts.swept)):
-            parts.remove()  # of seconds of work, or of what would fail again
-        elif parts.folder.is_dir():
-            print(
-                f"finished parts are kept in {printable(parts.study)}; to go on:\n"
-                f"  {resuming(context.find_root().obj)}",
-                file=sys.stderr,
-            )
-        raise
-    parts.remove()
 
 
 def resuming(arguments: list[str]) -> str:

@@ -22,8 +22,8 @@ FORMATS = ("png", "svg", "pdf")
 """Formats of pictures."""
 STRAY = "backslashreplace"
 """Writes a byte of a file's name that is no UTF-8 as \\udcff; JSON reads the same name back."""
-NUMBERS = {"calibrate": 2, "facade": 2, "facade-checks": 2}
-"""Number of each command's schema that is not its first."""
+NUMBERS = {"calibrate": 2}
+"""Number of each command's schema that is not its first; those of leaves add themselves."""
 
 
 def check_writable(name: str, file: Path, *, force: bool) -> None:

@@ -183,7 +183,6 @@ ASSESSMENT = OwnFolder(
 CALIBRATION = OwnFolder(
     r"report\.html|fit\.json|(posterior|predictions|parameters)\.csv", "a calibration"
 )
-FACADE = OwnFolder(r"report\.html|(checks|runs)\.csv|(facade|run)\.json", "a facade")
 
 
 def fill_folder(

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from rocksteady import Execution
 from rocksteady.arrays import Floats
+from rocksteady.show.study.environment import Done, nothing
 from rocksteady.studies.atlas.analysis.columns import Column, columns
 from rocksteady.studies.atlas.analysis.plane import Plane
-from rocksteady.studies.folder import Done, nothing
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -13,9 +13,9 @@ from rocksteady import DimensionlessBlock, Execution, map_attractors
 from rocksteady.arrays import Floats
 from rocksteady.formulas import heteroclinic_amplitude
 from rocksteady.outcomes import AttractorKind
+from rocksteady.show.study.environment import Done, nothing
+from rocksteady.show.study.parts import Parts
 from rocksteady.studies.atlas.analysis.plane import Plane
-from rocksteady.studies.folder import Done, nothing
-from rocksteady.studies.parts import Parts
 
 if TYPE_CHECKING:
     import xarray

@@ -1,1 +1,0 @@
-"""Commands that write something to read or to touch: reports, studies, the explorer's page."""

@@ -1,0 +1,1 @@
+"""Studies as folders: their finished parts, what is reported, and how they are written."""

@@ -1,1 +1,0 @@
-"""Where linear, nonlinear static and dynamic checks of a facade disagree."""
