@@ -1,7 +1,7 @@
 """Words and thresholds of estimates that do not exist, or rest on too little.
 
-Fits, posteriors and intervals of the package take their rules from here; the table in
-``docs/decisions.md`` lists them.
+Fits, posteriors and intervals of the package take their rules from here;
+``docs/reference/files/results.md`` lists them.
 """
 
 from typing import Final
@@ -15,7 +15,8 @@ FEWEST_DRAWS: Final = 50.0
 ENOUGH_DRAWS: Final = 100.0
 """Effective draws from which on a fold is predicted by reweighted draws."""
 ANSWER_DRAWS: Final = 200.0
-"""Effective draws below which a calibration has no answer."""
+"""Effective draws below which a calibration has no answer: of so many, ten lie beyond the 95 %
+quantile."""
 FEWEST_GROUPS: Final = 2
 """Groups of tests below which a score has no interval."""
 FEWEST_BOXES: Final = 20
