@@ -58,6 +58,7 @@ _CALLED_BY_PAGES = """
     lane_attractors loss make_system march measured multipliers next_passage polish pulse_fates
     record_fates run_end run_facts segment_start settle settle_cells symmetric_from symmetric_orbit
 """
+# `lane_attractors` gains little in a browser, but maps of Python have the last digits of lanes.
 # Every processor of these levels runs the fastest forms that they have; no step is fused on any.
 _LEVELS = {"v2": "", "v3": "", "v4": "-prefer-256-bit"}
 

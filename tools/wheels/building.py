@@ -25,7 +25,8 @@ ROOT = Path(__file__).parents[2]
 INSIDE = "rocksteady/kernels/machine_code/libraries"
 """Folder of the libraries and of the module in a wheel."""
 LARGEST = 3_600_000
-"""Bytes of a wheel."""
+"""Bytes of a wheel: a change that adds code states its own.  Python's sources are 1.9 MB, a library
+for x86-64 is 0.3 MB."""
 PROGRAMS = "rocksteady-gpu"
 """Name of the package of programs for GPUs."""
 

@@ -19,7 +19,8 @@ LONGEST_TEXT = 300
 def motions_of(records: Sequence[Record | Recording]) -> list[dict[str, object]]:
     """Return ground motions for the page: name, interval, note, and samples to the last bit.
 
-    The samples [m/s^2] are base64 of 64-bit numbers, the low byte first.
+    The samples [m/s^2] are base64 of 64-bit numbers, the low byte first: decimal digits would be
+    larger, and parsed by each browser.
 
     Raises
     ------

@@ -102,7 +102,8 @@ def chosen_model(model: object, block: Block | DimensionlessBlock) -> Model:
     """Return the equations of motion that hold for a block, chosen where none are given.
 
     The full ones for a `Block`, whose slenderness is known, and the linear ones for a
-    `DimensionlessBlock`: the one rule of every function and command.
+    `DimensionlessBlock`: the one rule of every function and command.  The two can differ in fate:
+    under 0.4 g at 1 Hz a rack of 0.6 x 2 m falls by the linear equations, and stands by the others.
 
     Parameters
     ----------

@@ -43,6 +43,7 @@ def chain_of(orbit: Orbit) -> Chain:
         If the orbit comes to rest, or is one of a block against a wall.
     """
     if orbit.block.one_sided:
+        # A touch of the wall adds one impact: that branches end only at grazes is not proved there.
         raise ModelError(
             "origin",
             Words("is an orbit of a block against a wall"),

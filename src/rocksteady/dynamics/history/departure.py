@@ -1,4 +1,7 @@
-"""Start on a symmetric steady state of either model, and departure from an unstable one."""
+"""Start on a symmetric steady state of either model, and departure from an unstable one.
+
+An unstable state is left along its unstable eigenvector, to a named side: rounding decides nothing.
+"""
 
 import math
 

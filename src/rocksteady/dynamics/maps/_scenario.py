@@ -1,4 +1,8 @@
-"""Scenario of a map: block, shaking and start, some of whose parameters are axes."""
+"""Scenario of a map: block, shaking and start, some of whose parameters are axes.
+
+What is no axis keeps its value in the measure in which it was given.  Converted at one block and
+back at another, it would depend on the block that the caller began with.
+"""
 
 import math
 from collections.abc import Mapping
@@ -277,6 +281,8 @@ class Scenario:
 
     def cells(self, coordinates: Mapping[str, Floats]) -> Cells:
         """Return many cells as arrays; each to the last bit as from `at`.
+
+        A loop over `at` in Python would hold up the other threads.
 
         Parameters
         ----------

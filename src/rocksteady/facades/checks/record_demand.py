@@ -81,7 +81,7 @@ class RecordDemand:
         """Return the mean over the records of the largest S_D [m] up to a period.
 
         The lower end T0 of the circular could not be read: the search begins at period 0, on the
-        safe side.
+        safe side.  The largest value of a mean spectrum would be smaller.
 
         Parameters
         ----------

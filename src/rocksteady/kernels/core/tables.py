@@ -43,7 +43,8 @@ SHARES = 13  # and from here on its shares (`kernels.core.harmonics`), two of ea
 
 COUNTED = 1e-6
 """Least |du/d(pt)| with which a block leaves an impact that counts, in the alpha and p of the side
-that it leaves to: chatter has no end of slower ones."""
+that it leaves to: chatter has no end of slower ones.  Chatter above it comes to rest only where
+its impacts are known, as on a still base; maps of fates, which count none, rest at any velocity."""
 SMALLEST_BOUNCE = 1e-8
 """Chatter slower than this (du/ds) may come to rest in a run whose flights are kept: its bounces
 are below 1e-16 of alpha."""

@@ -1,7 +1,8 @@
 """Whole numbers and truth values that one kernel passes to another.
 
 numba takes each literal for a type of its own: a function that is called with ``0``, with ``1`` and
-with a variable is compiled three times.  A constant with a NumPy type counts as a variable does.
+with a variable is compiled three times, and all that it calls with it: so was the march six times.
+A constant with a NumPy type counts as a variable does.
 """
 
 import numpy as np

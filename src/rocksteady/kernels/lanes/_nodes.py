@@ -1,4 +1,7 @@
-"""State of lanes at a node: whether a zero lies before it, or none can follow."""
+"""State of lanes at a node: whether a zero lies before it, or none can follow.
+
+A hump is decided by its end.  A bound without e^t at the launch was tried, and saved nothing.
+"""
 
 from rocksteady.kernels.core.clock import PI_HIGH
 from rocksteady.kernels.core.forcing import TWO_PI

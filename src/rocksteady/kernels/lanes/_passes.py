@@ -1,4 +1,8 @@
-"""One pass over all lanes: which of the loops are worth their time, and in what order they run."""
+"""One pass over all lanes: which of the loops are worth their time, and in what order they run.
+
+The loops are short: one long loop over all steps takes half as long again, because its constants
+and temporaries do not fit into 32 registers.
+"""
 
 import math
 

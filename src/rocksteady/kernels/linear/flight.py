@@ -26,7 +26,11 @@ from rocksteady.kernels.elementary.exponential import exp_clamped, exp_near, exp
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 SHORT = 0.25
+"""Largest t and Omega t of the Taylor form: its 13 terms leave out below 2e-18 of the largest."""
 LONG = 0.25
+"""Least t of the exponential form.  With 1, impact times of flights from 1/4 to 1/2 would have a
+median error of 1e-16 in place of 9e-16, but marches would take 14 to 17 % longer: most flights are
+that long, and one exponential is cheaper than `expm1`."""
 LARGEST_EXPONENT = 700.0  # e^700 is finite; only signs matter there
 
 

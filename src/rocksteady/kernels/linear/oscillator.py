@@ -1,6 +1,7 @@
 """Damped oscillators: their states under a record, sample by sample, and their largest motion.
 
 The complex numbers are those of `rocksteady.model.motions.oscillator`, in real and imaginary parts.
+SciPy's filters are compiled with fused products on some processors, and have other last digits.
 """
 
 import math

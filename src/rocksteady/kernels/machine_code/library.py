@@ -2,6 +2,9 @@
 
 Each of them is ``int32_t rs_<name>(int64_t *cells)`` in C.  The caller writes the arguments into
 cells of 8 bytes, an array as its address and its lengths.  The result is in the cells that follow.
+One signature serves ctypes, C, WebAssembly and tests, and ctypes converts one argument: a call with
+46 cells takes 4.3 microseconds.  An extension module would save one, and need a build for each
+version of Python.
 """
 
 import ctypes

@@ -1,4 +1,9 @@
-"""Loop of the march, from flight to flight, compiled once for each model."""
+"""Loop of the march, from flight to flight, compiled once for each model.
+
+It is inlined with the model as a constant, so that the linear one keeps its speed.  Divisions and
+logarithms that few flights need are in functions of their own, because the compiler hoists them
+into every flight otherwise.  Searches called once a flight are inlined, which saves copying tuples.
+"""
 
 import math
 

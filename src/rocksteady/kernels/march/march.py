@@ -9,6 +9,10 @@ The side table says which equation of motion holds (`kernels.core.tables.is_nonl
 flight, the proof that chatter dies out and the proof that a block overturns are then those of
 `rocksteady.kernels.nonlinear`; a block that stands on its base feels the same kind of forcing in
 both models, so that rest and uplift are one.
+
+To record a march, callers run it twice: without rows to count the flights, then into an array of
+that size.  A march that stopped at a full buffer and went on would have to restore the state of its
+loop, or differ in the last bit.
 """
 
 import numpy as np

@@ -15,6 +15,10 @@ much as the last term.  That rule does not depend on the scale of the motion, so
 1e-8 alpha is as exact as one of alpha.  Where the end of the span comes first, no more terms are
 worked out than reach it: six or seven across a sample of a record.  The rule is that of A. Jorba
 and M. Zou, Experimental Mathematics 14, 99-117 (2005).
+
+A step is longer than one of DOP853.  Under a sinusoid the series takes 750 to 1200 products a
+radian of the shaking.  Collocation on the linear closed form would take some 500, but gives no
+polynomial of the step, on which all proofs rest.
 """
 
 import math
@@ -57,7 +61,10 @@ SHARES = 6  # and from here on, a row for each order of a Fourier series, its tw
 
 @allocating
 def make_work(shares: Floats | None) -> Floats:
-    """Return working space for steps under shaking with these shares, or with none."""
+    """Return working space for steps under shaking with these shares, or with none.
+
+    It is made once a march or passage, since numba has no arrays on the stack.
+    """
     if shares is None:
         return np.empty((WORK_ROWS, TERMS))
     work = np.empty((WORK_ROWS + len(shares) // 2, TERMS))

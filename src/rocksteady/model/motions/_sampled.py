@@ -1,6 +1,7 @@
 """Piecewise-linear form of base motions that segments cannot represent exactly.
 
-No other module samples a base motion.
+No other module samples a base motion.  A flight on a line is exact, so that the bound of `polyline`
+is the whole error.  Parabolas would be fewer, but a fourth kind of forcing in the kernels.
 """
 
 import math

@@ -1,4 +1,8 @@
-"""Posterior of one object: weighted draws of its parameters, with its predictions' shares."""
+"""Posterior of one object: weighted draws of its parameters, with its predictions' shares.
+
+Tests of one object tell nothing of another's mass and edges.  Objects are therefore separate
+problems of few dimensions, which importance sampling needs.
+"""
 
 import math
 from collections.abc import Mapping

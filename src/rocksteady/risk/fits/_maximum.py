@@ -1,4 +1,8 @@
-"""The curve of the largest likelihood, or the status of data without one."""
+"""The curve of the largest likelihood, or the status of data without one.
+
+Separable data have no maximum: an optimiser would return whatever its last step was.  So separation
+is decided before anything is fitted.
+"""
 
 import math
 from dataclasses import dataclass

@@ -1,4 +1,8 @@
-"""Cells of tests: test, block, gain and draw as numbers, and how the block of each fares."""
+"""Cells of tests: test, block, gain and draw as numbers, and how the block of each fares.
+
+490 tests of 1,300 draws at 2 gains are 1.3 million runs: a Python object for each would take longer
+than its run.
+"""
 
 import hashlib
 from collections.abc import Sequence

@@ -3,6 +3,9 @@
 The tables are in seconds and m/s^2, with vertical motion in g, and serve every block: a block is
 its uplift acceleration and its p.  Horizontal motion is scaled by dividing the uplift acceleration,
 vertical motion in its columns of the table.
+
+A cell is the march of `rocksteady.simulate` from the same samples: status and impacts are equal,
+peaks agree to `PEAKS_AGREE_TO`.
 """
 
 import math

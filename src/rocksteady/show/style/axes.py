@@ -78,6 +78,8 @@ def spacing_of(values: ArrayLike) -> Spacing:
 def picked(edges: Floats, most: int) -> tuple[Integers, Floats]:
     """Return which cells are drawn where they are too many, and the edges of what each stands for.
 
+    A majority or a mean would show what no cell has found.
+
     Examples
     --------
     >>> picked(np.arange(8.0), 3)

@@ -3,6 +3,9 @@
 A colour is a word. Each role has one colour on light paper and one on dark paper, and one mark:
 an area, a line, a dashed line, a dot, a tick or a band. What falls is an area near black with a
 hatch; a probability of falling has the one ramp that nothing else has; limits are dashed ink.
+
+Line colours of one picture differ by more than 12 in CIEDE2000 on either paper, for normal sight,
+protanopia and deuteranopia: `tests/show/style/test_tokens.py` computes it.
 """
 
 from collections.abc import Iterator

@@ -1,4 +1,8 @@
-"""Random numbers for each cell, determined by a seed and the cell's number."""
+"""Random numbers for each cell, determined by a seed and the cell's number.
+
+NumPy's ``SeedSequence`` takes 8 to 10 microseconds a cell under Python's lock, which was half the
+time of seeded basins.  Here all cells of a call take 0.1 microseconds each.
+"""
 
 import numpy as np
 from numpy.typing import NDArray

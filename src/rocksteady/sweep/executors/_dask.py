@@ -1,4 +1,8 @@
-"""Dask plugins: each worker receives the task once, so that a job is two numbers."""
+"""Dask plugins: each worker receives the task once, so that a job is two numbers.
+
+Unlike an argument or scattered data, a plugin reaches workers that join later, and does not go with
+a worker that dies.
+"""
 
 import asyncio
 import logging

@@ -1,4 +1,7 @@
-"""Checksums that tie each file to its sweep, output and chunk."""
+"""Checksums that tie each file to its sweep, output and chunk.
+
+Those of zarr's codecs accept a file that was copied over a sibling.
+"""
 
 import hashlib
 import re

@@ -1,4 +1,7 @@
-"""Reader of chunk files that refuses any file with a wrong checksum."""
+"""Reader of chunk files that refuses any file with a wrong checksum.
+
+zarr itself gives the fill value in place of a missing file, without an error.
+"""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,8 @@
-"""Files that belong to a store, the only ones ever overwritten or removed."""
+"""Files that belong to a store, the only ones ever overwritten or removed.
+
+A store is begun and replaced in its place: its marks are the first file written and, in their final
+form, the last.  So no folder is left beside it that a later run would have to recognise.
+"""
 
 import json
 import os

@@ -3,6 +3,9 @@
 From a point and its tangent the next point is predicted along the tangent and corrected by Newton's
 method in the plane across it (Keller 1977).  Where the curve turns back in one of its unknowns
 nothing special happens.  This module has no physics: it works on arrays.
+
+It is written here because nothing installable does it: PyDSTool no longer builds, pacopy is
+proprietary, AUTO is no Python package.
 """
 
 import math
@@ -166,7 +169,9 @@ class Curve(Generic[SolutionT]):
     ) -> Spot[SolutionT]:
         """Return the event between two neighbouring points at which a test has opposite signs.
 
-        Points between the two are corrected in planes across the chord.
+        Points between the two are corrected in planes across the chord.  Newton's method on the
+        equations and the test together takes the gradient of a determinant by differences: forty
+        times as long for an orbit of 256 impacts.
 
         Raises
         ------

@@ -1,4 +1,7 @@
-"""Logistic regressions by the hundreds, all of one design."""
+"""Logistic regressions by the hundreds, all of one design.
+
+Tests compare them with statsmodels.  scikit-learn would be a large dependency for two formulas.
+"""
 
 import numpy as np
 

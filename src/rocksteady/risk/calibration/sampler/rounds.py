@@ -1,4 +1,9 @@
-"""Rounds of runs, each where the surfaces see the posterior: population Monte Carlo."""
+"""Rounds of runs, each where the surfaces see the posterior: population Monte Carlo.
+
+All draws of a round are independent runs, which fill the kernel and all cores; a Markov chain waits
+for its last step.  One group of tests less is another weight and no new run, which makes held-out
+posteriors affordable.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

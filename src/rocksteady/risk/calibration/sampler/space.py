@@ -30,6 +30,8 @@ WIDEST: Final[Mapping[str, tuple[PriorRange, PriorRange]]] = {
 }
 """Prior of a number that is not given, and the wider one where tests contradict it.
 
+Natural stones may rest on far less than half of their outline: a prior without that costs accuracy.
+
 The height of the mass centre is a share of the outline's, the radius of gyration one of that of the
 outline's rectangle.
 """

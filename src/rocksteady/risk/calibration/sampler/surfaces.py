@@ -1,4 +1,9 @@
-"""Surfaces of the probability of a fall: over block and gain, one for each motion."""
+"""Surfaces of the probability of a fall: over block and gain, one for each motion.
+
+The share of a draw's own few runs that fall is mostly noise, and a likelihood of hundreds of such
+shares picks the luckiest draw.  Of 60 tests, 1,000 runs a test left 149 effective draws on
+surfaces, 18 with one global curve a test, and 6 with the shares themselves.
+"""
 
 import numpy as np
 

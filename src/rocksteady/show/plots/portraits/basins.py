@@ -28,7 +28,8 @@ if TYPE_CHECKING:
 
 STEPS = (0.0, -0.35, 0.6, -0.6, 0.35, 0.8)
 """Of a fill, where several attractors share it: parts of white, or of black below 0.  Each step is
-one of lightness, which is seen in grey and by the colour-blind too."""
+one of lightness, which is seen in grey and by the colour-blind too.  Hatching would drown a fractal
+basin, which is a cell wide in places."""
 WORDS = {"integrity_factor": "integrity factor", "global_integrity": "global integrity measure"}
 
 
