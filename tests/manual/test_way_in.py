@@ -200,7 +200,8 @@ def test_every_part_of_the_manual_is_one_click_away() -> None:
 
 @pytest.mark.slow
 def test_every_page_is_three_clicks_away_at_the_most() -> None:
-    for folder in ("start", "tutorials", "how-to", "guides", "theory", "evidence", "reference"):
+    folders = ("start", "tutorials", "how-to", "guides", "theory", "evidence", "reference")
+    for folder in (*folders, "decisions"):
         for page in sorted((DOCS / folder).rglob("*.md")):
             assert clicks(page) <= 3, page
 
