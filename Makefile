@@ -1,5 +1,6 @@
 # One command per task; `make help` lists them. Needed beforehand: python3 (3.11 or newer), make and
-# git. Everything else is installed into .venv, in the versions that constraints.txt names.
+# git. Everything else is installed into .venv, in the versions that constraints.txt names. With several
+# Pythons, name one: make PYTHON=python3.12 test
 
 PYTHON ?= python3
 WORKERS ?= 2
