@@ -260,10 +260,6 @@ mutants: .venv library ## change single places of the sources, and count what te
 gallery: .venv library ## draw every picture on one page, light and dark, wide and narrow, in grey: out/gallery
 	$(BIN)/python -m tools.gallery
 
-.PHONY: architecture
-architecture: .venv ## draw docs/images/architecture.png and its table from the imports
-	$(BIN)/python -m tools.architecture
-
 .PHONY: constraints
 constraints: .venv ## renew constraints.txt with the newest versions that fit together: on any system, from Python 3.11.0
 	@mkdir -p build

@@ -129,16 +129,14 @@ def test_what_the_table_of_questions_names_is_where_it_says() -> None:
 
 
 MADE = images.makers()
-ELSEWHERE_MADE = {"architecture.png"}
-"""Pictures of `make architecture`, and of records that nobody may pass on."""
 
 
 def test_captions_name_what_makes_each_picture_and_it_is_there_on_both_papers_and_small() -> None:
     scripts = {maker for maker in MADE.values() if maker.startswith("examples/")}
     assert all((ROOT / script).is_file() for script in scripts)
     pictures = {file.name: file.stat().st_size for file in images.IMAGES.glob("*.png")}
-    twins = {dark_twin(Path(name)).name for name in (*MADE, "architecture.png")}
-    assert set(pictures) == {*MADE, *twins, *ELSEWHERE_MADE}
+    twins = {dark_twin(Path(name)).name for name in MADE}
+    assert set(pictures) == {*MADE, *twins}
     assert max(pictures.values()) < 150_000
 
 
