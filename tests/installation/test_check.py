@@ -19,8 +19,7 @@ from rocksteady.kernels.orbits.return_map import FALL, IMPACT, UPLIFT
 from rocksteady.kernels.orbits.settle import FALLS, PERIODIC
 from rocksteady.outcomes import Status
 from tests.every import every
-from tests.kernels.machine_code.in_memory.driver import DriverInMemory
-from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
+from tests.kernels.machine_code.fake_gpu import FakeDriver, fake_gpu
 from tests.strategies import PLAIN
 
 CALLS = loaded(RECORDED.read_bytes())
@@ -102,11 +101,11 @@ def test_one_wrong_bit_is_found_and_named(entry: str, where: str) -> None:
 
 
 def test_a_gpu_that_can_run_is_named(tmp_path: Path) -> None:
-    with gpu_in_memory(tmp_path):
+    with fake_gpu(tmp_path):
         found = rs.installation.check_installation(repeat_calls=False)
     assert (found.gpu, found.no_gpu) == ("NVIDIA Imaginary, compute capability 9.0", None)
-    old = DriverInMemory(name="Tesla T4", capability=(7, 5))
-    with gpu_in_memory(tmp_path, old):
+    old = FakeDriver(name="Tesla T4", capability=(7, 5))
+    with fake_gpu(tmp_path, old):
         found = rs.installation.check_installation(repeat_calls=False)
     assert found.gpu is None
     assert found.no_gpu is not None
@@ -114,7 +113,7 @@ def test_a_gpu_that_can_run_is_named(tmp_path: Path) -> None:
 
 
 def test_without_programs_of_the_kernels_a_gpu_cannot_run(tmp_path: Path) -> None:
-    with gpu_in_memory(tmp_path):
+    with fake_gpu(tmp_path):
         for file in tmp_path.glob("*queued_record_fates.ptx"):
             file.unlink()
         found = rs.installation.check_installation(repeat_calls=False)

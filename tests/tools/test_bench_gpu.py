@@ -17,8 +17,7 @@ from bench.report import GPU_PROGRAMS, MEASURED_GPU, ROOT, write_section
 from rocksteady.errors import InputError
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.machine_code.library import targets
-from tests.kernels.machine_code.in_memory.driver import CUresult, DriverInMemory
-from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory, host_kernels
+from tests.kernels.machine_code.fake_gpu import FakeDriver, fake_gpu, host_kernels
 from tests.strategies import PLAIN
 from tools.aot.build import LOWERED
 from tools.aot.device.build import emulation
@@ -84,51 +83,34 @@ def test_all_of_it_runs_by_the_emulation_and_finds_the_same_bits(
     assert [name for name in script.SHARES if f"s  {name}: " not in said] == []
 
 
-class TimingDriver(DriverInMemory):
-    """A driver in memory with what only measurements ask of one: events, attributes, options."""
+class TimingDriver(FakeDriver):
+    """A fake driver with what only measurements ask of one: events, attributes, options."""
 
     CUfunction_attribute = SimpleNamespace(
-        CU_FUNC_ATTRIBUTE_NUM_REGS=4, CU_FUNC_ATTRIBUTE_LOCAL_SIZE_BYTES=3
+        CU_FUNC_ATTRIBUTE_NUM_REGS=168, CU_FUNC_ATTRIBUTE_LOCAL_SIZE_BYTES=976
     )
     CUjit_option = SimpleNamespace(CU_JIT_MAX_REGISTERS=0)
-    CUdevice_attribute = SimpleNamespace(
-        **vars(DriverInMemory.CUdevice_attribute),
-        CU_DEVICE_ATTRIBUTE_CLOCK_RATE=13,
-        CU_DEVICE_ATTRIBUTE_MEMORY_CLOCK_RATE=36,
-    )
 
     def __init__(self) -> None:
         super().__init__(host_kernels())
+        self.CUdevice_attribute.CU_DEVICE_ATTRIBUTE_CLOCK_RATE = 13
+        self.CUdevice_attribute.CU_DEVICE_ATTRIBUTE_MEMORY_CLOCK_RATE = 36
+        self.answers |= {"cuDriverGetVersion": 13000, "cuEventCreate": 1}
+        self.answers |= {"cuEventRecord": None, "cuEventElapsedTime": 2.0}
         self.caps: list[list[int]] = []
 
-    def cuDriverGetVersion(self) -> Any:
-        return CUresult.CUDA_SUCCESS, 13000
-
-    def cuModuleLoadDataEx(self, image: bytes, count: int, options: Any, values: Any) -> Any:
+    def _cuModuleLoadDataEx(self, image: bytes, count: int, options: Any, values: Any) -> bytes:
         assert count == len(options) == len(values)
         self.caps.append(values)
-        return CUresult.CUDA_SUCCESS, image
+        return image
 
-    def cuFuncGetAttribute(self, attrib: int, func: int) -> Any:
-        assert func > 0
-        return CUresult.CUDA_SUCCESS, {4: 168, 3: 976}[attrib]
-
-    def cuEventCreate(self, Flags: int) -> Any:
-        assert Flags == 0
-        return CUresult.CUDA_SUCCESS, object()
-
-    def cuEventRecord(self, hEvent: object, hStream: int) -> Any:
-        assert hEvent is not None
-        assert hStream in self._streams
-        return (CUresult.CUDA_SUCCESS,)
-
-    def cuEventElapsedTime(self, hStart: object, hEnd: object) -> Any:
-        assert hStart is not hEnd
-        return CUresult.CUDA_SUCCESS, 2.0
+    def _cuFuncGetAttribute(self, attribute: int, function: str) -> int:
+        assert function in self.kernels
+        return attribute
 
 
 @pytest.mark.slow
-def test_all_of_it_runs_on_a_gpu_in_memory_and_writes_its_page(
+def test_all_of_it_runs_on_a_fake_gpu_and_writes_its_page(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for module, name, value in (
@@ -140,7 +122,7 @@ def test_all_of_it_runs_on_a_gpu_in_memory_and_writes_its_page(
         monkeypatch.setattr(module, name, value)
     driver, programs = TimingDriver(), tmp_path / "programs"
     programs.mkdir()
-    with gpu_in_memory(programs, driver):
+    with fake_gpu(programs, driver):
         given = ["--out", str(tmp_path / "out"), "--cells-compared", "640", "--seconds", "100"]
         assert script.main(given) == 0
     assert [128] in driver.caps

@@ -27,8 +27,7 @@ from rocksteady.cli.flags.parsing import axis
 from rocksteady.show.plots.map_classes import LOOKS, map_cells
 from tests.cli.program import refused, rocksteady
 from tests.every import every
-from tests.kernels.machine_code.in_memory.driver import DriverInMemory
-from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
+from tests.kernels.machine_code.fake_gpu import FakeDriver, fake_gpu
 from tests.sweep.executors.callers import tree
 
 AXES = "-A 0.5:5:7 -W 1:8:9"
@@ -453,16 +452,16 @@ def test_a_picture_is_coloured_by_what_is_asked_for(tmp_path: Path) -> None:
 
 def test_a_map_on_a_gpu_is_that_of_threads(tmp_path: Path) -> None:
     command = "map --fate -A 0.5:4:20 -W 1:6:15 -r 0.9 --cycles 20 --json"
-    with gpu_in_memory(tmp_path) as memory:
+    with fake_gpu(tmp_path) as driver:
         values = rocksteady(f"{command} --executor gpu --out", tmp_path / "gpu.zarr").json
     by_threads = rocksteady(f"{command} --out", tmp_path / "threads.zarr").json
     assert values["counts"] == by_threads["counts"]
-    assert memory.launches
+    assert driver.launches
     assert tree(tmp_path / "gpu.zarr") == tree(tmp_path / "threads.zarr")
 
 
 def test_a_map_without_a_gpu_is_refused_before_a_store_is_begun(tmp_path: Path) -> None:
-    with gpu_in_memory(tmp_path, DriverInMemory(gpus=0)):
+    with fake_gpu(tmp_path, FakeDriver(gpus=0)):
         line = refused(f"{MAP} --executor gpu --out", tmp_path / "map.zarr")
     assert line == (
         "rocksteady: --executor = 'gpu' is not valid: the CUDA driver shows no GPU; check "

@@ -5,16 +5,17 @@ import inspect
 import re
 import subprocess
 import sys
-from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.machine_code import _cuda as module
+from rocksteady.kernels.machine_code import gpu as gpu_module
 from rocksteady.kernels.machine_code._cuda import Driver, DriverError, loaded_driver
 from tests.every import every
-from tests.kernels.machine_code.in_memory.driver import FUNCTIONS, CUresult, DriverInMemory
+from tests.kernels.machine_code.fake_gpu import FakeDriver
 
 INSTALLED = importlib.util.find_spec("cuda") is not None
 
@@ -23,14 +24,14 @@ def with_bindings(functions: Any, patch: pytest.MonkeyPatch) -> None:
     patch.setattr(module, "_bindings", lambda: functions)
 
 
-def failing(code: CUresult) -> DriverInMemory:
-    memory = DriverInMemory()
-    memory.fail["cuInit"] = code
-    return memory
+def failing(code: str) -> FakeDriver:
+    driver = FakeDriver()
+    driver.fail["cuInit"] = code
+    return driver
 
 
 def test_a_call_returns_its_result() -> None:
-    driver = Driver(DriverInMemory(gpus=3))
+    driver = Driver(FakeDriver(gpus=3))
     assert driver.call("cuDeviceGetCount") == 3
     assert driver.call("cuInit", 0) is None
     assert driver.CUstream_flags.CU_STREAM_NON_BLOCKING == 1
@@ -38,24 +39,15 @@ def test_a_call_returns_its_result() -> None:
 
 def test_an_error_has_its_name_and_the_words_of_the_driver() -> None:
     with pytest.raises(DriverError) as raised:
-        Driver(failing(CUresult.CUDA_ERROR_NOT_FOUND)).call("cuInit", 0)
+        Driver(failing("CUDA_ERROR_NOT_FOUND")).call("cuInit", 0)
     assert raised.value.code == "CUDA_ERROR_NOT_FOUND"
     assert str(raised.value) == "CUDA_ERROR_NOT_FOUND (not found)"
 
 
-class Unnamed(DriverInMemory):
-    """A driver that returns an error which cuda-python does not know."""
-
-    def cuInit(self, Flags: int) -> Any:
-        return (999 + Flags,)
-
-    def cuGetErrorString(self, error: CUresult) -> Any:
-        return CUresult.CUDA_ERROR_INVALID_VALUE, error
-
-
 def test_an_error_that_nobody_knows_has_a_number() -> None:
+    unnamed = SimpleNamespace(cuInit=lambda _: (999,), cuGetErrorString=lambda _: (1, None))
     with pytest.raises(DriverError, match=r"^error 999$"):
-        Driver(Unnamed()).call("cuInit", 0)
+        Driver(unnamed).call("cuInit", 0)
 
 
 NO_GPU = (
@@ -72,10 +64,10 @@ MISMATCH = (
     "leave the executor out for threads"
 )
 LINES = {
-    "no GPU": (DriverInMemory(gpus=0), NO_GPU),
-    "no device": (failing(CUresult.CUDA_ERROR_NO_DEVICE), NO_GPU),
-    "a stub": (failing(CUresult.CUDA_ERROR_STUB_LIBRARY), NO_DRIVER),
-    "a mismatch": (failing(CUresult.CUDA_ERROR_SYSTEM_DRIVER_MISMATCH), MISMATCH),
+    "no GPU": (FakeDriver(gpus=0), NO_GPU),
+    "no device": (failing("CUDA_ERROR_NO_DEVICE"), NO_GPU),
+    "a stub": (failing("CUDA_ERROR_STUB_LIBRARY"), NO_DRIVER),
+    "a mismatch": (failing("CUDA_ERROR_SYSTEM_DRIVER_MISMATCH"), MISMATCH),
 }
 
 
@@ -121,30 +113,30 @@ def test_without_a_driver_its_library_is_named() -> None:
     )
 
 
-@pytest.mark.skipif(not INSTALLED, reason="cuda-python is not installed")
-@pytest.mark.parametrize("name", FUNCTIONS)
-def test_a_function_in_memory_takes_what_the_real_one_takes(name: str) -> None:
-    driver = importlib.import_module("cuda.bindings.driver")
-    first_line = (getattr(driver, name).__doc__ or "").partition("\n")[0]
-    inside = re.fullmatch(rf"{name}\((.*)\)", first_line)
-    assert inside is not None, first_line
-    # As in "hStream, unsigned int Flags, error: CUresult, char *name, kernelParams".
-    names = [
-        part.partition(":")[0].split()[-1].lstrip("*") for part in inside[1].split(", ") if part
-    ]
-    function: Callable[..., Any] = vars(DriverInMemory)[name]
-    assert list(inspect.signature(function).parameters)[1:] == names
+def test_a_driver_that_is_too_old_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing(*_: object) -> None:
+        raise RuntimeError("Function not found")  # as of the bindings, without the first of them
+
+    with_bindings(SimpleNamespace(cuInit=missing), monkeypatch)
+    monkeypatch.setattr(module, "_has_library", lambda: True)
+    with pytest.raises(InputError) as raised:
+        loaded_driver()
+    assert str(raised.value) == (
+        "executor = 'gpu' is not valid: the CUDA driver is older than version 525; update the "
+        "driver of the GPU, or leave the executor out for threads"
+    )
 
 
 @pytest.mark.skipif(not INSTALLED, reason="cuda-python is not installed")
-def test_errors_and_constants_in_memory_have_the_real_numbers() -> None:
-    driver = importlib.import_module("cuda.bindings.driver")
-    assert {code.name: int(code) for code in CUresult} == {
-        code.name: int(getattr(driver.CUresult, code.name)) for code in CUresult
-    }
+def test_the_real_package_has_each_function_and_constant_that_is_used() -> None:
+    real = importlib.import_module("cuda.bindings.driver")
+    texts = [inspect.getsource(each) for each in (module, gpu_module)]
+    functions = {name for text in texts for name in re.findall(r"\bcu[A-Z]\w+", text)}
+    assert len(functions) >= 20
+    assert {name for name in functions if not hasattr(real, name)} == set()
     for kind in ("CUdevice_attribute", "CUstream_flags", "CUctx_flags"):
-        for name, value in vars(getattr(DriverInMemory, kind)).items():
-            assert int(getattr(getattr(driver, kind), name)) == value
+        for name in vars(getattr(FakeDriver(), kind)):
+            assert hasattr(getattr(real, kind), name)
 
 
 def test_the_package_is_imported_without_cuda() -> None:

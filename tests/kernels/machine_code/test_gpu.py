@@ -1,4 +1,4 @@
-"""A GPU in memory as a device: launches, memory that is used again, and failures."""
+"""A fake GPU as a device: launches, memory that is used again, and failures."""
 
 import functools
 import threading
@@ -15,12 +15,7 @@ from rocksteady.errors import InputError, UnfinishedError
 from rocksteady.kernels.machine_code.device import DeviceMemoryError
 from rocksteady.kernels.machine_code.gpu import BLOCK, UNIT, Stream, gpu
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
-from tests.kernels.machine_code.in_memory.driver import (
-    CUresult,
-    DriverInMemory,
-    nothing_left,
-)
-from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
+from tests.kernels.machine_code.fake_gpu import FakeDriver, fake_gpu, nothing_left
 
 
 class Squares(NamedTuple):
@@ -56,59 +51,59 @@ def squares(stream: Stream, cells: int) -> tuple[Any, Any]:
 
 
 @pytest.fixture
-def memory(tmp_path: Path) -> Iterator[DriverInMemory]:
-    memory = DriverInMemory({"queued_squares": queued_squares})
-    with gpu_in_memory(tmp_path, memory), nothing_left(memory):
-        yield memory
+def driver(tmp_path: Path) -> Iterator[FakeDriver]:
+    driver = FakeDriver({"queued_squares": queued_squares})
+    with fake_gpu(tmp_path, driver), nothing_left(driver):
+        yield driver
 
 
 @pytest.mark.parametrize(
     ("cells", "workers"), [(1, BLOCK), (BLOCK, BLOCK), (BLOCK + 1, 2 * BLOCK), (1000, 4 * BLOCK)]
 )
 def test_a_launch_has_as_many_workers_as_there_are_cells_or_the_gpu_holds(
-    cells: int, workers: int, memory: DriverInMemory
+    cells: int, workers: int, driver: FakeDriver
 ) -> None:
     with gpu().stream() as stream:
         status, _ = squares(stream, cells)
     assert (status == workers).all()
-    assert memory.launches == [("queued_squares", workers, [0, 0, *range(cells)])]
+    assert driver.launches == [("queued_squares", workers, [0, 0, *range(cells)])]
 
 
 def test_without_cells_the_program_is_loaded_and_nothing_is_launched(
-    memory: DriverInMemory,
+    driver: FakeDriver,
 ) -> None:
     with gpu().stream() as stream:
         squares(stream, 0)
         assert stream.calls == 1
-    assert memory.calls.count("cuModuleLoadData") == 1
-    assert not memory.launches
+    assert driver.calls.count("cuModuleLoadData") == 1
+    assert not driver.launches
 
 
-def test_programs_and_memory_are_kept_for_the_next_call(memory: DriverInMemory) -> None:
+def test_programs_and_memory_are_kept_for_the_next_call(driver: FakeDriver) -> None:
     with gpu().stream() as first, gpu().stream() as second:
         for stream in (first, second):
             for cells in (1000, 3, 1500):
                 squares(stream, cells)
-    assert memory.calls.count("cuModuleLoadData") == 1
-    assert memory.calls.count("cuMemAlloc") == 4
-    assert memory.calls.count("cuMemAllocHost") == 2
-    assert memory.calls.count("cuDevicePrimaryCtxRetain") == 1
+    assert driver.calls.count("cuModuleLoadData") == 1
+    assert driver.calls.count("cuMemAlloc") == 4
+    assert driver.calls.count("cuMemAllocHost") == 2
+    assert driver.calls.count("cuDevicePrimaryCtxRetain") == 1
 
 
-def test_memory_grows_by_whole_units(memory: DriverInMemory) -> None:
+def test_memory_grows_by_whole_units(driver: FakeDriver) -> None:
     with gpu().stream() as stream:
         squares(stream, 10)
-        taken = memory.taken
+        taken = driver.taken
         squares(stream, 100_000)
-        more = memory.taken
+        more = driver.taken
     assert set(taken.values()) == {UNIT, 2 * UNIT}
     assert all(size % UNIT == 0 for size in more.values())
     assert more["host memory"] == 4 * UNIT  # queue, values, status and squares: 40 bytes a cell
 
 
 def test_memory_that_does_not_suffice_can_be_tried_with_fewer_cells(tmp_path: Path) -> None:
-    memory = DriverInMemory({"queued_squares": queued_squares}, memory=3 * UNIT)
-    with gpu_in_memory(tmp_path, memory), nothing_left(memory), gpu().stream() as stream:
+    driver = FakeDriver({"queued_squares": queued_squares}, memory=3 * UNIT)
+    with fake_gpu(tmp_path, driver), nothing_left(driver), gpu().stream() as stream:
         squares(stream, 1000)
         with pytest.raises(DeviceMemoryError, match="the memory of NVIDIA Imaginary does not"):
             squares(stream, 100_000)
@@ -145,38 +140,38 @@ LINES = {
     "function",
     ["cuModuleLoadData", "cuMemcpyHtoDAsync", "cuLaunchKernel", "cuStreamSynchronize"],
 )
-def test_a_failure_is_one_line(code: str, function: str, memory: DriverInMemory) -> None:
+def test_a_failure_is_one_line(code: str, function: str, driver: FakeDriver) -> None:
     with gpu().stream() as stream:
-        memory.fail[function] = CUresult[code]
+        driver.fail[function] = code
         with pytest.raises(UnfinishedError) as raised:
             squares(stream, 5)
-        del memory.fail[function]
+        del driver.fail[function]
     assert str(raised.value) == LINES[code]
 
 
 @pytest.mark.parametrize("function", ["cuDevicePrimaryCtxRetain", "cuStreamCreate"])
-def test_a_gpu_that_fails_at_once_is_one_line(function: str, memory: DriverInMemory) -> None:
-    memory.fail[function] = CUresult.CUDA_ERROR_NOT_INITIALIZED
+def test_a_gpu_that_fails_at_once_is_one_line(function: str, driver: FakeDriver) -> None:
+    driver.fail[function] = "CUDA_ERROR_NOT_INITIALIZED"
     with pytest.raises(UnfinishedError, match="CUDA_ERROR_NOT_INITIALIZED"), gpu().stream():
         raise AssertionError
 
 
-def test_another_package_may_have_chosen_how_to_wait(memory: DriverInMemory) -> None:
-    memory.fail["cuDevicePrimaryCtxSetFlags"] = CUresult.CUDA_ERROR_INVALID_VALUE
+def test_another_package_may_have_chosen_how_to_wait(driver: FakeDriver) -> None:
+    driver.fail["cuDevicePrimaryCtxSetFlags"] = "CUDA_ERROR_INVALID_VALUE"
     with gpu().stream() as stream:
         squares(stream, 5)
 
 
 def test_after_a_failure_a_stream_is_closed_without_another_error(tmp_path: Path) -> None:
-    memory = DriverInMemory({"queued_squares": queued_squares})
-    with gpu_in_memory(tmp_path, memory), gpu().stream() as stream:
+    driver = FakeDriver({"queued_squares": queued_squares})
+    with fake_gpu(tmp_path, driver), gpu().stream() as stream:
         for function in ("cuLaunchKernel", "cuMemFree", "cuCtxSetCurrent"):
-            memory.fail[function] = CUresult.CUDA_ERROR_ILLEGAL_ADDRESS
+            driver.fail[function] = "CUDA_ERROR_ILLEGAL_ADDRESS"
         with pytest.raises(UnfinishedError):
             squares(stream, 5)
 
 
-@pytest.mark.usefixtures("memory")
+@pytest.mark.usefixtures("driver")
 def test_a_gpu_has_a_name_and_a_capability() -> None:
     assert repr(gpu()) == "NVIDIA Imaginary, compute capability 9.0"
     assert gpu().threads == 2 * 256
@@ -184,15 +179,15 @@ def test_a_gpu_has_a_name_and_a_capability() -> None:
 
 
 def test_a_gpu_that_is_too_old_is_refused(tmp_path: Path) -> None:
-    memory = DriverInMemory(name="Tesla T4", capability=(7, 5))
+    driver = FakeDriver(name="Tesla T4", capability=(7, 5))
     with (
-        gpu_in_memory(tmp_path, memory),
+        fake_gpu(tmp_path, driver),
         pytest.raises(InputError, match=r"Tesla T4 has compute capability 7\.5"),
     ):
         gpu()
 
 
-@pytest.mark.usefixtures("memory")
+@pytest.mark.usefixtures("driver")
 def test_a_kernel_without_a_program_is_named() -> None:
     def queued_cubes(queue: Integers1, found: Squares) -> None:
         raise NotImplementedError
@@ -214,10 +209,10 @@ def test_a_stream_is_closed_when_the_call_of_another_thread_has_ended(tmp_path: 
         queued_squares(*arguments)
         ended.set()
 
-    memory = DriverInMemory({"queued_squares": slow})
+    driver = FakeDriver({"queued_squares": slow})
     with (
-        gpu_in_memory(tmp_path, memory),
-        nothing_left(memory),
+        fake_gpu(tmp_path, driver),
+        nothing_left(driver),
         ThreadPoolExecutor(1) as threads,
     ):
         with gpu().stream() as stream:

@@ -1,4 +1,4 @@
-"""A sweep on a GPU in memory: the same results, in few calls, and one line where it cannot run."""
+"""A sweep on a fake GPU: the same results, in few calls, and one line where it cannot run."""
 
 import functools
 import os
@@ -36,13 +36,13 @@ from rocksteady.sweep.cases.task import GROWTH
 from rocksteady.sweep.executors import _gpu as gpu_module
 from rocksteady.sweep.executors._gpu import LONG, SHORT, TRIED, halves, next_size
 from rocksteady.sweeps import evaluate
-from tests.kernels.machine_code.in_memory.driver import (
-    CUresult,
-    DriverInMemory,
-    LaunchFailedError,
+from tests.kernels.machine_code.fake_gpu import (
+    FailedError,
+    FakeDriver,
+    fake_gpu,
+    host_kernels,
     nothing_left,
 )
-from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory, host_kernels
 from tests.seismic.grounds import ground
 from tests.sweep.executors.callers import tree
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
@@ -52,9 +52,9 @@ AXES = {"amplitude": np.linspace(0.5, 4.0, 31), "frequency_ratio": np.linspace(1
 
 
 @pytest.fixture
-def memory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DriverInMemory]:
-    with gpu_in_memory(tmp_path_factory.mktemp("programs")) as memory, nothing_left(memory):
-        yield memory
+def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[FakeDriver]:
+    with fake_gpu(tmp_path_factory.mktemp("programs")) as driver, nothing_left(driver):
+        yield driver
 
 
 def fates(run: Execution, **more: Any) -> Any:
@@ -66,27 +66,27 @@ def attractors(run: Execution, **more: Any) -> Any:
 
 
 @pytest.mark.parametrize("maps", [fates, attractors])
-def test_maps_are_those_of_one_thread(maps: Any, memory: DriverInMemory) -> None:
+def test_maps_are_those_of_one_thread(maps: Any, driver: FakeDriver) -> None:
     serial = maps(Execution(executor="serial"))
     told: list[int] = []
     result = maps(Execution(executor="gpu", progress=told.append))
     assert result.identical(serial)
     assert sum(told) == 31 * 23
     # A few cells to see whether there is work for it, then all of them.
-    assert sum(len(queue) - 2 for *_, queue in memory.launches) >= 31 * 23 + TRIED
-    assert memory.flags == [4]
+    assert sum(len(queue) - 2 for *_, queue in driver.launches) >= 31 * 23 + TRIED
+    assert driver.calls.count("cuDevicePrimaryCtxSetFlags") == 1
 
 
-def test_a_store_is_the_same_file_by_file(tmp_path: Path, memory: DriverInMemory) -> None:
+def test_a_store_is_the_same_file_by_file(tmp_path: Path, driver: FakeDriver) -> None:
     for executor in ("threads", "gpu"):
         fates(Execution(executor=executor, store=Store(tmp_path / executor, chunk=50)))
     assert tree(tmp_path / "gpu") == tree(tmp_path / "threads")
     # Chunk by chunk it would be 15 launches.
-    assert len(memory.launches) < 5
+    assert len(driver.launches) < 5
 
 
 def test_a_store_is_begun_by_threads_and_finished_by_a_gpu(
-    tmp_path: Path, memory: DriverInMemory
+    tmp_path: Path, driver: FakeDriver
 ) -> None:
     whole = fates(Execution(executor="serial"))
     store = tmp_path / "map.zarr"
@@ -109,10 +109,10 @@ def test_a_store_is_begun_by_threads_and_finished_by_a_gpu(
     assert told[0] == finished
     assert sum(told) == 31 * 23
     assert resumed.load().identical(whole)
-    assert sum(len(queue) - 2 for *_, queue in memory.launches) == 31 * 23 - finished + TRIED
+    assert sum(len(queue) - 2 for *_, queue in driver.launches) == 31 * 23 - finished + TRIED
 
 
-def test_runs_on_records_are_those_of_one_thread(memory: DriverInMemory) -> None:
+def test_runs_on_records_are_those_of_one_thread(driver: FakeDriver) -> None:
     blocks = [Block.rectangle(width=0.3, height=height) for height in (1.0, 1.5, 2.0)]
     motions = [
         Record(acceleration_m_s2=each.acceleration_m_s2, dt_s=3.0 * each.dt_s)
@@ -128,11 +128,11 @@ def test_runs_on_records_are_those_of_one_thread(memory: DriverInMemory) -> None
         for executor in ("serial", "gpu")
     ]
     assert results[1].identical(results[0])
-    assert memory.launches
-    assert all(name.endswith("record_fates") for name, *_ in memory.launches)
+    assert driver.launches
+    assert all(name.endswith("record_fates") for name, *_ in driver.launches)
 
 
-def test_shares_of_basins_are_those_of_one_thread(memory: DriverInMemory) -> None:
+def test_shares_of_basins_are_those_of_one_thread(driver: FakeDriver) -> None:
     results = [
         compute_basin_shares(
             BLOCK,
@@ -145,7 +145,7 @@ def test_shares_of_basins_are_those_of_one_thread(memory: DriverInMemory) -> Non
         for executor in ("serial", "gpu")
     ]
     assert results[1].identical(results[0])
-    assert memory.launches
+    assert driver.launches
 
 
 def test_several_launches_are_in_flight(tmp_path: Path) -> None:
@@ -159,50 +159,50 @@ def test_several_launches_are_in_flight(tmp_path: Path) -> None:
             together.wait()
         usual(queue, *rest)
 
-    memory = DriverInMemory({**kernels, "queued_lane_fates": waiting})
+    driver = FakeDriver({**kernels, "queued_lane_fates": waiting})
     axes = {"amplitude": np.linspace(0.5, 4.0, 30), "frequency_ratio": np.linspace(1.0, 6.0, 25)}
     with (
-        gpu_in_memory(tmp_path, memory),
-        nothing_left(memory),
+        fake_gpu(tmp_path, driver),
+        nothing_left(driver),
         pytest.MonkeyPatch.context() as patch,
     ):
         patch.setattr(gpu_module, "next_size", lambda *_, **__: 50)
         patch.setattr("rocksteady.dynamics.batch.fates.BATCH", 50)
         result = map_fates(BLOCK, axes=axes, cycles=20, run=Execution(executor="gpu"))
-    assert memory.most_in_flight == 3
+    assert driver.most_in_flight == 3
     assert result.identical(
         map_fates(BLOCK, axes=axes, cycles=20, run=Execution(executor="serial"))
     )
 
 
 @pytest.mark.parametrize("workers", [1, 2])
-def test_workers_are_launches_in_flight(workers: int, memory: DriverInMemory) -> None:
+def test_workers_are_launches_in_flight(workers: int, driver: FakeDriver) -> None:
     fates(Execution(executor="gpu", workers=workers))
-    assert memory.calls.count("cuStreamCreate") == workers
+    assert driver.calls.count("cuStreamCreate") == workers
 
 
 def test_where_memory_is_short_a_call_is_split(tmp_path: Path) -> None:
-    memory = DriverInMemory(host_kernels(), memory=3 * UNIT)
+    driver = FakeDriver(host_kernels(), memory=3 * UNIT)
     axes = {"amplitude": np.linspace(0.5, 4.0, 300), "frequency_ratio": np.linspace(1.0, 6.0, 200)}
-    with gpu_in_memory(tmp_path, memory), nothing_left(memory):
+    with fake_gpu(tmp_path, driver), nothing_left(driver):
         result = map_fates(BLOCK, axes=axes, cycles=2, run=Execution(executor="gpu", workers=1))
     assert result.identical(map_fates(BLOCK, axes=axes, cycles=2, run=Execution(executor="serial")))
-    sizes = [len(queue) - 2 for *_, queue in memory.launches]
+    sizes = [len(queue) - 2 for *_, queue in driver.launches]
     assert sum(sizes) == 60_000 + TRIED
     assert max(sizes) * 12 * 8 < 3 * UNIT
 
 
 def test_where_memory_is_short_even_for_few_cells_there_is_one_line(tmp_path: Path) -> None:
-    memory = DriverInMemory(host_kernels(), memory=UNIT - 1)
-    with gpu_in_memory(tmp_path, memory), nothing_left(memory):
+    driver = FakeDriver(host_kernels(), memory=UNIT - 1)
+    with fake_gpu(tmp_path, driver), nothing_left(driver):
         refused(UnfinishedError, "the memory of NVIDIA Imaginary does not suffice for 16 cells")
 
 
 @pytest.mark.parametrize("function", ["cuDevicePrimaryCtxRetain", "cuStreamCreate"])
 def test_where_memory_is_short_for_streams_there_is_one_line(
-    function: str, memory: DriverInMemory
+    function: str, driver: FakeDriver
 ) -> None:
-    memory.fail[function] = CUresult.CUDA_ERROR_OUT_OF_MEMORY
+    driver.fail[function] = "CUDA_ERROR_OUT_OF_MEMORY"
     refused(UnfinishedError, "the memory of NVIDIA Imaginary does not suffice for 3 streams")
 
 
@@ -223,24 +223,24 @@ def refused(kind: type[Exception], words: str, run: Execution | None = None) -> 
 def test_a_launch_that_fails_leaves_a_store_to_be_resumed(
     code: str, words: str, tmp_path: Path
 ) -> None:
-    memory = DriverInMemory(host_kernels())
-    usual = memory.kernels["queued_lane_fates"]
+    driver = FakeDriver(host_kernels())
+    usual = driver.kernels["queued_lane_fates"]
 
     @functools.wraps(usual)
     def failing(queue: Any, *rest: Any) -> None:
-        if len(memory.launches) > 3:
-            raise LaunchFailedError(CUresult[code])
+        if len(driver.launches) > 3:
+            raise FailedError(code)
         usual(queue, *rest)
 
-    memory.kernels["queued_lane_fates"] = failing
+    driver.kernels["queued_lane_fates"] = failing
     store = Store(tmp_path / "map.zarr", chunk=50)
-    with gpu_in_memory(tmp_path, memory), pytest.MonkeyPatch.context() as patch:
+    with fake_gpu(tmp_path, driver), pytest.MonkeyPatch.context() as patch:
         patch.setattr(gpu_module, "next_size", lambda *_, **__: 50)
         patch.setattr("rocksteady.dynamics.batch.fates.BATCH", 50)
         refused(UnfinishedError, words, Execution(executor="gpu", workers=1, store=store))
     kept = int(open_store(store.path, partial=True).computed.sum())
     assert 0 < kept < 31 * 23
-    with gpu_in_memory(tmp_path):
+    with fake_gpu(tmp_path):
         result = fates(Execution(executor="gpu", store=Store(store.path, resume=True)))
     assert result.load().identical(fates(Execution(executor="serial")))
 
@@ -252,7 +252,7 @@ def test_an_interruption_waits_for_the_launches_in_flight(tmp_path: Path) -> Non
         if cells:
             raise KeyboardInterrupt
 
-    with gpu_in_memory(tmp_path) as memory, nothing_left(memory):
+    with fake_gpu(tmp_path) as driver, nothing_left(driver):
         before = threading.active_count()
         with pytest.raises(KeyboardInterrupt):
             fates(Execution(executor="gpu", store=Store(store, chunk=50), progress=interrupt))
@@ -283,7 +283,7 @@ from pathlib import Path
 from rocksteady import Execution, Store
 from rocksteady.dynamics.batch import fates as fates_module
 from rocksteady.sweep.executors import _gpu
-from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
+from tests.kernels.machine_code.fake_gpu import fake_gpu
 from tests.sweep.executors.test_gpu import fates
 
 left = 200
@@ -297,7 +297,7 @@ def kill(cells):
 _gpu.next_size = lambda *_, **__: 50
 fates_module.BATCH = 50
 folder = Path(sys.argv[1])
-with gpu_in_memory(folder):
+with fake_gpu(folder):
     fates(Execution(executor="gpu", store=Store(folder / "gpu", chunk=25), progress=kill))
 """
 
@@ -310,21 +310,21 @@ def test_a_store_of_a_run_that_was_killed_is_finished_by_another(tmp_path: Path)
     assert killed.returncode == -signal.SIGKILL
     finished = int(open_store(tmp_path / "gpu", partial=True).computed.sum())
     assert 0 < finished < 31 * 23
-    with gpu_in_memory(tmp_path) as memory:
+    with fake_gpu(tmp_path) as driver:
         fates(Execution(executor="gpu", store=Store(tmp_path / "gpu", resume=True)))
-    assert sum(len(queue) - 2 for *_, queue in memory.launches) == 31 * 23 - finished + TRIED
+    assert sum(len(queue) - 2 for *_, queue in driver.launches) == 31 * 23 - finished + TRIED
     fates(Execution(executor="threads", store=Store(tmp_path / "threads", chunk=25)))
     assert tree(tmp_path / "gpu") == tree(tmp_path / "threads")
 
 
-@pytest.mark.usefixtures("memory")
+@pytest.mark.usefixtures("driver")
 def test_an_error_of_the_case_function_names_its_cells() -> None:
     with pytest.raises(ZeroDivisionError) as raised:
         evaluate(shaken, GRID, OUTPUTS, run=Execution(executor="gpu"))
     assert raised.value.__notes__ == ["in cells 0 to 599 of 600: a 0.1 to 3, b 0 to 19"]
 
 
-@pytest.mark.usefixtures("memory")
+@pytest.mark.usefixtures("driver")
 def test_an_error_in_cells_of_several_chunks_names_the_first_of_them(tmp_path: Path) -> None:
     store = Store(tmp_path / "a.zarr", chunk=20)
     with pytest.raises(ZeroDivisionError) as raised:
@@ -353,18 +353,18 @@ def series() -> Any:
 
 
 @pytest.mark.parametrize("call", [nothing_of_it, pulses, series])
-def test_what_no_gpu_computes_is_refused(call: Any, memory: DriverInMemory) -> None:
+def test_what_no_gpu_computes_is_refused(call: Any, driver: FakeDriver) -> None:
     with pytest.raises(InputError) as raised:
         call()
     assert "a GPU computes fates and attractors under harmonic shaking" in str(raised.value)
-    assert not memory.launches
+    assert not driver.launches
 
 
-def test_what_no_gpu_computes_begins_no_store(tmp_path: Path, memory: DriverInMemory) -> None:
+def test_what_no_gpu_computes_begins_no_store(tmp_path: Path, driver: FakeDriver) -> None:
     with pytest.raises(InputError, match="leave the executor out for threads"):
         evaluate(some, GRID, OUTPUTS, run=Execution(executor="gpu", store=tmp_path / "a.zarr"))
     assert not (tmp_path / "a.zarr").exists()
-    assert not memory.launches
+    assert not driver.launches
 
 
 # How many cells a call takes.

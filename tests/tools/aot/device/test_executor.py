@@ -1,4 +1,4 @@
-"""`executor="gpu"` over a driver in memory, whose launches run the program of a device."""
+"""`executor="gpu"` over a fake driver, whose launches run the program of a device."""
 
 import ctypes
 import functools
@@ -24,8 +24,7 @@ from rocksteady import (
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.machine_code.library import caller
 from rocksteady.risk import Levels
-from tests.kernels.machine_code.in_memory.driver import DriverInMemory, nothing_left
-from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
+from tests.kernels.machine_code.fake_gpu import FakeDriver, fake_gpu, nothing_left
 from tests.seismic.grounds import ground
 from tools.aot.device.emulate import Emulated
 from tools.aot.device.program import ENTRY
@@ -41,14 +40,14 @@ RECORDS = [
 
 
 @pytest.fixture
-def memory(emulated: Emulated, tmp_path: Path) -> Iterator[DriverInMemory]:
+def driver(emulated: Emulated, tmp_path: Path) -> Iterator[FakeDriver]:
     library = ctypes.CDLL(str(emulated.library))
     names = [form.queued.__name__ for form in FORMS.values()]
     functions = [form.queued.py_func for form in FORMS.values()]
     pairs = zip(names, functions, strict=True)
-    memory = DriverInMemory({name: on_threads(function, library) for name, function in pairs})
-    with gpu_in_memory(tmp_path, memory), nothing_left(memory):
-        yield memory
+    driver = FakeDriver({name: on_threads(function, library) for name, function in pairs})
+    with fake_gpu(tmp_path, driver), nothing_left(driver):
+        yield driver
 
 
 def on_threads(function: Callable[..., Any], library: ctypes.CDLL) -> Callable[..., None]:
@@ -94,9 +93,9 @@ CASES = {
 @pytest.mark.slow
 @pytest.mark.parametrize("kernel", CASES)
 def test_a_sweep_on_a_device_has_the_bits_of_one_on_the_processor(
-    kernel: str, memory: DriverInMemory
+    kernel: str, driver: FakeDriver
 ) -> None:
     serial = CASES[kernel](Execution(executor="serial"))
     result = CASES[kernel](Execution(executor="gpu"))
     assert result.identical(serial)
-    assert kernel in {name for name, *_ in memory.launches}
+    assert kernel in {name for name, *_ in driver.launches}
