@@ -29,8 +29,8 @@ FLOOR_TESTS := $(addprefix tests/,certify cli/console cli/flags cli/test_app.py 
 	risk/hazard risk/observations risk/screens seismic show/export show/figures show/film show/plots show/style sweep)
 CHECKS := lint types layers library tests
 # What make test leaves to make test-all, with what its end says of each.
-BEYOND := docs tests-python ptx tests-floor frozen-all
-LEFT := the slow tests, the manual, kernels as plain Python, GPU programs, lower bounds, all recorded answers
+BEYOND := docs tests-python tests-floor frozen-all
+LEFT := the slow tests, the manual, kernels as plain Python, lower bounds, all recorded answers
 # A check writes here what it could not run, and the end prints it.
 NOT_RUN := build/not-run
 
@@ -120,10 +120,6 @@ tests: .venv library $(if $(filter not,$(MARKS)),,gpu) ## pytest, kernels from t
 tests-python: .venv ## the kernels' tests once more as plain Python
 	ROCKSTEADY_KERNELS=python $(BIN)/python -m pytest tests/kernels -n $(WORKERS) --dist worksteal
 
-.PHONY: ptx
-ptx: .venv .venv/.ptxas ## ptxas over the programs for GPUs, where it can be installed [+ ptxas]
-	$(BIN)/python -m tools.aot.device check --architectures sm_90
-
 .PHONY: docs
 docs: .venv library ## build the manual into out/manual; its tutorials and gallery are computed
 	@# Sphinx leaves the pages of what is gone: what it writes is written anew.
@@ -145,7 +141,7 @@ library: .venv ## compile the kernels into a library for this machine, unless th
 
 .PHONY: gpu
 gpu: .venv ## compile the kernels for GPUs, for the executor "gpu"
-	@$(BIN)/python -m tools.aot.device build
+	@$(BIN)/python -m tools.aot.device
 
 .PHONY: .venv
 .venv: $(STAMP) ## create the environment and install the package; again only where pins changed
@@ -201,7 +197,7 @@ wheels: .venv ## build a wheel for each platform and one for GPUs into dist/, an
 	@rm -f dist/rocksteady*.whl
 	$(BIN)/python -m tools.aot build --out build/libraries
 	$(BIN)/python -m tools.aot.web.program build/libraries
-	$(BIN)/python -m tools.aot.device build --out build/libraries --architectures sm_80
+	$(BIN)/python -m tools.aot.device --out build/libraries --architectures sm_80
 	$(BIN)/python -m tools.wheels build --libraries build/libraries --out dist
 	$(BIN)/python -m tools.wheels check --wheels dist
 
@@ -248,10 +244,6 @@ bench-gpu: .venv library gpu ## measure the kernels on a GPU, ten minutes; write
 	@mkdir -p out docs
 	$(BIN)/python -m bench.gpu
 
-.PHONY: resources
-resources: .venv gpu .venv/.ptxas ## what the kernels take of a GPU, by ptxas; writes its part of docs/benchmarks.md
-	$(BIN)/python -m bench.gpu.resources
-
 .PHONY: mutants
 mutants: .venv library ## change single places of the sources, and count what tests notice: an hour
 	$(BIN)/python -m tools.mutants
@@ -295,13 +287,6 @@ $(STAMP): pyproject.toml constraints.txt
 	@echo "Installing rocksteady into .venv, with what its checks, its manual and its wheels need"
 	@ROCKSTEADY_BUILD=pure; export ROCKSTEADY_BUILD; $(call install,.venv,--editable '.[$(EXTRAS)]')
 	@echo "$(CURDIR)" > $@
-
-# The assembler of PTX: without what its wheel depends on, a compiler of C++. Where it cannot be
-# installed, what needs it says so and goes on.
-.venv/.ptxas: tools/aot/device/constraints.txt | .venv
-	@if $(BIN)/python -m pip install --quiet --no-deps --only-binary :all: --requirement $<; \
-		then echo installed > $@; \
-		else echo "ptxas cannot be installed here" >&2; : > $@; fi
 
 ifneq ($(shell test -x $(FLOOR)/$(PROGRAMS)/python && cat $(FLOOR_STAMP) 2>/dev/null),$(CURDIR))
 .PHONY: $(FLOOR_STAMP)

@@ -22,13 +22,12 @@ SAMPLE_AIMS = {"flight, plain": "aim 25 ns", "earthquake, with peaks": "aim 90 n
 PACKAGES = ("rocksteady", "numba", "numpy", "pytest-benchmark")
 
 # The sections of the page, in their order; `make bench-peers` writes the second, `make
-# bench-explorer` the third, `make resources` the fourth and `make bench-gpu` the fifth.
+# bench-explorer` the third and `make bench-gpu` the fourth.
 PACKAGE = "The package"
 PEERS = "Beside other solvers"
 EXPLORER = "The explorer"
-GPU_PROGRAMS = "GPU programs"
 MEASURED_GPU = "A GPU, measured"
-SECTIONS = (PACKAGE, PEERS, EXPLORER, GPU_PROGRAMS, MEASURED_GPU)
+SECTIONS = (PACKAGE, PEERS, EXPLORER, MEASURED_GPU)
 
 INTRODUCTION = """\
 Written by `make bench`; do not edit. Medians; CPU time of one core, compilation excluded, for the

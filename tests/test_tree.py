@@ -185,7 +185,6 @@ def test_tests_stand_in_the_folders_of_what_they_test() -> None:
         Path("tools"),
         Path("tools/aot"),
         Path("tools/aot/device"),
-        Path("tools/aot/device/ptx"),
         Path("public"),
         Path("manual"),
         Path("explorer/browser"),

@@ -1,12 +1,13 @@
 """Turn what a GPU did into tables, in docs/benchmarks.md: ``python -m bench.gpu.report``."""
 
 import json
+import re
 import sys
+import textwrap
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from bench.gpu.resources import wrapped
 from bench.report import MEASURED_GPU, ROOT, write_section
 
 INTRODUCTION = """\
@@ -36,6 +37,15 @@ def section(data: dict[str, Any]) -> str:
         if data.get(name):
             parts += ["", *made(data[name])]
     return "\n".join(parts)
+
+
+def wrapped(text: str) -> str:
+    """Return paragraphs in lines of equal length; a target of make is not broken."""
+    joined = re.sub(r"`make\s+", "`make\N{NO-BREAK SPACE}", text)
+    paragraphs = [
+        textwrap.fill(each, 100, break_on_hyphens=False) for each in joined.strip().split("\n\n")
+    ]
+    return "\n\n".join(paragraphs).replace("\N{NO-BREAK SPACE}", " ")
 
 
 def table(headings: Sequence[str], rows: Iterable[Sequence[Any]], words: int = 1) -> list[str]:

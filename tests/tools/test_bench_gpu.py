@@ -12,8 +12,8 @@ import pytest
 from filelock import FileLock
 
 from bench.gpu import __main__ as script
-from bench.gpu import atlas, devices, report, resources, stages, whole, work
-from bench.report import GPU_PROGRAMS, MEASURED_GPU, ROOT, write_section
+from bench.gpu import atlas, devices, report, stages, whole, work
+from bench.report import EXPLORER, MEASURED_GPU, ROOT, write_section
 from rocksteady.errors import InputError
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.machine_code.library import targets
@@ -225,17 +225,6 @@ def test_an_atlas_that_is_read_in_slabs_has_the_same_counts(
 # ------------------------------------------------------------------------------------- the pages
 
 
-def test_the_paragraph_on_spills_states_the_least_the_most_and_how_many_reach_the_aim() -> None:
-    rows = [
-        f"| k | sm_90 | 255 | 368 | {out}, 7 | 377 | 256 | 12.5 % | 22312 |"
-        for out in (120, 4020, 264)
-    ]
-    text = " ".join(resources.spills("\n".join(rows))[1].split())
-    assert "120" in text
-    assert "4020" in text
-    assert resources.spills("| no row |") == []
-
-
 def test_what_was_measured_has_a_section_with_the_name_of_the_gpu(tmp_path: Path) -> None:
     facts = {
         "name": "NVIDIA X",
@@ -265,11 +254,11 @@ def test_what_was_measured_has_a_section_with_the_name_of_the_gpu(tmp_path: Path
     }
     source, page = tmp_path / "gpu.json", tmp_path / "page.md"
     source.write_text(json.dumps(data), encoding="utf-8")
-    write_section(page, GPU_PROGRAMS, "programs")
+    write_section(page, EXPLORER, "the page")
     report.main(source, page)
     text = page.read_text(encoding="utf-8")
     words = " ".join(text.split())
-    assert text.index(f"## {GPU_PROGRAMS}") < text.index(f"## {MEASURED_GPU}")
+    assert text.index(f"## {EXPLORER}") < text.index(f"## {MEASURED_GPU}")
     assert "**NVIDIA X** (compute capability 9.0, 132 multiprocessors" in words
     for row in ("| lane_fates | 10 | 500.0 ms | 600.0 ms | 2.00e+01 |  |", '`{"cell": 7}`'):
         assert row in text

@@ -131,7 +131,7 @@ def build_programs(libraries: Path, out: Path) -> Path:
     Parameters
     ----------
     libraries
-        Folder that ``python -m tools.aot.device build`` wrote its programs to.
+        Folder that ``python -m tools.aot.device`` wrote its programs to.
     out
         Folder for the wheel.
 

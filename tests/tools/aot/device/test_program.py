@@ -104,6 +104,13 @@ def test_the_ptx_of_both_architectures_differs_in_its_header_alone() -> None:
     assert differ == [(".version 7.0", ".version 7.8"), (".target sm_80", ".target sm_90")]
 
 
+@pytest.mark.skipif(PLAIN, reason="kernels are not lowered")
+@pytest.mark.slow
+def test_parameters_of_functions_are_loaded_by_name() -> None:
+    """LLVM loads eight of this kernel from a chosen address, as PTX allows in entries only."""
+    assert re.findall(r"ld\.param\.\w+\s+%\w+, \[%.*", ptx("queued_settle_cells")) == []
+
+
 @pytest.mark.parametrize(
     ("operation", "refused"),
     [

@@ -1,1 +1,0 @@
-"""Reading PTX, and writing each of its instructions in C."""
