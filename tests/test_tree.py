@@ -18,7 +18,8 @@ ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "rocksteady"
 FILES = sorted(SOURCE.rglob("*.py"))
 STARTED = {
-    *("rocksteady.__main__", "rocksteady.cli.app", "rocksteady.kernels.entries"),
+    *("rocksteady.__main__", "rocksteady.cli.app", "rocksteady.gpu.executor"),
+    "rocksteady.kernels.entries",
     *(
         f"rocksteady.{each.partition(':')[0]}"
         for group in GROUPS.values()

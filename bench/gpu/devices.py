@@ -10,12 +10,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from rocksteady.gpu._cuda import Driver, DriverError, loaded_driver
+from rocksteady.gpu._launch import Launch
+from rocksteady.gpu._nvidia import BLOCK, Gpu, Memory
+from rocksteady.gpu._programs import program
 from rocksteady.kernels.devices import Form
-from rocksteady.kernels.machine_code._cuda import Driver, DriverError, loaded_driver
-from rocksteady.kernels.machine_code._launch import Launch
 from rocksteady.kernels.machine_code.device import cells_in
-from rocksteady.kernels.machine_code.gpu import BLOCK, Gpu, Memory
-from rocksteady.kernels.machine_code.programs import program
 
 ASKED = "name,driver_version,clocks.sm,clocks.max.sm,clocks.mem,temperature.gpu,power.draw"
 """What `nvidia-smi` is asked where it is."""

@@ -10,8 +10,8 @@ import numpy as np
 
 from bench.gpu.devices import Bench
 from bench.gpu.work import SECONDS, classes, impacts_of, on_host, work
+from rocksteady.gpu._cuda import DriverError
 from rocksteady.kernels.devices import FORMS, Form
-from rocksteady.kernels.machine_code._cuda import DriverError
 
 Say = Callable[[str], None]
 

@@ -19,7 +19,7 @@ from rocksteady.kernels.orbits.return_map import FALL, IMPACT, UPLIFT
 from rocksteady.kernels.orbits.settle import FALLS, PERIODIC
 from rocksteady.outcomes import Status
 from tests.every import every
-from tests.kernels.machine_code.fake_gpu import FakeDriver, fake_gpu
+from tests.gpu.fake_gpu import FakeDriver, fake_gpu
 from tests.strategies import PLAIN
 
 CALLS = loaded(RECORDED.read_bytes())

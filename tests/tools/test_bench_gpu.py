@@ -17,7 +17,7 @@ from bench.report import EXPLORER, MEASURED_GPU, ROOT, write_section
 from rocksteady.errors import InputError
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.machine_code.library import targets
-from tests.kernels.machine_code.fake_gpu import FakeDriver, fake_gpu, host_kernels
+from tests.gpu.fake_gpu import FakeDriver, fake_gpu, host_kernels
 from tests.strategies import PLAIN
 from tools.aot.build import LOWERED
 from tools.aot.device.build import emulation

@@ -20,11 +20,11 @@ from packaging.tags import sys_tags
 
 from rocksteady.explorer import _program as program
 from rocksteady.explorer._module import BEGINS, NAME
+from rocksteady.gpu._programs import BROUGHT
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code import sources
 from rocksteady.kernels.machine_code.compilation import PURE as PURE_FILE
 from rocksteady.kernels.machine_code.library import checksum_file
-from rocksteady.kernels.machine_code.programs import BROUGHT
 from rocksteady.kernels.machine_code.sources import sources_hash
 from tests.every import every
 from tests.strategies import rest_slow

@@ -13,11 +13,11 @@ from hatchling.builders.wheel import WheelBuilder
 from rocksteady import __version__
 from rocksteady.explorer import _module as module
 from rocksteady.explorer import _program as program
+from rocksteady.gpu._programs import BROUGHT, LEAST, file_name, sources_of
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code import sources
 from rocksteady.kernels.machine_code.library import checksum_file
-from rocksteady.kernels.machine_code.programs import BROUGHT, LEAST, file_name, sources_of
 from rocksteady.kernels.machine_code.sources import sources_hash
 from tools.wheels.platforms import PURE, Platform
 

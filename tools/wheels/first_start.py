@@ -13,7 +13,7 @@ from typing import NamedTuple
 from packaging.tags import sys_tags
 from packaging.utils import parse_wheel_filename
 
-from rocksteady.kernels.machine_code.programs import BROUGHT
+from rocksteady.gpu._programs import BROUGHT
 from tools.wheels.building import LARGEST, ROOT
 
 MB = 1e6
@@ -34,7 +34,7 @@ FIRST_PICTURE = (
 )
 PROGRAMS = (
     "from rocksteady.kernels.devices import FORMS\n"
-    "from rocksteady.kernels.machine_code.programs import LEAST, check_programs\n"
+    "from rocksteady.gpu._programs import LEAST, check_programs\n"
     "check_programs(FORMS.values(), LEAST)\n"
     "print('of all kernels')"
 )

@@ -14,6 +14,7 @@ import numpy as np
 from rocksteady.errors import InputError, with_call_errors
 from rocksteady.installation._recorded import Call, Difference, differences, loaded, replayed
 from rocksteady.kernels.machine_code.types import signature_of
+from rocksteady.leaves import import_if_present
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact, Table
 from rocksteady.results.numbers import plural
@@ -300,13 +301,10 @@ def _environment() -> dict[str, Any]:
 
 def _gpu() -> tuple[str | None, str | None]:
     """Return the GPU that can run the kernels, or why there is none."""
-    from rocksteady.kernels.devices import FORMS
-    from rocksteady.kernels.machine_code.gpu import gpu
-    from rocksteady.kernels.machine_code.programs import check_programs
-
+    leaf = import_if_present("gpu.executor")
+    if leaf is None:
+        return None, "this installation has no part for GPUs"
     try:
-        device = gpu()
-        check_programs(FORMS.values(), device.capability)
+        return str(leaf.find_gpu()), None
     except InputError as error:
         return None, error.valid
-    return str(device), None

@@ -27,7 +27,7 @@ from rocksteady.cli.flags.parsing import axis
 from rocksteady.show.plots.map_classes import LOOKS, map_cells
 from tests.cli.program import refused, rocksteady
 from tests.every import every
-from tests.kernels.machine_code.fake_gpu import FakeDriver, fake_gpu
+from tests.gpu.fake_gpu import FakeDriver, fake_gpu
 from tests.sweep.executors.callers import tree
 
 AXES = "-A 0.5:5:7 -W 1:8:9"

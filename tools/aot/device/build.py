@@ -7,9 +7,9 @@ from concurrent.futures import ProcessPoolExecutor
 from functools import cache
 from pathlib import Path
 
+from rocksteady.gpu._programs import sources_of
 from rocksteady.kernels.devices import COLD, FORMS
 from rocksteady.kernels.machine_code.library import checksum_file
-from rocksteady.kernels.machine_code.programs import sources_of
 from rocksteady.kernels.machine_code.sources import sources_hash, unchanged
 from rocksteady.sweep.cases.queue import usable_cores
 from tools.aot.build import LOWERED, ChangedError, lowered, publish, tools_hash

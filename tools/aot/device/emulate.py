@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from rocksteady.gpu._launch import queue_of
 from rocksteady.kernels.devices import Form
-from rocksteady.kernels.machine_code._launch import queue_of
 from rocksteady.kernels.machine_code.library import caller, targets
 from tools.aot.device.emit import optimised
 from tools.aot.device.program import ENTRY, parsed

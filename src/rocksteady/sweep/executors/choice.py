@@ -7,6 +7,7 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING, TypeGuard
 
 from rocksteady.errors import InputError
+from rocksteady.leaves import import_if_present
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.sweep.cases.queue import Pool
 from rocksteady.sweep.cases.task import Task
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 
 WORKERS = Whole(1, 1024, "give a number, or leave it out")
 MOST_PORTS = 65535
+ABSENT = ("this installation has no part for GPUs", "leave the executor out for threads")
 
 
 def pool_for(
@@ -51,9 +53,11 @@ def _dask_pool(
 
 def _gpu_pool(task: Task, workers: int | None) -> AbstractContextManager[Pool]:
     """Return the workers that share the GPU of this machine."""
-    from rocksteady.sweep.executors._gpu import gpu_pool
-
-    return gpu_pool(task, workers)
+    leaf = import_if_present("gpu.executor")
+    if leaf is None:
+        raise InputError("executor", "gpu", *ABSENT)
+    pool: AbstractContextManager[Pool] = leaf.gpu_pool(task, workers)
+    return pool
 
 
 EXECUTORS: dict[str, Callable[[Task, int | None], AbstractContextManager[Pool]]] = {

@@ -24,7 +24,7 @@ from rocksteady import (
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.machine_code.library import caller
 from rocksteady.risk import Levels
-from tests.kernels.machine_code.fake_gpu import FakeDriver, fake_gpu, nothing_left
+from tests.gpu.fake_gpu import FakeDriver, fake_gpu, nothing_left
 from tests.seismic.grounds import ground
 from tools.aot.device.emulate import Emulated
 from tools.aot.device.program import ENTRY

@@ -60,8 +60,8 @@ def check_programs(forms: Iterable[Form], capability: Capability) -> None:
 
 def brought_folders() -> list[Path]:
     """Return the folder of the programs that the wheel rocksteady-gpu brings; none without it."""
-    found = find_spec(BROUGHT)
-    return [Path(place) for place in (found and found.submodule_search_locations) or ()]
+    spec = find_spec(BROUGHT)
+    return [Path(place) for place in (spec and spec.submodule_search_locations) or ()]
 
 
 def file_name(capability: Capability, kernel: str) -> str:

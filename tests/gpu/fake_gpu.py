@@ -17,13 +17,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from rocksteady.gpu import _cuda as driver_module
+from rocksteady.gpu import _programs as programs
+from rocksteady.gpu._nvidia import gpu
 from rocksteady.installation._recorded import arguments_of
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.entries import ENTRIES
-from rocksteady.kernels.machine_code import _cuda as driver_module
-from rocksteady.kernels.machine_code import programs
 from rocksteady.kernels.machine_code.device import Form
-from rocksteady.kernels.machine_code.gpu import gpu
 from rocksteady.kernels.machine_code.library import DTYPES, cells_of
 from rocksteady.kernels.machine_code.sources import sources_hash
 from rocksteady.kernels.machine_code.types import signature_of

@@ -12,14 +12,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from rocksteady.kernels.core import queue as kernels_queue
-from rocksteady.kernels.machine_code._launch import (
+from rocksteady.gpu._launch import (
     ALIGNED,
     STEPS,
     Launch,
     longest_first,
     queue_of,
 )
+from rocksteady.kernels.core import queue as kernels_queue
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from tests.every import every
 

@@ -11,11 +11,11 @@ from typing import Any
 import pytest
 
 from rocksteady.errors import InputError
-from rocksteady.kernels.machine_code import _cuda as module
-from rocksteady.kernels.machine_code import gpu as gpu_module
-from rocksteady.kernels.machine_code._cuda import Driver, DriverError, loaded_driver
+from rocksteady.gpu import _cuda as module
+from rocksteady.gpu import _nvidia as gpu_module
+from rocksteady.gpu._cuda import Driver, DriverError, loaded_driver
 from tests.every import every
-from tests.kernels.machine_code.fake_gpu import FakeDriver
+from tests.gpu.fake_gpu import FakeDriver
 
 INSTALLED = importlib.util.find_spec("cuda") is not None
 

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from rocksteady.errors import InputError, UnfinishedError
+from rocksteady.gpu._nvidia import BLOCK, UNIT, Stream, gpu
 from rocksteady.kernels.machine_code.device import DeviceMemoryError
-from rocksteady.kernels.machine_code.gpu import BLOCK, UNIT, Stream, gpu
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
-from tests.kernels.machine_code.fake_gpu import FakeDriver, fake_gpu, nothing_left
+from tests.gpu.fake_gpu import FakeDriver, fake_gpu, nothing_left
 
 
 class Squares(NamedTuple):

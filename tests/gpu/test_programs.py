@@ -5,10 +5,10 @@ from pathlib import Path
 import pytest
 
 from rocksteady.errors import InputError
-from rocksteady.kernels.machine_code import programs as module
-from rocksteady.kernels.machine_code.programs import file_name, program, refuse_capability
+from rocksteady.gpu import _programs as module
+from rocksteady.gpu._programs import file_name, program, refuse_capability
 from rocksteady.kernels.machine_code.sources import sources_hash
-from tests.kernels.machine_code.fake_gpu import write_program
+from tests.gpu.fake_gpu import write_program
 
 NAME = "queued_lane_fates"
 

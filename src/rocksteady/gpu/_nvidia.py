@@ -10,7 +10,7 @@ from threading import Lock
 from typing import Any, NamedTuple
 
 from rocksteady.errors import UnfinishedError
-from rocksteady.kernels.machine_code._cuda import (
+from rocksteady.gpu._cuda import (
     OUT_OF_MEMORY,
     THREADS,
     Driver,
@@ -18,9 +18,9 @@ from rocksteady.kernels.machine_code._cuda import (
     loaded_driver,
     unusable,
 )
-from rocksteady.kernels.machine_code._launch import Launch
+from rocksteady.gpu._launch import Launch
+from rocksteady.gpu._programs import Capability, program, refuse_capability
 from rocksteady.kernels.machine_code.device import DeviceMemoryError, Form, cells_in
-from rocksteady.kernels.machine_code.programs import Capability, program, refuse_capability
 
 BLOCK = 64
 """Threads of a block: the registers of a block are free again when its last thread has ended, so

@@ -9,10 +9,10 @@ from queue import SimpleQueue
 from typing import NamedTuple
 
 from rocksteady.errors import InputError, UnfinishedError
+from rocksteady.gpu._nvidia import Gpu, Stream, gpu
+from rocksteady.gpu._programs import check_programs
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.machine_code.device import DeviceMemoryError, on_device
-from rocksteady.kernels.machine_code.gpu import Gpu, Stream, gpu
-from rocksteady.kernels.machine_code.programs import check_programs
 from rocksteady.results.numbers import plural
 from rocksteady.sweep.cases.queue import JOBS_SUBMITTED, Pool, Queue
 from rocksteady.sweep.cases.task import GROWTH, Answer, CellRange, Task
@@ -43,6 +43,19 @@ class Launched(NamedTuple):
     """The most cells for which the memory of the GPU suffices, as far as it is known."""
 
 
+def find_gpu() -> Gpu:
+    """Return the GPU of this machine, with the programs that it runs.
+
+    Raises
+    ------
+    InputError
+        If there is no GPU that can run the kernels, or a program is missing.
+    """
+    device = gpu()
+    check_programs(FORMS.values(), device.capability)
+    return device
+
+
 @contextmanager
 def gpu_pool(task: Task, workers: int | None) -> Iterator[Pool]:
     """Run the jobs in threads that share a GPU, `LAUNCHES` where `workers` is None.
@@ -57,8 +70,7 @@ def gpu_pool(task: Task, workers: int | None) -> Iterator[Pool]:
     UnfinishedError
         If the GPU fails, or has no memory even for a few cells.
     """
-    device = gpu()
-    check_programs(FORMS.values(), device.capability)
+    device = find_gpu()
     count = LAUNCHES if workers is None else workers
     with ExitStack() as stack:
         streams: SimpleQueue[Stream] = SimpleQueue()

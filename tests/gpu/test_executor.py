@@ -29,14 +29,14 @@ from rocksteady import (
 from rocksteady.basins import SamplingOptions, compute_basin_shares
 from rocksteady.dynamics.batch.fates import ends_of
 from rocksteady.errors import InputError, UnfinishedError
-from rocksteady.kernels.machine_code.gpu import UNIT
+from rocksteady.gpu import executor as gpu_module
+from rocksteady.gpu._nvidia import UNIT
+from rocksteady.gpu.executor import LONG, SHORT, TRIED, halves, next_size
 from rocksteady.motions import FourierSeries
 from rocksteady.risk import Levels
 from rocksteady.sweep.cases.task import GROWTH
-from rocksteady.sweep.executors import _gpu as gpu_module
-from rocksteady.sweep.executors._gpu import LONG, SHORT, TRIED, halves, next_size
 from rocksteady.sweeps import evaluate
-from tests.kernels.machine_code.fake_gpu import (
+from tests.gpu.fake_gpu import (
     FailedError,
     FakeDriver,
     fake_gpu,
@@ -282,8 +282,8 @@ import os, signal, sys
 from pathlib import Path
 from rocksteady import Execution, Store
 from rocksteady.dynamics.batch import fates as fates_module
-from rocksteady.sweep.executors import _gpu
-from tests.kernels.machine_code.fake_gpu import fake_gpu
+from rocksteady.gpu import executor as _gpu
+from tests.gpu.fake_gpu import fake_gpu
 from tests.sweep.executors.test_gpu import fates
 
 left = 200
