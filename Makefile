@@ -28,6 +28,8 @@ FLOOR_TESTS := $(addprefix tests/,certify cli/console cli/flags cli/test_app.py 
 	risk/back_analysis risk/calibration risk/ensemble risk/fits risk/fragility risk/free_rocking \
 	risk/hazard risk/observations risk/screens seismic show/export show/figures show/film show/plots show/style sweep)
 CHECKS := lint types layers library tests
+# What mutants runs: the tests in the folder of each module, or TESTS=.
+TESTS ?= $(sort $(foreach path,$(PATHS:src/rocksteady/%=%),tests/$(if $(filter %.py,$(path)),$(dir $(path)),$(path))))
 # What make test leaves to make test-all, with what its end says of each.
 BEYOND := docs tests-python tests-floor frozen-all
 LEFT := the slow tests, the manual, kernels as plain Python, lower bounds, all recorded answers
@@ -245,8 +247,14 @@ bench-gpu: .venv library gpu ## measure the kernels on a GPU, ten minutes; write
 	$(BIN)/python -m bench.gpu
 
 .PHONY: mutants
-mutants: .venv library ## change single places of the sources, and count what tests notice: an hour
-	$(BIN)/python -m tools.mutants
+mutants: .venv library ## change single places of modules, and list what their tests do not notice: PATHS=src/... [+ build/mutants]
+	@test -n "$(PATHS)" || { echo "name modules or folders: make mutants PATHS=src/rocksteady/risk/fits" >&2; exit 1; }
+	@rm -rf build/mutants && mkdir -p build/mutants && ln -s $(CURDIR)/src $(CURDIR)/tests $(CURDIR)/tools build/mutants
+	@sed -e 's|^only_mutate = .*|only_mutate = [$(foreach path,$(PATHS),"$(path)*",)]|' \
+		-e 's|^\(pytest_add_cli_args_test_selection\) = .*|\1 = [$(foreach path,$(TESTS),"$(path)",)]|' \
+		pyproject.toml > build/mutants/pyproject.toml
+	cd build/mutants && $(CURDIR)/$(BIN)/mutmut run --max-children $(WORKERS) && $(CURDIR)/$(BIN)/mutmut results
+	@echo "one of them: cd build/mutants && $(CURDIR)/$(BIN)/mutmut show NAME"
 
 .PHONY: gallery
 gallery: .venv library ## draw every picture on one page, light and dark, wide and narrow, in grey: out/gallery
