@@ -14,6 +14,8 @@ STAMP := .venv/.installed
 FLOOR := build/floor
 FLOOR_STAMP := $(FLOOR)/.installed
 WHEEL := build/wheel
+BILL := build/bill
+VERSION = $(shell sed -n 's/^__version__ = "\(.*\)"/\1/p' src/rocksteady/__init__.py)
 # What the tests of the package import; those of pages, pictures and tools need the checkout's environment.
 WHEEL_NEEDS := hypothesis mpmath numba psutil pytest pytest-xdist python-flint statsmodels
 WHEEL_TESTS := $(addprefix tests/,dynamics kernels model records results risk seismic sweep)
@@ -223,13 +225,20 @@ tests-wheel: ## pytest on the wheel of this machine in dist/, in an environment 
 	$(WHEEL)/$(PROGRAMS)/rocksteady doctor --check
 	$(WHEEL)/$(PROGRAMS)/python -m pytest -n $(WORKERS) --dist worksteal -o cache_dir=$(WHEEL)/pytest $(WHEEL_TESTS)
 
+.PHONY: bill
+bill: .venv ## the bill of materials in dist/: what the package needs, installed alone [+ build/bill]
+	@rm -rf $(BILL) && mkdir -p dist && $(PYTHON) -m venv --without-pip $(BILL)
+	$(BIN)/python -m uv pip install --quiet --python $(BILL) --constraint constraints.txt --requirements pyproject.toml
+	@sed 's/^dynamic = .*/version = "$(VERSION)"/' pyproject.toml > $(BILL)/pyproject.toml
+	$(BIN)/cyclonedx-py environment --pyproject $(BILL)/pyproject.toml --mc-type library --short-PURLs \
+		--output-reproducible --output-file dist/rocksteady-$(VERSION).cdx.json $(BILL)
+
 .PHONY: metadata
 metadata: .venv ## write codemeta.json from pyproject.toml and CITATION.cff
 	$(BIN)/python -m tools.release metadata
 
 .PHONY: release
-release: wheels sdist ## the files of a release in dist/: wheels, sources, bill of materials, recipe, hashes
-	$(BIN)/python -m tools.release bill --out dist
+release: wheels sdist bill ## the files of a release in dist/: wheels, sources, bill of materials, recipe, hashes
 	$(BIN)/python -m tools.release recipe --out dist
 	cd dist && sha256sum rocksteady* > SHA256SUMS && cat SHA256SUMS
 

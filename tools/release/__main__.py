@@ -1,4 +1,4 @@
-"""Make what a release needs: ``python -m tools.release sdist|metadata|bill|recipe|site|check``.
+"""Make what a release needs: ``python -m tools.release sdist|metadata|recipe|site|check``.
 
 Exit codes: 0 done, 1 where something is missing or wrong.
 """
@@ -11,7 +11,6 @@ from pathlib import Path
 from hatchling.builders.sdist import SdistBuilder
 
 from rocksteady import __version__
-from tools.release.materials import bill
 from tools.release.project import CODEMETA, ROOT, address, codemeta, faults
 from tools.release.recipe import recipe
 from tools.release.site import site
@@ -24,8 +23,8 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="python -m tools.release", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     commands.add_parser("metadata", help="write codemeta.json")
-    for name, what in (("sdist", "the source distribution"), ("bill", "the bill of materials")):
-        commands.add_parser(name, help=what).add_argument("--out", type=Path, required=True)
+    sources = commands.add_parser("sdist", help="the source distribution")
+    sources.add_argument("--out", type=Path, required=True)
     conda = commands.add_parser("recipe", help="the recipe for conda-forge")
     conda.add_argument("--out", type=Path, required=True, help="folder of the source distribution")
     conda.add_argument("--url", help="address from which conda-forge fetches it")
@@ -44,8 +43,6 @@ def main(arguments: list[str]) -> int:
         return 1 if wrong else 0
     if given.command == "metadata":
         file, text = CODEMETA, codemeta()
-    elif given.command == "bill":
-        file, text = given.out / f"{NAME}.cdx.json", bill()
     elif given.command == "recipe":
         requires = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["build-system"]
         sdist = given.out / f"{NAME}.tar.gz"
