@@ -8,51 +8,49 @@ import subprocess
 import sys
 import tomllib
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 from PIL import Image
+from sybil import Example, Sybil
+from sybil.parsers.markdown import CodeBlockParser
 
 from tests.every import every
-from tests.manual.lines import PAGES, ROOT, Block, blocks
+from tests.manual.lines import PAGES, ROOT, blocks
 from tools.manual import images
 from tools.manual.twins import dark_twin
 from tools.namespace import MODULES, PLACES
 
-SNIPPETS = {
-    f"{name}:{block.line}": block
-    for name, text in PAGES.items()
-    for block in blocks(text)
-    if block.kind == "python"
+PRINTED = re.compile(r"\n\nIt prints\n\n```text\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+
+
+def run_alone(example: Example) -> None:
+    """Run a block in a process and a folder of its own: it prints what the page shows, if any."""
+    with TemporaryDirectory() as folder:
+        Path(folder, "page.py").write_text(example.parsed, encoding="utf-8")
+        command = [sys.executable, "-W", "error", "page.py"]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, ""), done.stderr
+    shown = PRINTED.match(example.document.text, example.end)
+    assert shown is None or done.stdout == shown[1]
+
+
+SYBIL = Sybil([CodeBlockParser("python", run_alone)])
+EXAMPLES = {
+    f"{name}:{example.line}": example for name in PAGES for example in SYBIL.parse(ROOT / name)
 }
-"""The Python of the pages by page and line, each with what the page shows that it prints."""
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("block", list(SNIPPETS.values()), ids=list(SNIPPETS))
-def test_each_block_of_python_runs_alone(block: Block, tmp_path: Path) -> None:
-    out = run_alone(block.body, tmp_path)
-    if block.printed is not None:
-        assert out == block.printed
-
-
-def run_alone(code: str, folder: Path) -> str:
-    """Run a block of Python in a process and a folder of its own, and return what it prints."""
-    script = folder / "page.py"
-    script.write_text(code, encoding="utf-8")
-    done = subprocess.run(
-        [sys.executable, "-W", "error", script.name],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    assert done.stderr == ""
-    return done.stdout
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_each_block_of_python_runs_alone(name: str) -> None:
+    EXAMPLES[name].evaluate()
 
 
 def test_what_is_printed_stands_below_the_block_that_prints_it() -> None:
-    held = sum(block.printed is not None for block in SNIPPETS.values())
+    held = sum(
+        PRINTED.match(each.document.text, each.end) is not None for each in EXAMPLES.values()
+    )
     assert held == sum(text.count("\nIt prints\n") for text in PAGES.values()) >= 7
 
 
@@ -67,16 +65,14 @@ DIRECTIVE = re.compile(r"\{([\w:-]+)\}")
 def test_each_block_is_of_a_kind_that_some_check_runs() -> None:
     """Cells, directives included, are run by the build of the manual."""
     for name, text in PAGES.items():
-        for block in blocks(text):
-            known = RUN_HERE | SHOWN
-            assert block.kind in known or DIRECTIVE.match(block.kind), (name, block)
+        for kind, body in blocks(text):
+            assert kind in RUN_HERE | SHOWN or DIRECTIVE.match(kind), (name, kind, body)
 
 
 def test_each_block_of_toml_is_toml() -> None:
     for text in PAGES.values():
-        for block in blocks(text):
-            if block.kind == "toml":
-                assert tomllib.loads(block.body)
+        for kind, body in blocks(text):
+            assert kind != "toml" or tomllib.loads(body)
 
 
 # ------------------------------------------------------------------ names, targets and places

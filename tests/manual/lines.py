@@ -3,14 +3,15 @@
 import re
 import shlex
 import shutil
-import textwrap
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from tempfile import mkdtemp
 
 import numpy as np
+from sybil import Document
+from sybil.parsers.markdown.lexers import FencedCodeBlockLexer
 
 import rocksteady as rs
 from tests.show.calibrated import without_pictures
@@ -28,33 +29,16 @@ PAGES = {
 }
 HELP = {f"help of {name}": text for name, text in commands.pages().items()}
 """Pages of commands, which the build of the manual makes of the help texts."""
-FENCED = re.compile(
-    r"^(?P<indent> *)(?P<fence>[`:]{3,})(?P<kind>[^`\n]*)\n(?P<body>.*?)^(?P=indent)(?P=fence) *$",
-    re.DOTALL | re.MULTILINE,
+FENCED = FencedCodeBlockLexer(r"[^\n]*")
+SHOWN = re.compile(
+    r"^:::\{code-block\} \w+\n:caption: (\S+)\n\n(.*?)^:::$", re.DOTALL | re.MULTILINE
 )
-PRINTED = re.compile(r"\n\nIt prints\n\n```text\n(.*?)^```$", re.DOTALL | re.MULTILINE)
-CAPTION = re.compile(r":caption: (\S+)\n\n")
 
 
-@dataclass(frozen=True)
-class Block:
-    """A block of a page between two fences."""
-
-    kind: str
-    body: str
-    line: int
-    printed: str | None
-
-
-def blocks(text: str, first: int = 1) -> Iterator[Block]:
-    """Yield the blocks of a page, those inside of directives included."""
-    for fenced in FENCED.finditer(text):
-        line = first + text.count("\n", 0, fenced.start())
-        body = textwrap.dedent(fenced["body"])
-        printed = PRINTED.match(text, fenced.end())
-        yield Block(fenced["kind"].strip(), body, line, printed and printed[1])
-        if fenced["kind"].startswith("{"):
-            yield from blocks(body, line + 1)
+def blocks(text: str) -> Iterator[tuple[str, str]]:
+    """Yield kind and content of the blocks of a page, those inside of directives included."""
+    for region in FENCED(Document(text, "")):
+        yield region.lexemes["language"].strip(), str(region.lexemes["source"])
 
 
 # -------------------------------------------------------------------------------------- lines
@@ -68,7 +52,7 @@ PROGRAM = re.compile(r"(?:\.venv/bin/)?rocksteady ")
 def shell_lines(text: str) -> list[str]:
     """Return the lines of a page that are typed into a shell, without their comments."""
     kinds = {"sh", "bash"}
-    typed = [block.body.replace("\\\n", " ") for block in blocks(text) if block.kind in kinds]
+    typed = [body.replace("\\\n", " ") for kind, body in blocks(text) if kind in kinds]
     lines = [re.sub(r"\s+#.*|^#.*", "", line) for body in typed for line in body.splitlines()]
     return [" ".join(line.split()) for line in lines if line.strip()]
 
@@ -161,8 +145,7 @@ NAMES = {"fit", *(name.partition("/")[0] for name in YOURS)}
 
 def shown(text: str) -> dict[str, str]:
     """Return the files that a page shows in full, by their names."""
-    found = ((CAPTION.match(block.body), block.body) for block in blocks(text))
-    return {caption[1]: body[caption.end() :] for caption, body in found if caption}
+    return dict(SHOWN.findall(text))
 
 
 def of_reader(text: str) -> set[str]:

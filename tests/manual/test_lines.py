@@ -58,7 +58,7 @@ def test_a_file_that_no_page_shows_is_called_the_readers_own() -> None:
     for name, text in ALL.items():
         prose = re.sub(r"^```(sh|bash)\n.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE)
         own = " ".join(each for each in prose.split("\n\n") if "our " in each)
-        cells = " ".join(block.body for block in blocks(text) if "code-cell" in block.kind)
+        cells = " ".join(body for kind, body in blocks(text) if "code-cell" in kind)
         for file in of_reader(text) - shown(text).keys():
             made = f'"{file}"' in cells or f"--out {file}" in text
             assert made or re.search(rf"\b{file}\b", own), (name, file)
