@@ -143,7 +143,7 @@ def lines(data: dict[str, Any]) -> list[tuple[str, str, str, str]]:
 
     return [
         sized("the page", "bytes", "600 kB"),
-        sized("the page, packed", "packed", "230 kB"),
+        sized("the page, packed", "packed", ""),
         sized("a scene alone, its largest", "scene", "250 kB"),
         sized("its kernels", "module", ""),
         sized("its kernels, packed", "module_packed", ""),

@@ -72,6 +72,7 @@ def test_a_recording_brings_its_file_and_what_was_done_to_it() -> None:
 def test_the_page_holds_view_motions_and_module(module: Path, tmp_path: Path) -> None:
     view = ExplorerView(motion=Harmonic(amplitude=2.0, frequency_ratio=6.0), tab="basins")
     file = write_explorer(tmp_path / "page.html", view, records=[record()])
+    assert file.stat().st_size <= 600_000
     page = Reader(file.read_text(encoding="utf-8"))
     state = json.loads(page.texts["first-view"])
     assert (state["A"], state["W"], state["tab"]) == ("2", "6", "basins")
