@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady.cli._registration import GROUPS
+from rocksteady.results import result
 from tests.every import every
 from tests.trees import nodes_of, tree_of
 
@@ -20,6 +21,7 @@ FILES = sorted(SOURCE.rglob("*.py"))
 STARTED = {
     *("rocksteady.__main__", "rocksteady.cli.app", "rocksteady.gpu.executor"),
     "rocksteady.kernels.entries",
+    *result._words.values(),
     *(
         f"rocksteady.{each.partition(':')[0]}"
         for group in GROUPS.values()

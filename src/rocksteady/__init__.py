@@ -9,7 +9,7 @@ list where each name is defined; a name is imported when it is first used, so th
 import lazy_loader
 
 from rocksteady.results.gridded import use_describers
-from rocksteady.results.result import use_describer, use_plots
+from rocksteady.results.result import use_plots, use_words
 
 __version__ = "0.1.0"
 
@@ -103,7 +103,14 @@ use_plots(
     | dict.fromkeys(("HazardBranchCheck", "Installation", "IntegrityDrop", "Screen"), "rows"),
     lambda name: getattr(__getattr__("plots"), name),
 )
-use_describer("base motion", "rocksteady.seismic.measures.motion_course")
+use_words(
+    {
+        "rocksteady.words.motions": ("DescribedMotion",),
+        "rocksteady.words.steady": (
+            *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
+        ),
+    }
+)
 use_describers(
     {
         "attractor map": ({"kind", "period", "after"}, "rocksteady.dynamics.maps.map_facts"),

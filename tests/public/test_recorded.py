@@ -18,7 +18,7 @@ from tools.freeze.results import freeze_call, freeze_things
 
 PACKAGES = (
     *("certify", "dynamics", "explorer", "facades", "model", "records"),
-    *("risk", "seismic", "show", "sweep"),
+    *("results", "risk", "seismic", "show", "sweep"),
 )
 ANEW = "where that is meant: python -m tools.freeze record calls things"
 

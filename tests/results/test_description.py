@@ -154,14 +154,6 @@ def test_a_result_without_a_picture_names_those_with_one() -> None:
         assert kind in refused.value.valid
 
 
-def test_what_does_not_describe_itself_is_no_result() -> None:
-    class Mute(Result):
-        pass
-
-    with pytest.raises(TypeError, match="abstract"):
-        Mute()  # type: ignore[abstract]
-
-
 @every(
     ("value", "words"),
     [

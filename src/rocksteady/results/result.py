@@ -3,10 +3,9 @@
 import copyreg
 import functools
 import importlib
-from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from rocksteady.errors import ModelError, Words, with_call_errors
 from rocksteady.results.description import Description
@@ -16,18 +15,21 @@ if TYPE_CHECKING:
     import pandas as pd
 
 _plots: dict[str, Callable[[], Any]] = {}
-_describers: dict[str, str] = {}
+_words: dict[str, str] = {}
+"""Modules with the words of a class, by its name."""
+_describers: dict[type, Callable[[Any], Description]] = {}
+"""Functions of these modules, by class."""
+
+R = TypeVar("R")
 
 
-class Result(ABC):
-    """A result that describes itself.
+class Result:
+    """A result; what it says stands in a module of words, and all else follows from it."""
 
-    A subclass defines `describe`; the rest follows from it.
-    """
-
-    @abstractmethod
     def describe(self) -> Description:
         """Return the facts, tables and notes of the result."""
+        words_of(type(self))
+        return next(_describers[kind] for kind in type(self).__mro__ if kind in _describers)(self)
 
     @with_call_errors
     def summary(self, *, more: bool = False) -> str:
@@ -88,14 +90,30 @@ def use_plots(names: Mapping[str, str], importer: Callable[[str], Any]) -> None:
         _plots[kind] = functools.partial(importer, name)
 
 
-def use_describer(kind: str, module: str) -> None:
-    """Decide which module of a higher layer describes a kind of result."""
-    _describers[kind] = module
+def use_words(modules: Mapping[str, Sequence[str]]) -> None:
+    """Decide which module has the words of which kinds of results, by the names of these.
+
+    Results lie below their words, so that the package's namespace, which imports neither, connects
+    them.
+    """
+    for module, kinds in modules.items():
+        _words.update(dict.fromkeys(kinds, module))
 
 
-def describer_of(kind: str) -> Any:
-    """Return the module that describes a kind of result."""
-    return importlib.import_module(_describers[kind])
+def words_of(kind: type) -> Any:
+    """Return the module that has the words of a class, or of one that it is derived from."""
+    names = (base.__name__ for base in kind.__mro__)
+    return importlib.import_module(next(_words[name] for name in names if name in _words))
+
+
+def describes(kind: type[R]) -> Callable[[Callable[[R], Description]], Callable[[R], Description]]:
+    """Make a function of a module of words describe a class."""
+
+    def use(function: Callable[[R], Description]) -> Callable[[R], Description]:
+        _describers[kind] = function
+        return function
+
+    return use
 
 
 def plotting_function(kind: str) -> Callable[..., Any]:

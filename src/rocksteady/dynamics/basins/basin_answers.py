@@ -6,7 +6,7 @@ from typing import Any
 
 from rocksteady.dynamics.orbits.orbit_answers import beyond_alpha
 from rocksteady.dynamics.parameters import SYMBOLS
-from rocksteady.dynamics.steady.steady_answers import BEYOND
+from rocksteady.dynamics.steady.verdicts import BEYOND
 from rocksteady.model.facts import case_text, peak_unit, solved_text, tilt_text
 from rocksteady.outcomes import AttractorKind, Status
 from rocksteady.results.answer import Answer, left_out

@@ -8,8 +8,7 @@ from typing import Any
 from rocksteady.dynamics.history.start import Rest
 from rocksteady.dynamics.orbits.orbit_facts import start_text, worth
 from rocksteady.dynamics.orbits.return_map import has_mirror_images
-from rocksteady.dynamics.steady.steady_answers import BEYOND
-from rocksteady.dynamics.steady.verdicts import multipliers_text
+from rocksteady.dynamics.steady.verdicts import BEYOND, multipliers_text
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import AnyBlock, case_text, solved_text, tilt_text
 from rocksteady.outcomes import AttractorKind

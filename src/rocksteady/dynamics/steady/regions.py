@@ -4,7 +4,6 @@ They are the curves along which these states begin to exist, change kind and los
 one along which the stable and unstable manifolds of the upright saddles first touch.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,8 +18,6 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import RESTITUTION
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import OfLinear
-from rocksteady.results.description import Description, Fact, Table
-from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 
 BOUNDARIES = ("existence", "sign", "kind")
@@ -65,10 +62,6 @@ class RegionBoundaries(OfLinear, Result):
     frequency_ratio: Floats
     restitution: Floats
     order: NDArray[np.int64]
-
-    def describe(self) -> Description:
-        """Return the ranges of the inputs and of the amplitudes."""
-        return _described("Boundaries of the regions", self, BOUNDARIES)
 
 
 @checked
@@ -132,11 +125,6 @@ class RegionMap(OfLinear, Result):
     kind: Floats
     symmetry_breaking: Floats
     heteroclinic: Floats
-
-    def describe(self) -> Description:
-        """Return the ranges of the frequency ratio and of the curves."""
-        names = (*BOUNDARIES, "symmetry_breaking", "heteroclinic")
-        return _described("Regions of steady states", self, names)
 
 
 @checked
@@ -327,34 +315,6 @@ def symmetry_breaking_frequencies(
         if values[i] * values[i + 1] <= 0.0 and values[i] != 0.0
     ]
     return np.array(roots)
-
-
-def _described(
-    what: str, curves: RegionBoundaries | RegionMap, names: Sequence[str]
-) -> Description:
-    """Return curves as lists for JSON, as rows, and by their ends for people."""
-
-    def fact(name: str) -> Fact:
-        values = np.asarray(getattr(curves, name))
-        if not values.size:
-            return Fact(name, values.tolist(), name.replace("_", " "), "none")
-        low, high = float(np.nanmin(values)), float(np.nanmax(values))
-        text = number(low) if low == high else f"{number(low)} to {number(high)}"
-        return Fact(name, values.tolist(), name.replace("_", " "), text)
-
-    given = [fact(name) for name in ("frequency_ratio", "restitution", "order")]
-    headline = f"{what}: Ω {given[0].text}, restitution {given[1].text}, n = {given[2].text}"
-    facts = [*given, *map(fact, names)]
-    columns = np.broadcast_arrays(*(np.asarray(each.value) for each in facts))
-    keys = [each.key for each in facts]
-    points = zip(*(column.ravel().tolist() for column in columns), strict=True)
-    rows = [dict(zip(keys, point, strict=True)) for point in points]
-    return Description(
-        f"{headline}, linear model",
-        [*facts, Fact("model", "linear", "model")],
-        [Table("", rows)],
-        ["The curves are A = a/(alpha g)."],
-    )
 
 
 def _curves(

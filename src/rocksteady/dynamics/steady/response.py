@@ -21,15 +21,6 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
 from rocksteady.model.equations import Model, ModelChoice
-from rocksteady.model.facts import (
-    amplitude_text,
-    block_text,
-    case_text,
-    frequency_text,
-    lean_text,
-)
-from rocksteady.results.description import Description, Fact, Table
-from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 
 
@@ -68,43 +59,6 @@ class ResponseCurve(Result):
     def model(self) -> Model:
         """The equations of motion that hold."""
         return self.states.model
-
-    def describe(self) -> Description:
-        """Return the case, the range of the curve, and its largest peak."""
-        amplitude = float(self.states.amplitude.flat[0])
-        order = int(self.states.order.flat[0])
-        ends = float(self.frequency_ratio.min()), float(self.frequency_ratio.max())
-        low, high = (frequency_text(self.block, end) for end in ends)
-        facts = [
-            Fact("", label="block", text=block_text(self.block)),
-            Fact("amplitude", amplitude, "amplitude", amplitude_text(self.block, amplitude)),
-            Fact("order", order),
-            Fact("branch", self.branch),
-            Fact("", label="frequencies", text=f"{len(self.peak):,}: {low} to {high}"),
-        ]
-        if np.isfinite(self.peak).any():
-            at = int(np.nanargmax(self.peak))
-            text = f"{lean_text(self.block, float(self.peak[at]))} at "
-            text += frequency_text(self.block, float(self.frequency_ratio[at]))
-            facts.append(Fact("", label="highest peak", text=text))
-        stable = int(self.stable.sum())
-        facts += [Fact("", label="stable", text=f"at {stable:,} of them")]
-        facts += [Fact("model", self.model.name, "model")]
-        rows = [
-            {"frequency_ratio": ratio, "peak": peak, "stable": stable}
-            for ratio, peak, stable in zip(
-                self.frequency_ratio.tolist(), self.peak.tolist(), self.stable.tolist(), strict=True
-            )
-        ]
-        if self.frequency_hz is not None:
-            for row, hertz in zip(rows, self.frequency_hz.tolist(), strict=True):
-                row["freq_hz"] = hertz
-        headline = f"Response curve, branch {self.branch}, n = {order}: A = {number(amplitude)}, "
-        return Description(
-            f"{headline}{case_text(self.block)}, {self.model.name} model",
-            facts,
-            [Table("curve", rows)],
-        )
 
 
 @checked

@@ -19,8 +19,6 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.arrays import order_of_orbit, resolved, validated_grid
 from rocksteady.dynamics.steady._half_cycles import compute_course, find_half_cycles
-from rocksteady.dynamics.steady._state_facts import describe_grid, describe_point, solution_rows
-from rocksteady.dynamics.steady.regions import REGIONS
 from rocksteady.dynamics.steady.verdicts import half_cycle_pairs, squared_pairs, verdict
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.clock import clock
@@ -43,9 +41,7 @@ from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import framed
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import quantity
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -233,15 +229,12 @@ class SteadyStates(Result):
 
     def rows(self) -> list[dict[str, Any]]:
         """Return one row per solution, in the order of the points."""
-        return solution_rows(self)
+        rows: list[dict[str, Any]] = words_of(SteadyStates).solution_rows(self)
+        return rows
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per solution, in the order of the points."""
         return framed(self.rows(), self.block, "amplitude", "frequency_ratio")
-
-    def describe(self) -> Description:
-        """Return both solutions at one point, or what there is along the axes."""
-        return describe_point(self) if self.region.size == 1 else describe_grid(self)
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return everything as an xarray Dataset with dimensions branch and grid_0, grid_1, ...
@@ -258,27 +251,8 @@ class SteadyStates(Result):
         >>> print(data.phase.dims, data.phase.attrs["units"])
         ('branch', 'grid_0') rad
         """
-        import xarray
-
-        dims = tuple(f"grid_{axis}" for axis in range(self.region.ndim))
-        units = {"phase": "rad"}
-        variables: dict[str, Any] = {}
-        for name in ("amplitude", "frequency_ratio", "restitution", "order"):
-            variables[name] = (dims, getattr(self, name), {"units": "1"})
-        meanings = " ".join(f"region_{number}" for number in REGIONS)
-        flags = {"flag_values": list(REGIONS), "flag_meanings": meanings, "units": "1"}
-        descriptions = "; ".join(f"{number}: {text}" for number, text in REGIONS.items())
-        variables["region"] = (dims, self.region, {**flags, "description": descriptions})
-        for name in ("existence", "sign", "kind"):
-            variables[f"{name}_amplitude"] = (dims, getattr(self, name), {"units": "1"})
-        names = ["phase", "velocity", "velocity_tau", "trace", "in_phase"]
-        if self.admissible is not None:
-            names += ["peak", "extrema", "admissible", "stable", "neutral"]
-        for name in names:
-            attributes = {"units": units.get(name, "1")}
-            variables[name] = (("branch", *dims), getattr(self, name), attributes)
-        attributes = {"model": self.model.name}
-        return xarray.Dataset(variables, {"branch": list(BRANCHES)}, attributes)
+        dataset: xarray.Dataset = words_of(SteadyStates).steady_dataset(self)
+        return dataset
 
 
 @checked
@@ -573,25 +547,6 @@ class SteadyOrbit(Result):
     branch: int
     verdict: str
     model: Model = field(default_factory=Linear)
-
-    def describe(self) -> Description:
-        """Return which steady state it is, and its extremes."""
-        given = {
-            name: getattr(self, name)
-            for name in ("amplitude", "frequency_ratio", "restitution", "order", "branch")
-        }
-        peak = float(np.abs(self.angle).max())
-        return Description(
-            f"Steady state, branch {self.branch}: A = {self.amplitude:.6g}, "
-            f"Ω = {self.frequency_ratio:.6g}, restitution {self.restitution:.6g}, "
-            f"n = {self.order}, {self.model.name} model",
-            [
-                *(Fact(name, value) for name, value in given.items()),
-                Fact("samples", len(self.tau), "samples"),
-                Fact("peak", peak, "largest angle", quantity(peak, "alpha")),
-                Fact("model", self.model.name, "model"),
-            ],
-        )
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per sample."""

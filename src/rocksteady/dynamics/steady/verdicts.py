@@ -13,6 +13,8 @@ NO_MULTIPLIERS = np.full(2, complex(math.nan, math.nan))
 NO_MULTIPLIERS.flags.writeable = False
 MULTIPLIERS = "multipliers of a period"
 """Label of the multipliers of a motion, in every table: those of one of its periods."""
+BEYOND = "the base carries it back: no fall"
+"""Of a motion whose tilt exceeds alpha."""
 
 
 def half_cycle_pairs(trace: Floats, restitution: Floats) -> NDArray[np.complex128]:

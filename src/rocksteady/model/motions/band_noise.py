@@ -11,10 +11,10 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import LARGEST_SEED, Bounds, Whole
 from rocksteady.model.checks.validation import non_negative, rising
-from rocksteady.model.motions._described import DescribedMotion
 from rocksteady.model.motions._sampled import MOST_LINES, straight_lines
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.combine import cut
+from rocksteady.model.motions.described_motion import DescribedMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import (
     DURATION_S,

@@ -4,8 +4,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.motions._described import DescribedMotion
 from rocksteady.model.motions.combine import scale
+from rocksteady.model.motions.described_motion import DescribedMotion
 from rocksteady.model.motions.segments import Motion
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from rocksteady.kernels.elementary.arrays import atan2, hypot, sincos
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, whole_number
-from rocksteady.model.motions._described import DescribedMotion
+from rocksteady.model.motions.described_motion import DescribedMotion
 from rocksteady.model.motions.harmonics import HIGHEST_ORDER, Harmonics, harmonics_value
 from rocksteady.model.motions.segments import (
     AMPLITUDE,

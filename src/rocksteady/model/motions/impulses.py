@@ -8,7 +8,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import LARGEST, finite, in_range
-from rocksteady.model.motions._described import DescribedMotion
+from rocksteady.model.motions.described_motion import DescribedMotion
 from rocksteady.model.motions.segments import LONGEST_DURATION, Segment
 
 

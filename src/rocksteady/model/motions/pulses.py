@@ -10,8 +10,8 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import positive
-from rocksteady.model.motions._described import DescribedMotion
 from rocksteady.model.motions._pulse_shapes import SHAPES, listed, segments_of, type_c_of
+from rocksteady.model.motions.described_motion import DescribedMotion
 from rocksteady.model.motions.segments import (
     AMPLITUDE,
     HIGHEST_FREQUENCY_RATIO,

@@ -11,7 +11,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.model.checks.validation import LARGEST, in_range, positive
-from rocksteady.model.motions._described import DescribedMotion
+from rocksteady.model.motions.described_motion import DescribedMotion
 
 SHORTEST = 1e-15
 """Of intervals between samples [s]; slopes of shorter ones overflow."""

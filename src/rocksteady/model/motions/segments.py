@@ -14,7 +14,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import LARGEST, in_range, non_negative, positive
-from rocksteady.model.motions._described import DescribedMotion
+from rocksteady.model.motions.described_motion import DescribedMotion
 from rocksteady.model.motions.harmonics import LARGEST_PHASE, Harmonics, harmonics_value
 
 LOWEST_FREQUENCY_RATIO = 0.01

@@ -11,8 +11,8 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.model.checks.validation import non_negative
-from rocksteady.model.motions._described import DescribedMotion
 from rocksteady.model.motions._sampled import MOST_LINES, straight_lines
+from rocksteady.model.motions.described_motion import DescribedMotion
 from rocksteady.model.motions.segments import (
     DURATION_S,
     FREQUENCY_RATIO,

@@ -3,27 +3,14 @@
 from typing import TYPE_CHECKING
 
 from rocksteady.errors import with_call_errors
-from rocksteady.results.description import Description
-from rocksteady.results.result import Result, describer_of
+from rocksteady.results.result import Result, words_of
 
 if TYPE_CHECKING:
     import pandas as pd
 
-KIND = "base motion"
-"""Name under which the namespace connects the module that describes motions."""
-
 
 class DescribedMotion(Result):
-    """A base motion that describes itself.
-
-    Its history is integrated in a higher layer, which the package's namespace connects.
-    """
-
-    @with_call_errors
-    def describe(self) -> Description:
-        """Return its parameters, largest values and duration."""
-        description: Description = describer_of(KIND).describe(self)
-        return description
+    """A base motion, whose history is integrated in a higher layer."""
 
     @with_call_errors
     def to_dataframe(self) -> "pd.DataFrame":
@@ -33,5 +20,5 @@ class DescribedMotion(Result):
         per sample; of any other motion in units of alpha g, alpha g/p and alpha g/p^2 over pivot
         time pt, of an endless one for 3 periods.  A vertical component has columns of its own.
         """
-        frame: pd.DataFrame = describer_of(KIND).to_dataframe(self)
+        frame: pd.DataFrame = words_of(DescribedMotion).to_dataframe(self)
         return frame
