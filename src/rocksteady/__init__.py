@@ -106,9 +106,11 @@ use_plots(
 use_words(
     {
         "rocksteady.words.motions": ("DescribedMotion",),
+        "rocksteady.words.neighbours": ("Neighbours",),
         "rocksteady.words.steady": (
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
         ),
+        "rocksteady.words.trajectory": ("Trajectory",),
     }
 )
 use_describers(

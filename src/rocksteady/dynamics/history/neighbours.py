@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from rocksteady.dynamics.history._answer import ROCKING_ALONE, sentence, slides, sliding_or
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import Rest, Start, State
 from rocksteady.dynamics.history.trajectory import Trajectory
@@ -30,10 +29,9 @@ from rocksteady.model.motions.segments import (
     segments_of,
 )
 from rocksteady.outcomes import Status
-from rocksteady.results.answer import GIVEN, Answer
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import angle, number, quantity
-from rocksteady.results.result import Result
+from rocksteady.results.answer import Answer
+from rocksteady.results.description import Fact
+from rocksteady.results.result import Result, words_of
 
 SCALES = (0.95, 1.0, 1.05)
 """Of the horizontal motion."""
@@ -44,7 +42,6 @@ RESTITUTION = 0.03
 SLENDERNESS = 0.02
 """Relative change of alpha."""
 
-RANGE = "±5 % scale, ±0.03 rest., ±2 % alpha"
 STEP = 0.02
 """Step of the factors of the motion at which block and neighbours are followed."""
 
@@ -116,23 +113,14 @@ class Neighbours(Result):
     @property
     def fact(self) -> Fact:
         """Their numbers, as the command prints them beside the case."""
-        counts = {"runs": self.runs, "fall": self.fall}
-        text = f"falls in {self.fall} of {self.runs} neighbours ({RANGE})"
-        return Fact("neighbours", counts, "neighbours", text)
+        fact: Fact = words_of(Neighbours).neighbours_fact(self)
+        return fact
 
     @property
     def notes(self) -> tuple[str, ...]:
         """A warning where neighbours end otherwise than the case."""
-        if self.agree:
-            return ()
-        falls = self.case.status is Status.OVERTURNED
-        others = self.runs - self.fall if falls else self.fall
-        verb = "stand" if falls else "fall"
-        words = (
-            f"The verdict is not robust: {others} of {self.runs} neighbours {verb}, though motion "
-            "and block differ by a few per cent."
-        )
-        return (words,)
+        notes: tuple[str, ...] = words_of(Neighbours).neighbours_notes(self)
+        return notes
 
     @cached_property
     def stands_at(self) -> float | None:
@@ -159,68 +147,8 @@ class Neighbours(Result):
 
     def answer_with(self, friction: float | None) -> Answer:
         """Return the same for a coefficient of friction, with which the case may slide."""
-        case = self.case
-        given, falls = case.describe(friction=friction).answer, case.status is Status.OVERTURNED
-        assert given is not None
-        others = self.runs - self.fall if falls else self.fall
-        verb = "stand" if falls else "fall"
-        words = f"but {others} of {self.runs} neighbours {verb}"
-        if case.status is Status.LOST_CONTACT:
-            same = sum(each.status is case.status for each in self.cases)
-            words = f"and so do {same} of {self.runs} neighbours"
-        elif self.agree:
-            words = "and so do" if falls else "and"
-            words += f" all {self.runs} neighbours" + ("" if falls else " stand")
-        facts = [fact for fact in given.facts if fact[1] and fact[0] != ROCKING_ALONE]
-        facts[-1] = ("computed", f"{case.model.name}; neighbours {RANGE}")
-        place = [label for label, _ in facts].index(GIVEN) - 1 if len(facts) > 2 else 0
-        if not slides(case, friction):
-            facts.insert(max(place, 0), ("stands at", self._stands))
-        return sliding_or(case, f"{sentence(case)}, {words}", facts, friction)
-
-    def _stands(self) -> str:
-        """Return the largest factor at which neither it nor a neighbour falls, in words."""
-        if self.stands_at is None:
-            return ""
-        pga = self.case.pga_g
-        peak = "" if pga is None else f" ({quantity(self.stands_at * pga, 'g')})"
-        return f"{self.stands_at:.2f} x this motion{peak}, where no neighbour falls"
-
-    def describe(self) -> Description:
-        """Return how many fall, and what was changed in each."""
-        columns = (
-            Column("scale", "scale", lambda scale: number(scale, 4)),
-            Column("sign", "sign"),
-            Column("restitution", "restitution"),
-            Column("alpha_rad", "alpha", angle),
-            Column("status", "status", left=True),
-            Column("peak_rad", "peak", angle),
-            Column("peak", "in alpha", number),
-        )
-        rows = [
-            {
-                "scale": each.scale,
-                "sign": each.sign,
-                "restitution": each.restitution,
-                "alpha_rad": each.alpha,
-                "status": each.status.label,
-                "peak": each.peak,
-                "peak_rad": each.peak * each.alpha,
-            }
-            for each in self.cases
-        ]
-        model = self.model.name
-        return Description(
-            f"{self.fact.text}, {model} model",
-            facts=[
-                Fact("model", model),
-                Fact("status", self.case.status.label, "the given case"),
-                self.fact,
-            ],
-            tables=[Table("cases", rows, columns, most=len(rows))],
-            notes=self.notes,
-            answer=self.answer,
-        )
+        answer: Answer = words_of(Neighbours).neighbours_answer(self, friction)
+        return answer
 
 
 @checked

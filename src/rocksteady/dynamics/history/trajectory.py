@@ -12,7 +12,7 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history._growth import Course, growth_of
-from rocksteady.dynamics.history._outcome import Described
+from rocksteady.dynamics.history._physical import Physical
 from rocksteady.dynamics.history.samples import Flights, Impacts, Samples
 from rocksteady.dynamics.history.start import Rest, Start
 from rocksteady.errors import InputError
@@ -31,6 +31,8 @@ from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import Status
+from rocksteady.results.description import Description
+from rocksteady.results.result import Result, words_of
 
 if TYPE_CHECKING:
     import xarray
@@ -41,7 +43,7 @@ STILL = 1e-12
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Trajectory(Described):
+class Trajectory(Physical, Result):
     """Time history of a block: flights, impacts, and the motion at any time.
 
     Call it with pivot times, ``trajectory(pt)``; `at_time` takes seconds and `at_tau` the paper's
@@ -406,11 +408,27 @@ class Trajectory(Described):
 
     def to_dataset(self, samples: int = 100) -> "xarray.Dataset":
         """Return the time history as a Dataset: the columns of `to_columns` over pt."""
-        import xarray
+        dataset: xarray.Dataset = words_of(Trajectory).trajectory_dataset(self, samples)
+        return dataset
 
-        table = self.to_columns(samples)
-        times = table.pop("pt")
-        dataset = xarray.Dataset({name: ("pt", values) for name, values in table.items()})
-        return dataset.assign_coords(pt=times).assign_attrs(
-            title=self.describe().headline, model=self.model.name, status=self.status.label
-        )
+    def describe(
+        self, *, mass_kg: float | None = None, friction: float | None = None
+    ) -> Description:
+        """Return how it ended, its peaks, times and inputs.
+
+        Parameters
+        ----------
+        mass_kg
+            Mass of the block [kg], for the force on its base; default none.
+        friction
+            Coefficient of friction between block and base, with which a run that needs more is one
+            that slides; None (default) where it is not known.
+
+        Raises
+        ------
+        ModelError
+            If there is a friction, and the block has no size or the base impulses.
+        """
+        words = words_of(Trajectory)
+        description: Description = words.describe_trajectory(self, mass_kg, friction)
+        return description

@@ -1,53 +1,36 @@
-"""Description of a time history: how it ended, its block and base motion, peaks and times."""
+"""Words of time histories: how a run ended, its block and base motion, peaks and times."""
 
 import math
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Final
 
-from rocksteady.dynamics.history._answer import answer_of, friction_words
-from rocksteady.dynamics.history._physical import Physical
+from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import ModelError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.checks.arguments import checked
+from rocksteady.model.blocks.gravity import ROUNDED
+from rocksteady.model.checks.bounds import FRICTION
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.model.motions.pulses import Pulse
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Motion, Still
 from rocksteady.outcomes import BALANCED, Status
+from rocksteady.results.answer import GIVEN, Answer
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import angle, force_words, length, number, quantity
-from rocksteady.results.result import Result
+from rocksteady.results.numbers import angle, force_words, length, number, plural, quantity
+
+if TYPE_CHECKING:
+    import xarray
 
 DECIDED_BY_ROUNDING = 1e12
 """Growth of a small difference above which rounding decides how a run goes on."""
+ROCKING_ALONE: Final = "without sliding"
+"""Label of how a run ends that takes more friction than there is."""
 
 
-@checked
-class Described(Physical, Result):
-    """A run that describes itself."""
-
-    def describe(
-        self, *, mass_kg: float | None = None, friction: float | None = None
-    ) -> Description:
-        """Return how it ended, its peaks, times and inputs.
-
-        Parameters
-        ----------
-        mass_kg
-            Mass of the block [kg], for the force on its base; default none.
-        friction
-            Coefficient of friction between block and base, with which a run that needs more is one
-            that slides; None (default) where it is not known.
-
-        Raises
-        ------
-        ModelError
-            If there is a friction, and the block has no size or the base impulses.
-        """
-        return description_of(self, mass_kg, friction)
-
-
-def description_of(
-    run: Described, mass_kg: float | None = None, friction: float | None = None
+def describe_trajectory(
+    run: Trajectory, mass_kg: float | None, friction: float | None
 ) -> Description:
     """Return the facts and notes of a time history."""
     facts = [
@@ -84,7 +67,7 @@ def description_of(
     )
 
 
-def outcome(run: Described) -> str:
+def outcome(run: Trajectory) -> str:
     """Return how a run ended, and when."""
     if run.balanced:
         return "balanced"
@@ -100,8 +83,8 @@ def outcome(run: Described) -> str:
     return f"{words} {time_words(run, run.end_time_pt)}"
 
 
-def time_words(run: Described, pt: float) -> str:
-    """Return a pivot time, in seconds first where the block has a size, in periods of shaking."""
+def time_words(run: Trajectory, pt: float) -> str:
+    """Return a pivot time: in seconds first where possible, and in periods of shaking."""
     parts = [f"pt {number(pt)}"]
     if isinstance(run.motion, PeriodicMotion):
         periods = pt * run.motion.frequency_ratio / (2.0 * math.pi)
@@ -117,7 +100,7 @@ def peak_words(peak: float, alpha: float | None) -> str:
     return part if alpha is None else f"{angle(peak * alpha)} = {part}"
 
 
-def _peaks(run: Described) -> Iterator[Fact]:
+def _peaks(run: Trajectory) -> Iterator[Fact]:
     """Yield the largest angle, that of either side where they differ, in radians too."""
     block = run.block
     until = ", up to overturning" if run.overturn_time_pt is not None else ""
@@ -140,7 +123,7 @@ def _peaks(run: Described) -> Iterator[Fact]:
         yield Fact("peak_rad", max(peak * alpha for peak, alpha in pairs))
 
 
-def _restitutions(run: Described) -> Iterator[Fact]:
+def _restitutions(run: Trajectory) -> Iterator[Fact]:
     """Yield the restitution, or that of either impact where they differ; for a wall, its own."""
     if run.block.one_sided:
         yield Fact("restitution", run.block.restitution)
@@ -152,7 +135,7 @@ def _restitutions(run: Described) -> Iterator[Fact]:
         yield Fact("negative_restitution", second)
 
 
-def _times(run: Described) -> Iterator[Fact]:
+def _times(run: Trajectory) -> Iterator[Fact]:
     """Yield when it overturned and when it came to rest."""
     for name, label in (("overturn", "overturns at"), ("rest", "at rest from")):
         pt = getattr(run, f"{name}_time_pt")
@@ -165,13 +148,13 @@ def _times(run: Described) -> Iterator[Fact]:
         yield Fact(f"{name}_time_pt", pt, **shown)
 
 
-def _body(run: Described) -> Iterator[Fact]:
+def _body(run: Trajectory) -> Iterator[Fact]:
     """Yield the measures of the block."""
     if isinstance(run.block, Block):
         yield Fact("block", run.block.to_dict())
 
 
-def _demands(run: Described, friction: float | None) -> Iterator[Fact]:
+def _demands(run: Trajectory, friction: float | None) -> Iterator[Fact]:
     """Yield what lifts the block, what the base does, and the friction it takes."""
     shaken = run.uplift_g is not None and run.pga_g is not None
     if run.uplift_g is not None and run.pga_g is not None:
@@ -203,7 +186,7 @@ def _demands(run: Described, friction: float | None) -> Iterator[Fact]:
         yield Fact("friction", friction, "friction", friction_words(run, friction))
 
 
-def _qualification(run: Described, mass_kg: float | None) -> Iterator[Fact]:
+def _qualification(run: Trajectory, mass_kg: float | None) -> Iterator[Fact]:
     """Yield what an engineer qualifies by: displacement, clearances, impact speed, base force."""
     if isinstance(run.block, Block):
         top, gaps, speed = run.top_displacement_m, run.clearances_m, run.impact_speed_m_s
@@ -220,3 +203,143 @@ def _qualification(run: Described, mass_kg: float | None) -> Iterator[Fact]:
     for key, label, parts, unit in forces:
         if parts is not None:
             yield Fact(key, list(parts), label, force_words(parts, unit))
+
+
+def answer_of(run: Trajectory, words: Mapping[str, str], friction: float | None) -> Answer:
+    """Return the sentence and the facts of a run.
+
+    Parameters
+    ----------
+    run
+        The run.
+    words
+        Words of its facts by their JSON keys.
+    friction
+        Coefficient of friction that is given; None where it is not.
+    """
+    falls = run.status is Status.OVERTURNED
+    tilt = words.get("peak") or " and ".join(
+        words[key] for key in ("peak, left edge", "peak, right edge")
+    )
+    impacts = plural(run.impact_count, "impact")
+    top = run.top_displacement_m if words.get("peak") else None  # both sides' tilts fill the line
+    tilt += f"; {impacts}" + (f"; top moves {length(top)}" if top else "")
+    needed = words.get("friction_needed")
+    lifts = "" if run.uplift_g is None else quantity(run.uplift_g, "g")
+    if isinstance(run.block, Block) and run.block.parts and lifts:
+        lifts += " as one body"  # where there is no room for the block
+    if run.pga_g is not None:
+        lifts += f"; {name_of(run.motion)} reaches {quantity(run.floor_pga_g or run.pga_g, 'g')}"
+    facts = [
+        ("largest tilt", "" if falls or not run.peak else tilt),
+        ("lifts at", lifts),
+        ("friction needed", f"{needed}, or it slides" if needed and friction is None else ""),
+        ("friction", friction_words(run, friction)),
+        (GIVEN, run.block.describe().headline),
+        ("computed", run.model.name),
+    ]
+    return sliding_or(run, sentence(run), facts, friction)
+
+
+def sliding_or(
+    run: Trajectory,
+    ended: str,
+    facts: Sequence[tuple[str, str | Callable[[], str]]],
+    friction: float | None,
+) -> Answer:
+    """Return the answer of a run, whose end is a fact alone where it slides.
+
+    Parameters
+    ----------
+    run
+        The run.
+    ended
+        How it ends by rocking alone, without a stop.
+    facts
+        What else is said of it.
+    friction
+        As for `answer_of`.
+    """
+    if not slides(run, friction):
+        return Answer(f"{ended}.", facts)
+    assert friction is not None
+    assert run.friction_needed is not None
+    needed = run.friction_needed
+    takes = f"it needs a friction of {number(needed)}" if needed < math.inf else "no friction holds"
+    alone = (ROCKING_ALONE, ended[0].lower() + ended[1:])
+    return Answer(f"It slides: {takes}, given {number(friction)}.", [alone, *facts])
+
+
+def slides(run: Trajectory, friction: float | None) -> bool:
+    """Return whether a run takes more friction than is given.
+
+    Raises
+    ------
+    InputError
+        If the friction is outside its range.
+    """
+    if friction is None:
+        return False
+    needed = run.friction_needed or 0.0
+    return needed > FRICTION("friction", friction) * (1.0 + ROUNDED)
+
+
+def friction_words(run: Trajectory, friction: float | None) -> str:
+    """Return the friction that a run needs beside the one that is given; empty without."""
+    falls_short = slides(run, friction)
+    if friction is None or run.friction_needed is None:
+        return ""
+    words = f"needs {number(run.friction_needed)}, given {number(friction)}"
+    return f"{words}: it slides" if falls_short else words
+
+
+def sentence(run: Trajectory) -> str:
+    """Return how a run ended, and when, without a stop."""
+    if run.balanced:
+        return f"It {BALANCED}"
+    if run.status is Status.AT_REST and not run.peak:
+        return f"It {Status.AT_REST.plain} throughout: {name_of(run.motion)} never lifts it"
+    if run.status is Status.OVERTURNED and run.overturn_time_pt == 0.0:
+        return "It falls at once: it starts beyond its limit"
+    if run.status is Status.UNDECIDED:
+        return f"No answer yet: it is undecided {_when(run)}"
+    verb = f"It {run.status.plain}"
+    if run.status is Status.ROCKING:
+        verb = f"It still {run.status.plain}"
+    return f"{verb} {_when(run)}"
+
+
+def name_of(motion: Motion | Record) -> str:
+    """Return what moves the base, in a word or two."""
+    if isinstance(motion, Record):
+        return motion.name or "the record"
+    return "the pulse" if isinstance(motion, Pulse) else "the motion"
+
+
+def _when(run: Trajectory) -> str:
+    """Return when a run ended: in seconds, else base periods, else pivot time."""
+    pt = run.end_time_pt
+    if run.status is Status.OVERTURNED and run.overturn_time_pt is not None:
+        pt = run.overturn_time_pt
+    if run.status is Status.AT_REST and run.rest_time_pt is not None:
+        pt = run.rest_time_pt
+    if isinstance(run.block, Block):
+        time = quantity(pt / run.block.p, "s")
+    elif isinstance(run.motion, PeriodicMotion | Pulse):
+        time = f"{number(pt * run.motion.frequency_ratio / (2.0 * math.pi))} periods"
+    else:
+        return f"at pt {number(pt)}"
+    after = "after it is let go" if isinstance(run.motion, Still) else f"into {name_of(run.motion)}"
+    return f"{time} {after}"
+
+
+def trajectory_dataset(run: Trajectory, samples: int) -> "xarray.Dataset":
+    """Return the columns of a run over pivot time."""
+    import xarray
+
+    table = run.to_columns(samples)
+    times = table.pop("pt")
+    dataset = xarray.Dataset({name: ("pt", values) for name, values in table.items()})
+    return dataset.assign_coords(pt=times).assign_attrs(
+        title=run.describe().headline, model=run.model.name, status=run.status.label
+    )
