@@ -105,8 +105,10 @@ use_plots(
 )
 use_words(
     {
+        "rocksteady.words.attractors": ("Attractor", "AttractorSweep", "Attractors"),
         "rocksteady.words.motions": ("DescribedMotion",),
         "rocksteady.words.neighbours": ("Neighbours",),
+        "rocksteady.words.orbits": ("Orbit",),
         "rocksteady.words.steady": (
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
         ),

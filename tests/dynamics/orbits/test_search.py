@@ -20,13 +20,14 @@ from rocksteady import (
     find_attractor,
     find_orbits,
 )
-from rocksteady.dynamics.orbits.search import _same, describe_orbits
+from rocksteady.dynamics.orbits.search import _same
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import steady_states
 from rocksteady.histories import ImpactState
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.motions import FourierSeries
 from rocksteady.orbits import Orbit
+from rocksteady.words.orbits import describe_orbits
 from tests.dynamics.kicks import apart, around, clearance, departures, follow, keeps, loses
 from tests.every import every
 

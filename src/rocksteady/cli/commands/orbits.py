@@ -65,9 +65,10 @@ def orbits(
     equations = equations_for(model, body)
     motion = floor.on_floor(series.of(shaking.at(body)), body)
 
-    from rocksteady.dynamics.orbits.search import describe_orbits, find_orbits
+    from rocksteady.dynamics.orbits.search import find_orbits
     from rocksteady.model.units import framed
     from rocksteady.show.figures.single import orbits_figure
+    from rocksteady.words.orbits import describe_orbits
 
     limits = {"max_period": max_period, "max_impacts": max_impacts, "seeds": seeds}
     listed = find_orbits(body, motion, model=equations, **limits)

@@ -1,6 +1,5 @@
 """Attractors of many motions: the table that a kernel fills, and the outputs of grids."""
 
-from collections import Counter
 from dataclasses import dataclass
 from typing import Any
 
@@ -26,8 +25,6 @@ from rocksteady.model.equations import OfLinear
 from rocksteady.model.motions.fourier import shares_of
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import INFINITELY_MANY, NO_START, NO_START_LABEL, AttractorKind
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.outputs import Output
 
@@ -85,36 +82,6 @@ class Attractors(OfLinear, Result):
     def labels(self) -> NDArray[np.str_]:
         """Kind of each in words, as "symmetric"."""
         return np.array([str(kind.value) for kind in KINDS])[self.kind]
-
-    def describe(self) -> Description:
-        """Return the number of motions of each kind, with one row per motion."""
-        counts = Counter(self.labels.tolist())
-        words = ", ".join(f"{count:,} {name}" for name, count in counts.most_common())
-        names = ("period", "impacts", "highest", "lowest", "lyapunov", "after")
-        values = {"kind": self.labels.tolist()} | {
-            name: [number_or_none(each) for each in getattr(self, name).tolist()]
-            if getattr(self, name).dtype.kind == "f"
-            else getattr(self, name).tolist()
-            for name in names
-        }
-        rows = [dict(zip(values, row, strict=True)) for row in zip(*values.values(), strict=True)]
-        columns = (
-            Column("kind", "kind", left=True),
-            Column("period", "period", str),
-            Column("impacts", "impacts", lambda count: "inf" if count < 0 else str(count)),
-            Column("highest", "highest", number),
-            Column("lowest", "lowest", number),
-            Column("after", "known after", str),
-        )
-        return Description(
-            headline=f"{plural(len(rows), 'motion')}: {words}",
-            facts=[
-                Fact("motions", len(rows), "motions", f"{len(rows):,}"),
-                Fact("kinds", dict(counts), "kinds", words),
-                Fact("model", self.model.name, "model"),
-            ],
-            tables=[Table("attractors", rows, columns, kind=lambda row: str(row["kind"]))],
-        )
 
     def are(self, kind: AttractorKind) -> NDArray[np.bool_]:
         """Return which of them are of a kind."""

@@ -20,22 +20,8 @@ from rocksteady.dynamics.history.start import (
     start_of,
 )
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
-from rocksteady.dynamics.orbits.orbit_answers import attractor_answer
-from rocksteady.dynamics.orbits.orbit_facts import (
-    case_facts,
-    kind_text,
-    orbit_facts,
-    section_row,
-    start_text,
-    where,
-)
-from rocksteady.dynamics.orbits.return_map import (
-    has_mirror_images,
-    make_system,
-    periodic_motion,
-    state_of,
-)
+from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from, section_row
+from rocksteady.dynamics.orbits.return_map import make_system, periodic_motion, state_of
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.kernels.orbits import settle as kernel
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
@@ -56,8 +42,6 @@ from rocksteady.model.equations import (
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import framed
 from rocksteady.outcomes import AttractorKind
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
@@ -75,19 +59,8 @@ LONGEST_RUN = 4000
 """Most forcing periods of a run without an orbit."""
 AFTERWARDS = 5
 """Forcing periods of such a run beyond those after which its kind was known."""
-LESS = "less than 1 forcing period"
 ROUNDED = 1e12
 """Growth of small differences from which on a rounding may decide."""
-MEANING = {
-    "symmetric": "Half of the motion is the mirror image of the other half.",
-    "unsymmetric": "The block leans to one side; the mirror image is an attractor too.",
-    "asymmetric block": "The motion repeats; for a block whose sides differ none is symmetric.",
-    "one-sided block": "The motion repeats, on the one side that the wall leaves to the block.",
-    "even orders": "The motion repeats; shaking with even orders has no mirror images of motions.",
-    "rest": "The block comes to rest, and the shaking does not lift it again.",
-    "overturned": "The block falls: it is proved that it cannot come back to its base.",
-    "aperiodic": "The motion does not repeat: motions beside it part at the rate of the exponent.",
-}
 
 KINDS = tuple(AttractorKind)
 """The kinds by their codes in grids; stored results hold them, so that none changes its place."""
@@ -259,60 +232,6 @@ class Attractor(Result):
     def columns(self) -> list[str]:
         """Names of the values of each row."""
         return list(section_row(ImpactState(side=1, phase=0.0, speed=0.0)))
-
-    def describe(self) -> Description:
-        """Return what the motion settles to, its orbit, and when that was known."""
-        names = ["kind", "reason", "period", "impacts_per_period", "rest_phases", "peaks"]
-        names += ["multipliers", "lyapunov", "residual", "states"]
-        if isinstance(self.block, Block):
-            names += ["peaks_rad", "period_s"]
-        facts = {name: Fact(name) for name in names[:6]}
-        facts |= {"highest": Fact(""), "lowest": Fact("")}
-        facts |= {name: Fact(name) for name in names[6:]}
-        if self.orbit is not None:
-            facts |= {fact.key or fact.label: fact for fact in orbit_facts(self.orbit)}
-        elif self.peaks is not None:
-            facts["peaks"] = Fact("peaks", list(self.peaks))
-            if isinstance(self.block, Block):
-                facts["peaks_rad"] = Fact("peaks_rad", [u * self.block.alpha for u in self.peaks])
-        facts["kind"] = Fact("kind", self.kind.value, "kind")
-        facts["reason"] = Fact("reason", self.reason or None)
-        exponent = self.lyapunov if math.isfinite(self.lyapunov) else None
-        text = "" if exponent is None else f"{number(exponent)} per forcing period"
-        label = "" if exponent is None else "Lyapunov exponent"
-        facts["lyapunov"] = Fact("lyapunov", exponent, label, text)
-        periods = plural(self.after, "forcing period") if self.after else LESS
-        # Of a fall with none the number is not known.
-        unknown = self.kind is AttractorKind.OVERTURNED and not self.after
-        known = ("", "") if unknown else ("known after", periods)
-        meaning = self.kind.value
-        if self.kind is AttractorKind.UNSYMMETRIC:
-            if self.block.one_sided:
-                meaning = "one-sided block"
-            elif not self.block.symmetric:
-                meaning = "asymmetric block"
-            elif not has_mirror_images(self.block, self.motion):
-                meaning = "even orders"
-        notes = [self.reason or MEANING[meaning]]
-        decided = (AttractorKind.APERIODIC, AttractorKind.UNDECIDED)
-        if self.growth > ROUNDED and self.kind not in decided:
-            notes.append(
-                f"On the way small differences grew {self.growth:.0e}-fold: where several motions "
-                "attract, a rounding may have chosen this one."
-            )
-        return Description(
-            f"{kind_text(self.kind.value, self.period).capitalize()}: "
-            + where(self.block, self.motion, self.model),
-            [
-                *facts.values(),
-                Fact("settled_after_periods", self.after, *known),
-                Fact("growth", self.growth),
-                Fact("", label="start", text=start_text(self.initial)),
-                *case_facts(self.block, self.motion, self.model),
-            ],
-            notes=notes,
-            answer=attractor_answer(self, rounded=ROUNDED),
-        )
 
 
 @checked

@@ -13,15 +13,14 @@ from numpy.typing import ArrayLike
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.start import HasStart, ImpactState, Rest, Start, start_of
-from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS, KINDS, Attractor, find_attractor
+from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS, Attractor, find_attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.orbits.orbit_facts import kind_text, start_text
 from rocksteady.dynamics.orbits.return_map import (
     make_system,
     periodic_motion,
     section_of,
 )
-from rocksteady.dynamics.parameters import PARAMETERS, SYMBOLS, moved_to
+from rocksteady.dynamics.parameters import PARAMETERS, moved_to
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.orbits.return_map import FALL, STAY, STUCK, highest_after, next_passage
 from rocksteady.kernels.orbits.systems import for_system
@@ -31,11 +30,9 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import in_units
-from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
-from rocksteady.results.datasets import ColumnWords, padded, variables_of
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import plural
-from rocksteady.results.result import Result
+from rocksteady.outcomes import AttractorKind
+from rocksteady.results.description import Table
+from rocksteady.results.result import Result, words_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -44,26 +41,10 @@ if TYPE_CHECKING:
 
 SHOWN_FLIGHTS = 200
 """Flights of a motion without an orbit whose peaks are kept."""
-MOST_RUNS = 8
-"""Runs of a sweep that a summary lists."""
 CARRIED = (AttractorKind.SYMMETRIC, AttractorKind.UNSYMMETRIC, AttractorKind.APERIODIC)
 """Kinds from whose last state the next value goes on."""
 
 EXTREMES = ("highest", "lowest")
-_WORDS = {
-    "kind": ColumnWords(
-        long_name="what the motion settles to", flags=tuple(kind.value for kind in KINDS)
-    ),
-    "period": ColumnWords(long_name="forcing periods of the orbit; 0 without one", missing=0),
-    "impacts": ColumnWords(
-        long_name="impacts in a period of the orbit; 0 without one, -1 for infinitely many",
-        missing=0,
-    ),
-    "highest": ColumnWords(long_name="largest theta/alpha of the orbit"),
-    "lowest": ColumnWords(long_name="smallest theta/alpha of the orbit"),
-    "lyapunov": ColumnWords(long_name="largest Lyapunov exponent per forcing period"),
-    "after": ColumnWords(long_name="forcing periods until that was known", missing=0),
-}
 
 
 @checked_result
@@ -119,7 +100,8 @@ class AttractorSweep(Result):
     @property
     def start_text(self) -> str:
         """The start in a word."""
-        return start_text(self.start)
+        text: str = words_of(AttractorSweep).start_text(self.start)
+        return text
 
     def run_rows(self) -> list[dict[str, Any]]:
         """Return one row per run of neighbouring values that settle to one kind of motion."""
@@ -170,29 +152,8 @@ class AttractorSweep(Result):
         >>> print(data.kind.values, data.period.sel(amplitude=2.0).item())
         [2 0 0] 1
         """
-        import xarray
-
-        rows = [
-            {
-                "kind": attractor.kind.value,
-                "period": attractor.period,
-                "impacts": _impacts_code(attractor),
-                **dict(zip(EXTREMES, attractor.peaks or (math.nan, math.nan), strict=True)),
-                "lyapunov": attractor.lyapunov,
-                "after": attractor.after,
-            }
-            for attractor in self.attractors
-        ]
-        name, flight = self.parameter, ("flight",)
-        words = {"long_name": "extreme theta/alpha of each flight, with its side", "units": "1"}
-        return xarray.Dataset(
-            {
-                **variables_of(rows, name, _WORDS),
-                "peaks": ((name, *flight), padded(self.peaks), words),
-            },
-            coords={name: (name, self.values, {"units": "1"})},
-            attrs={"parameter": name, "direction": self.direction, "model": self.model.name},
-        )
+        dataset: xarray.Dataset = words_of(AttractorSweep).sweep_dataset(self)
+        return dataset
 
     def values_by_kind(self) -> dict[str, int]:
         """Return how many values settle to each kind of motion."""
@@ -200,47 +161,8 @@ class AttractorSweep(Result):
 
     def table(self) -> Table:
         """Return the runs as people read them; of many the falls, then the longest."""
-        way = "upward" if self.direction == "up" else "downward"
-        listed = [
-            {**row, "settles": kind_text(row["kind"], row["period"])} for row in self.run_rows()
-        ]
-        falls = AttractorKind.OVERTURNED.value
-        columns = [
-            Column("from", SYMBOLS[self.parameter], lambda value: f"{value:.6g}"),
-            Column("to", "to", lambda value: f"{value:.6g}"),
-            Column("values", "values"),
-            Column("settles", "settles to", left=True),
-        ]
-        return Table(
-            "",
-            listed,
-            columns,
-            f"{way} sweep from {start_text(self.start)}",
-            most=MOST_RUNS,
-            severity=lambda row: (row["kind"] == falls, row["values"]),
-            kind=lambda row: str(row["kind"]),
-            alarm=falls,
-        )
-
-    def describe(self) -> Description:
-        """Return the runs of values that settle to one kind of motion."""
-        name, symbol = self.parameter, SYMBOLS[self.parameter]
-        ends = f"{symbol} from {self.values[0]:.6g} to {self.values[-1]:.6g}"
-        counts = self.values_by_kind()
-        met = ", ".join(f"{kind} {count}" for kind, count in counts.items())
-        return Description(
-            f"Attractors over {ends}: {met} of {plural(len(self.values), 'value')}, "
-            f"{self.model.name} model",
-            [
-                Fact("parameter", name),
-                Fact("direction", self.direction),
-                Fact("start", start_text(self.start), "start"),
-                Fact("values", len(self.values), "values", f"{len(self.values):,}: {ends}"),
-                Fact("counts", counts),
-                Fact("model", self.model.name, "model"),
-            ],
-            [Table("runs", self.run_rows()), self.table()],
-        )
+        table: Table = words_of(AttractorSweep).sweep_table(self)
+        return table
 
 
 def _kind_of(attractor: Attractor) -> tuple[str, int | None, int | None]:
@@ -249,13 +171,6 @@ def _kind_of(attractor: Attractor) -> tuple[str, int | None, int | None]:
         attractor.period,
         None if attractor.orbit is None else attractor.orbit.impacts,
     )
-
-
-def _impacts_code(attractor: Attractor) -> int:
-    """Return the impacts in a period as maps code them."""
-    if attractor.orbit is None:
-        return 0
-    return INFINITELY_MANY if attractor.orbit.impacts is None else attractor.orbit.impacts
 
 
 @checked

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,14 +15,6 @@ from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.dynamics.orbits.orbit_facts import (
-    case_facts,
-    kind_text,
-    orbit_facts,
-    section_row,
-    where,
-    worth,
-)
 from rocksteady.dynamics.orbits.return_map import (
     has_mirror_images,
     make_system,
@@ -43,7 +35,6 @@ from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import framed
 from rocksteady.outcomes import Status
-from rocksteady.results.description import Description
 from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
@@ -235,18 +226,14 @@ class Orbit(Result):
             model=self.model,
         )
 
-    def describe(self) -> Description:
-        """Return period, impacts, extremes, multipliers and states of the orbit."""
-        kind = kind_text(self.kind, self.period)
-        headline = f"{worth(self).capitalize()} {kind} orbit: "
-        headline += where(self.block, self.motion, self.model)
-        return Description(
-            headline, [*orbit_facts(self), *case_facts(self.block, self.motion, self.model)]
-        )
-
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per impact, in order."""
         return framed([section_row(state) for state in self.states], self.block)
+
+
+def section_row(state: ImpactState) -> dict[str, Any]:
+    """Return the row of a state after an impact."""
+    return {"side": state.side, "phase_rad": state.phase, "speed_per_pivot_time": state.speed}
 
 
 def orbit_from(

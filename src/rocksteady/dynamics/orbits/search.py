@@ -1,7 +1,7 @@
 """Search for all periodic motions at one amplitude and frequency ratio."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
@@ -9,8 +9,6 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
-from rocksteady.dynamics.orbits.orbit_answers import orbits_answer
-from rocksteady.dynamics.orbits.orbit_facts import case_facts, orbit_values, orbits_table, where
 from rocksteady.dynamics.orbits.return_map import (
     has_mirror_images,
     make_system,
@@ -39,8 +37,6 @@ from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import plural
 
 ROOM = 4096
 """Most orbits that one search returns."""
@@ -144,48 +140,6 @@ def find_orbits(
         if not any(_same(image, known) for image in images for known in orbits):
             orbits.append(images[0])
     return tuple(sorted(orbits, key=_order))
-
-
-def describe_orbits(
-    orbits: Sequence[Orbit],
-    block: Block | DimensionlessBlock,
-    motion: PeriodicMotion,
-    model: Model,
-    **limits: int,
-) -> Description:
-    """Describe the orbits that a search has found.
-
-    Parameters
-    ----------
-    orbits, block, motion, model
-        What was found, of what, by what and in which equations.
-    limits
-        max_period, max_impacts and seeds of the search.
-    """
-    motions = sum(orbit.admissible for orbit in orbits)
-    stable = sum(orbit.stable for orbit in orbits)
-    reach = f"up to {plural(limits['max_period'], 'period')} and "
-    reach += plural(limits["max_impacts"], "impact")
-    # A block whose sides differ has no mirror images.
-    mirrors = has_mirror_images(block, motion)
-    images = "; of two mirror images one is listed." if mirrors else "."
-    seeds, reminder = limits["seeds"], "Multipliers are of a period."
-    unit = "Angles are in units of alpha. " if isinstance(block, DimensionlessBlock) else ""
-    count = f"{plural(motions, 'periodic motion')} {reach}, {stable} stable"
-    if motions < len(orbits):
-        count += f"; {plural(len(orbits) - motions, 'inadmissible solution')}"
-    return Description(
-        f"Periodic motions: {where(block, motion, model)}",
-        [
-            Fact("orbits", [orbit_values(orbit) for orbit in orbits]),
-            *(Fact(name, value) for name, value in limits.items()),
-            *case_facts(block, motion, model),
-            Fact("", label="found", text=count),
-        ],
-        [orbits_table(orbits)],
-        [f"{unit}{reminder} A search from {seeds} x {seeds} states may miss motions{images}"],
-        orbits_answer(orbits, block, limits, mirrors=mirrors),
-    )
 
 
 def _order(orbit: Orbit) -> tuple[object, ...]:

@@ -1,12 +1,14 @@
-"""Facts of orbits: kinds in words, rows of files and what is said of the period."""
+"""Words of orbits: kinds, rows of files, the period, and the best motions of a search."""
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
+import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, find_orbits
-from rocksteady.dynamics.orbits import orbit_facts
+from rocksteady import Block, DimensionlessBlock, Harmonic, Linear, find_orbits
+from rocksteady.words.orbits import describe_orbits, kind_text, orbit_facts, orbits_table, worth
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
@@ -20,7 +22,7 @@ STRONG = Harmonic(amplitude=2.0, frequency_ratio=4.0)
     [(None, "rocking"), (1, "rocking"), (2, "rocking, period 2"), (3, "rocking, period 3")],
 )
 def test_a_period_is_named_above_one(period: int | None, text: str) -> None:
-    assert orbit_facts.kind_text("rocking", period) == text
+    assert kind_text("rocking", period) == text
 
 
 @every("block", [BARE, SIZED])
@@ -29,7 +31,7 @@ def test_a_row_of_an_orbit_has_its_first_state_extremes_and_multipliers(
 ) -> None:
     orbits = find_orbits(block, MOTION, max_period=2, max_impacts=4, seeds=12, model="linear")
     assert {orbit.admissible for orbit in orbits} == {True, False}
-    table = orbit_facts.orbits_table(orbits)
+    table = orbits_table(orbits)
     for place, (orbit, row) in enumerate(zip(orbits, table.rows, strict=True), start=1):
         assert (row["number"], row["period"]) == (place, orbit.period)
         assert (row["impacts_per_period"], row["branch"]) == (orbit.impacts, orbit.branch)
@@ -53,7 +55,7 @@ def test_a_row_of_an_orbit_has_its_first_state_extremes_and_multipliers(
             assert "highest_rad" not in row
             expected = ["—" if u is None else f"{u:.4f}" for u in ends]
         assert shown == expected
-        words = {fact.label: fact.words for fact in orbit_facts.orbit_facts(orbit)}
+        words = {fact.label: fact.words for fact in orbit_facts(orbit)}
         many = orbit.period > 1
         period = f"{orbit.period} forcing periods, subharmonic" if many else "1 forcing period"
         if isinstance(block, Block):
@@ -67,12 +69,12 @@ def test_a_row_of_an_orbit_has_its_first_state_extremes_and_multipliers(
 
 def test_a_symmetric_orbit_is_named_by_the_branch_of_its_closed_form() -> None:
     orbits = find_orbits(BARE, STRONG, max_period=1, seeds=6)
-    table = orbit_facts.orbits_table(orbits)
+    table = orbits_table(orbits)
     by_label = {column.heading: column for column in table.columns}
     kinds = [by_label["kind"].words(row) for row in table.rows]
     assert kinds == ["symmetric 1", "symmetric 2"]
     assert [by_label[""].words(row) for row in table.rows] == ["stable", "inadmissible"]
-    facts = orbit_facts.orbit_facts(orbits[0])
+    facts = orbit_facts(orbits[0])
     assert next(fact.words for fact in facts if fact.label == "branch") == "1"
     labels = [fact.label for fact in facts if fact.label]
     assert labels == ["period", "impacts", "highest", "lowest", "multipliers of a period", "branch"]
@@ -84,14 +86,45 @@ def test_an_orbit_that_rests_has_infinitely_many_impacts_and_its_rests_are_count
     ]
     for rests, words in ((1, "1 time in a period"), (2, "2 times in a period")):
         resting = replace(orbit, rest_phases=rests, branch=None)
-        said = {fact.label: fact.words for fact in orbit_facts.orbit_facts(resting)}
+        said = {fact.label: fact.words for fact in orbit_facts(resting)}
         assert said["impacts"] == "infinitely many in a period"
         assert said["comes to rest"] == words
         assert "branch" not in said
-        table = orbit_facts.orbits_table([resting])
+        table = orbits_table([resting])
         impacts, kind = (
             next(column for column in table.columns if column.heading == label)
             for label in ("impacts", "kind")
         )
         assert (impacts.words(table.rows[0]), kind.words(table.rows[0])) == ("inf", "symmetric")
-    assert len(orbit_facts.orbits_table([]).rows) == 0
+    assert len(orbits_table([]).rows) == 0
+
+
+@pytest.mark.parametrize("block", [BARE, SIZED], ids=["bare", "sized"])
+def test_rows_of_an_answer_are_the_best_motions_by_their_numbers_in_the_table(
+    block: Block | DimensionlessBlock,
+) -> None:
+    limits: dict[str, Any] = {"max_period": 2, "max_impacts": 4, "seeds": 12}
+    orbits = find_orbits(block, MOTION, model="linear", **limits)
+    answer = describe_orbits(orbits, block, MOTION, Linear(), **limits).answer
+    assert answer is not None
+    motions = [orbit for orbit in orbits if orbit.admissible]
+    stable = [orbit for orbit in orbits if orbit.stable]
+    assert stable
+    assert len(motions) < len(orbits)
+    verb = "is" if len(stable) == 1 else "are"
+    count = f"{len(stable)} of {len(motions)} steady motions {verb} stable"
+    assert answer.sentence == f"{count}; found up to 2 periods and 4 impacts."
+    head, *rows = (f"{label} {words}".split() for label, words in answer.facts[:3])
+    assert head[-5:] == ["period", "impacts", "highest", "lowest", "multipliers"]
+    listed = [orbits[int(row[0]) - 1] for row in rows]
+    assert [row[1] for row in rows] == [worth(orbit) for orbit in listed] == ["stable", "unstable"]
+    for orbit, row in zip(listed, rows, strict=True):
+        assert row[2:5] == [orbit.kind, str(orbit.period), str(orbit.impacts)]
+        for end, tilt in zip((orbit.highest, orbit.lowest), row[5:7], strict=True):
+            if isinstance(block, Block):
+                assert tilt == f"{math.degrees(end * block.alpha):.2f}°"
+            else:
+                assert tilt == f"{end:.3f}"
+    left = len(orbits) - len(listed)
+    words = str(dict(answer.facts)["not listed"])
+    assert words == f"{left} more with --more: {left} inadmissible"
