@@ -106,13 +106,16 @@ use_plots(
 use_words(
     {
         "rocksteady.words.attractors": ("Attractor", "AttractorSweep", "Attractors"),
+        "rocksteady.words.kicks": ("FatalKicks",),
         "rocksteady.words.motions": ("DescribedMotion",),
         "rocksteady.words.neighbours": ("Neighbours",),
         "rocksteady.words.orbits": ("Orbit",),
+        "rocksteady.words.overturning": ("OverturningWindows",),
         "rocksteady.words.steady": (
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
         ),
         "rocksteady.words.trajectory": ("Trajectory",),
+        "rocksteady.words.window_lists": ("WindowLists",),
     }
 )
 use_describers(

@@ -2,7 +2,6 @@
 
 import functools
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -28,13 +27,7 @@ from rocksteady.dynamics.overturning.window_cells import (
     nothing_found,
     outputs,
 )
-from rocksteady.dynamics.overturning.window_lists import (
-    LEFT,
-    OTHER_WAY,
-    SHOWN,
-    UNLISTED,
-    WindowLists,
-)
+from rocksteady.dynamics.overturning.window_lists import WindowLists
 from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import JUMP
 from rocksteady.model.blocks.block import Block
@@ -42,21 +35,11 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import rising
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
-from rocksteady.model.facts import (
-    case_text,
-    kick_m_s,
-    kick_text,
-    kicks_text,
-    other_kick_text,
-    solved_text,
-)
+from rocksteady.model.facts import kick_m_s
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
-from rocksteady.outcomes import BALANCED
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, quantity
+from rocksteady.results.result import words_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
@@ -75,7 +58,6 @@ NONE = 1e-9
 """Size below which a kick counts as zero."""
 TRIES = 500
 """Kicks, besides the grid, after which a search ends."""
-MOST_ROWS = 100
 BELOW = 1.0 - 1e-9
 """Part of the least kick up to which a search is repeated,"""
 CLOSER = 0.2
@@ -153,158 +135,12 @@ class FatalKicks(WindowLists):
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the windows as an xarray Dataset over moment, direction and window."""
-        import xarray
-
-        across, every = ("moment", "direction"), ("moment", "direction", "window")
-        kick = {"units": "1", "long_name": "change of base velocity over alpha g/p"}
-        shape = len(self.time_pt), 2, self.low.shape[1]
-        values: dict[str, Any] = {
-            name: (every, getattr(self, name).reshape(shape), kick) for name in ("low", "high")
-        }
-        for name in ("impacts", "side"):
-            values[name] = (every, getattr(self, name).reshape(shape), {"units": "1"})
-        values["first"] = (across, self.first.reshape(shape[:2]), kick)
-        for name in LEFT:
-            values[name] = (across, getattr(self, name).reshape(shape[:2]), {"units": "1"})
-        for name in UNLISTED:
-            ends = getattr(self, name).reshape(*shape[:2], -1)
-            values[name] = ((*across, "stretch"), ends, kick)
-        values["least"] = ("moment", self.least, kick)
-        return xarray.Dataset(
-            values,
-            coords={
-                "time_pt": ("moment", self.time_pt, {"units": "1", "long_name": "p t"}),
-                "direction": list(SIGNS),
-                "window": np.arange(shape[2]),
-            },
-            attrs=self._searched,
-        )
-
-    def describe(self) -> Description:
-        """Return the least kicks by moment, in m/s too where the block has a size."""
-        sized, write = isinstance(self.block, Block), functools.partial(number, digits=6)
-        rows = list(self._rows())
-        listed = [
-            {
-                **row,
-                "windows": [list(ends) for ends in self.intervals(index)],
-                "modes": self._modes(index),
-                **self._left(index),
-            }
-            for index, row in enumerate(rows)
-        ]
-        columns = [
-            *([Column("t_s", "s")] if sized else [Column("time_pt", "p t")]),
-            Column("angle", "theta/alpha"),
-            Column("direction", "kick", lambda value: "+" if value > 0 else "-"),
-            *([Column("first_m_s", "least m/s", write)] if sized else []),
-            Column("first", "of alpha g/p", write),
-            Column("windows", "windows"),
-        ]
-        facts = [
-            self._block_fact,
-            Fact("model", self.model.name, "model"),
-            Fact("sizes", list(self.within), "searched", f"kicks {self._range_text}"),
-            Fact("resolution", self.resolution),
-            Fact("least", self._smallest, "least fatal kick", self._least_text()),
-        ]
-        notes = []
-        if unsettled := int((self.unsettled > 0).sum()):
-            notes.append(
-                f"Ever narrower windows remain in {unsettled} of {self.unsettled.size} searches: "
-                "some may be missing."
-            )
-        headline = f"Least fatal kick: {case_text(self.block)}, {self.model.name} model"
-        return Description(
-            headline,
-            facts,
-            [
-                Table(
-                    "",
-                    rows,
-                    columns,
-                    most=MOST_ROWS,
-                    severity=lambda row: -row["first"] if row["windows"] else -math.inf,
-                ),
-                Table("kicks", listed),
-            ],
-            notes,
-            answer=self._answer(),
-        )
-
-    def _answer(self) -> Answer:
-        """Return the least kick of all moments, and those of the others and of the other way."""
-
-        def write(kick: float) -> str:
-            return f"{kick_text(self.block, kick)}{self._least(abs(kick))}"
-
-        def moment(index: int) -> str:
-            time = float(self.time_pt[index])
-            if isinstance(self.block, Block):
-                return quantity(time / self.block.p, "s")
-            return f"pt {number(time)}"
-
-        searched = f"{self._range_text}{self._missing}"
-        facts = [self._undecided, ("searched", solved_text(searched, self.block)), self._computed]
-        if math.isnan(self._smallest):
-            return Answer("It stands after every kick searched.", facts)
-        if self._smallest == 0.0:
-            course = simulate(self.block, self.motion, start=self.start, model=self.model)
-            ends = BALANCED if course.balanced else "falls without a kick"
-            return Answer(f"It {ends}.", facts)
-        order = np.argsort(np.abs(self.least), kind="stable").tolist()
-        at = order[0]
-        opposite = float(self.signed[at, int(self.least[at] > 0.0)])
-        words = other_kick_text(self.block, opposite, self.within) + self._least(abs(opposite))
-        state = f"theta/alpha {number(self.angle[at])}, velocity {number(self.velocity[at])}"
-        least = self.least.tolist()
-        rows = [
-            (moment(row), "stands" if math.isnan(least[row]) else write(least[row]))
-            for row in order[:SHOWN]
-        ]
-        rows = rows if len(order) > 1 else []
-        facts[1:1] = [*rows, (OTHER_WAY, words), ("tilt before", state)]
-        when = f" at {moment(at)}" if len(order) > 1 else ""
-        kind = "kick found" if self.unsettled.any() else "kick"
-        return Answer(f"The least {kind} that fells it is {write(self._smallest)}{when}.", facts)
+        dataset: xarray.Dataset = words_of(FatalKicks).kicks_dataset(self)
+        return dataset
 
     @property
     def _two_ways(self) -> bool:
         return True
-
-    @property
-    def _range_text(self) -> str:
-        """The range that was searched, in words."""
-        return kicks_text(self.block, self.within)
-
-    @property
-    def _smallest(self) -> float:
-        """The least of all moments, with its sign [alpha g/p]; nan where none is fatal."""
-        kicks = self.least[~np.isnan(self.least)]
-        return float(kicks[np.argmin(np.abs(kicks))]) if kicks.size else math.nan
-
-    def _least_text(self) -> str:
-        """Return the least fatal kick in words."""
-        least = self._smallest
-        return "none in the range" if math.isnan(least) else kick_text(self.block, least, 6)
-
-    def _rows(self) -> Iterator[dict[str, Any]]:
-        """Yield a row for each moment and direction."""
-        for moment, time in enumerate(self.time_pt.tolist()):
-            for place, direction in enumerate(SIGNS):
-                index = 2 * moment + place
-                row: dict[str, Any] = {
-                    "time_pt": time,
-                    "angle": float(self.angle[moment]),
-                    "velocity": float(self.velocity[moment]),
-                    "direction": direction,
-                    "first": float(self.first[index]),
-                    "windows": len(self.intervals(index)),
-                }
-                if isinstance(self.block, Block):
-                    row["t_s"] = time / self.block.p
-                    row["first_m_s"] = row["first"] * self.unit_m_s
-                yield row
 
 
 @checked

@@ -1,10 +1,9 @@
 """Overturning spectra: all windows of amplitude in which a pulse overturns a block."""
 
 import functools
-import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,26 +18,16 @@ from rocksteady.dynamics.overturning.window_cells import (
     search_both_ways,
     uplifts_of,
 )
-from rocksteady.dynamics.overturning.window_lists import (
-    NO_WINDOW,
-    OTHER_WAY,
-    WindowLists,
-    floor_digits,
-    listed,
-)
+from rocksteady.dynamics.overturning.window_lists import WindowLists
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, is_pair, rising
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
-from rocksteady.model.facts import amplitude_text, case_text, restitution_values, solved_text
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.pulses import Pulse
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural, quantity
+from rocksteady.results.result import words_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
@@ -55,8 +44,6 @@ UPLIFTS = 2.0
 HIGHEST = 1e6
 """Largest amplitude of a range."""
 RESOLUTION = 2e-3
-MOST_ROWS = 100
-"""Windows that a summary shows."""
 
 
 @checked_result
@@ -118,210 +105,12 @@ class OverturningWindows(WindowLists):
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the windows as an xarray Dataset over frequency ratio and window."""
-        import xarray
-
-        along = "frequency_ratio"
-        return xarray.Dataset(
-            self._variables(along, {"units": "1", "long_name": "a_max/(alpha g)"}),
-            coords={
-                along: (along, self.frequency_ratio, {"long_name": "omega/p"}),
-                "window": ("window", np.arange(self.low.shape[1])),
-            },
-            attrs={
-                "pulse": self.pulse.shape,
-                "reversed": int(self.pulse.reverse),
-                **({} if self.floor is None else {"floor": self.floor.label}),
-                **self._searched,
-            },
-        )
-
-    def describe(self) -> Description:
-        """Return the windows by frequency, in g and Hz too where the block has a size."""
-        block, pulse, floor = self.block, self.pulse, self._floor_text
-        least, most = (amplitude_text(block, end) for end in self.within)
-        facts = [
-            self._block_fact,
-            Fact("pulse", pulse.shape, "pulse", self._pulse_text),
-            Fact("reversed", pulse.reverse),
-            Fact("oscillations", pulse.oscillations),
-            Fact("phase", pulse.phase),
-            Fact("floor", floor or None, "stands on" if floor else ""),
-            Fact("model", self.model.name, "model"),
-            Fact("amplitudes", list(self.within), "searched", f"{least} to {most}"),
-            Fact("resolution", self.resolution),
-            *(Fact(key, value) for key, value in restitution_values(block).items()),
-        ]
-        rows = [self._row(index) for index in range(len(self.frequency_ratio))]
-        windows = Table(
-            "",
-            list(self._window_rows(rows)),
-            self._columns(),
-            most=MOST_ROWS,
-            severity=lambda row: -row["low"],
-        )
-        notes = [f"A is a/(alpha g){', of the ground' if floor else ''}."]
-        stands = [number(ratio) for ratio in self.frequency_ratio[np.isnan(self.governing)]]
-        if stands:
-            notes.append(
-                f"The block stands throughout at omega/p = {', '.join(stands[:8])}"
-                + (f" and {len(stands) - 8} more." if stands[8:] else ".")
-            )
-        left_out = int(self.left_out.sum())
-        if left_out:
-            notes.append(
-                f"{left_out} narrower windows are left out, at no frequency more than "
-                f"{self.left_out_width.max():.2g} wide together."
-            )
-        unsettled = int((self.unsettled > 0).sum())
-        if unsettled:
-            notes.append(
-                f"At {unsettled} of the frequencies there are so many windows that narrow ones may "
-                "be missing."
-            )
-        headline = (
-            f"Overturning: {self._pulse_text} pulse, "
-            f"{floor}{', ' if floor else ''}"
-            f"{case_text(block)}, {self.model.name} model"
-        )
-        tables = [windows, Table("windows", rows)]
-        return Description(headline, facts, tables, notes, answer=self._answer(rows))
-
-    def _answer(self, rows: list[dict[str, Any]]) -> Answer:
-        """Return where it falls, at the one frequency or at each."""
-        sized, unit = isinstance(self.block, Block), 1.0
-        if isinstance(self.block, Block):
-            unit = in_g(self.block.uplift_acceleration)
-
-        def write(amplitude: float) -> str:
-            size = number(amplitude * unit)
-            return f"{size} g" if sized else f"A = {size}"
-
-        names = [
-            quantity(row["freq_hz"], "Hz") if sized else f"W = {number(row['frequency_ratio'])}"
-            for row in rows
-        ]
-        shown, pulse = self._by_first, f"{self._pulse_text} pulse"
-        searched = f"{write(self.within[0])} to {write(self.within[1])}{self._missing}"
-        facts = [
-            ("stands on", self._floor_text),
-            self._undecided,
-            ("searched", solved_text(searched, self.block)),
-            self._computed,
-        ]
-        at = names[0] if len(names) == 1 else f"all {len(names)} frequencies"
-        stand = Answer(f"It stands in the {pulse} at {at}, up to {write(self.within[1])}.", facts)
-        if not shown:
-            return stand
-        if len(rows) > 1:
-            stands = [names[row] for row in np.flatnonzero(np.isnan(self.governing))]
-            facts[1:1] = [
-                *((names[row], self._governing_verdict(row, write)) for row in shown),
-                self._rest,
-                ("stands at", listed(stands)),
-            ]
-            least = float(self.governing[shown[0]])
-            way = f", {OTHER_WAY}" * bool(self.opposite_governs[shown[0]])
-            sentence = (
-                f"It falls at {len(rows) - len(stands)} of {len(rows)} frequencies, "
-                f"{self._first_at(least, write)} ({names[shown[0]]}, {pulse}{way})."
-            )
-            return Answer(sentence, facts)
-        if math.isnan(self.first[0]):
-            return self._with_other_way(write, stand)
-        first, last = self.at(0)[0], self.at(0)[-1]
-        after = f"{plural(first.impacts, 'impact')} at {write(first.low)}"
-        if last.low > first.low:
-            after += f", {plural(last.impacts, 'impact')} at {write(last.low)}"
-        spans = "{} g" if sized else "A = {}"
-        widest, closed = self._widest(0, unit), rows[0]["closed_form"]
-        facts[1:1] = [
-            ("falls", widest and f"{spans.format(widest)}{self._narrower(0)}"),
-            ("falls after", after),
-            ("without impact", "" if closed is None else f"from {write(closed)} on, closed form"),
-        ]
-        sentence = f"It falls {self._verdict(0, write)} ({names[0]} {pulse})."
-        return self._with_other_way(write, Answer(sentence, facts))
+        dataset: xarray.Dataset = words_of(OverturningWindows).windows_dataset(self)
+        return dataset
 
     @property
     def _on_floors(self) -> bool:
         return self.floor is not None
-
-    @property
-    def _pulse_text(self) -> str:
-        """The pulse in a word or two."""
-        return f"reversed {self.pulse.shape}" if self.pulse.reverse else self.pulse.shape
-
-    @property
-    def _floor_text(self) -> str:
-        """The floor in words; empty on the ground."""
-        return "" if self.floor is None else self.floor.label
-
-    def _row(self, index: int) -> dict[str, Any]:
-        """Return all that is known at one of the frequencies."""
-        ratio, intervals = float(self.frequency_ratio[index]), self.intervals(index)
-        closed = None
-        if self.pulse.shape in THRESHOLDS and isinstance(self.model, Linear) and self.floor is None:
-            closed = float(threshold_without_impact(self.block, self.pulse, ratio))
-        row: dict[str, Any] = {
-            "frequency_ratio": ratio,
-            "intervals": [list(ends) for ends in intervals],
-            "modes": self._modes(index),
-            "first": float(self.first[index]),
-            "opposite": float(self.opposite[index]),
-            "governing": float(self.governing[index]),
-            "governs": self._governs(index),
-            "closed_form": closed,
-            **self._left(index),
-        }
-        if isinstance(self.block, Block):
-            unit = in_g(self.block.uplift_acceleration)
-            row["freq_hz"] = replace(self.pulse, frequency_ratio=ratio).frequency_hz(self.block)
-            row["governing_g"] = row["governing"] * unit
-            row["intervals_g"] = [[end * unit for end in ends] for ends in intervals]
-        return row if self.floor is None else floor_digits(row)
-
-    def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
-        """Yield one row per window, as in tables and files."""
-        for row in rows:
-            head: dict[str, Any] = {
-                name: row[name]
-                for name in ("frequency_ratio", "freq_hz", "governing", "governing_g", "governs")
-                if name in row
-            }
-            for mode in row["modes"] or [NO_WINDOW] * bool(row["governs"]):
-                low, high = mode["interval"]
-                window: dict[str, Any] = {**head, "low": low, "high": high}
-                if isinstance(self.block, Block):
-                    unit = in_g(self.block.uplift_acceleration)
-                    window |= {"low_g": low * unit, "high_g": high * unit}
-                for name in ("impacts", "side", "endless"):
-                    window[name] = mode[name]
-                yield window if self.floor is None else floor_digits(window)
-
-    def _columns(self) -> list[Column]:
-        """Return what people read of a window: in Hz and g first where the block has a size."""
-
-        def high(value: float) -> str:
-            return "the end" if value >= self.within[1] else number(value, 6)
-
-        columns = [
-            Column("frequency_ratio", "omega/p", lambda value: number(value, 5)),
-            Column("low", "from A", lambda value: number(value, 6)),
-            Column("high", "to A", high),
-            Column("impacts", "impacts", lambda value: str(value) if value >= 0 else ""),
-            Column("side", "side", lambda value: ("", "+", "-")[value]),
-        ]
-        if self._two_ways:
-            name, unit = ("_g", "g") if isinstance(self.block, Block) else ("", "A")
-            columns.append(Column(f"governing{name}", f"first {unit}"))
-            columns.append(Column("governs", "governs"))
-        if isinstance(self.block, Block):
-            columns[:0] = [
-                Column("freq_hz", "Hz"),
-                Column("low_g", "from g"),
-                Column("high_g", "to g"),
-            ]
-        return columns
 
 
 @checked

@@ -21,6 +21,7 @@ from rocksteady import (
 from rocksteady.formulas import overturning_amplitude
 from rocksteady.model.equations import Model
 from rocksteady.overturning import OverturningWindows
+from rocksteady.words.window_lists import verdict
 from tests.descriptions import as_json, fits
 from tests.every import every
 
@@ -167,4 +168,4 @@ def test_an_answer_tells_where_falling_begins_and_where_it_ends() -> None:
             side=np.where(np.isnan(lows), 0, 1),
             left_out=np.array([left_out, 0, 0]),
         )
-        assert windows._verdict(0, "{:g}".format) == words, (low, high, left_out)
+        assert verdict(windows, 0, "{:g}".format) == words, (low, high, left_out)
