@@ -106,6 +106,8 @@ use_plots(
 use_words(
     {
         "rocksteady.words.motions": ("DescribedMotion",),
+        "rocksteady.words.overturning_scales": ("OverturningScales",),
+        "rocksteady.words.records": ("IntegratedRecord", "Measures", "ResponseSpectrum"),
         "rocksteady.words.steady": (
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
         ),
@@ -121,7 +123,7 @@ use_describers(
         ),
         "rocking spectrum": (
             {"status", "peak_angle", "peak_velocity"},
-            "rocksteady.seismic.spectra.describe",
+            "rocksteady.words.spectra",
         ),
     }
 )
