@@ -108,6 +108,7 @@ use_words(
         "rocksteady.words.motions": ("DescribedMotion",),
         "rocksteady.words.overturning_scales": ("OverturningScales",),
         "rocksteady.words.records": ("IntegratedRecord", "Measures", "ResponseSpectrum"),
+        "rocksteady.words.screens": ("Screen", "Screens"),
         "rocksteady.words.steady": (
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
         ),
