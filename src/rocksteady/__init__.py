@@ -105,9 +105,12 @@ use_plots(
 )
 use_words(
     {
+        "rocksteady.words.back_analysis": ("BackAnalysis", "Survey"),
         "rocksteady.words.motions": ("DescribedMotion",),
+        "rocksteady.words.observations": ("ObjectPrior", "Observations", "Prior"),
         "rocksteady.words.overturning_scales": ("OverturningScales",),
         "rocksteady.words.records": ("IntegratedRecord", "Measures", "ResponseSpectrum"),
+        "rocksteady.words.restitution": ("RestitutionFit",),
         "rocksteady.words.screens": ("Screen", "Screens"),
         "rocksteady.words.steady": (
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
