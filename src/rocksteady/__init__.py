@@ -106,9 +106,11 @@ use_plots(
 use_words(
     {
         "rocksteady.words.back_analysis": ("BackAnalysis", "Survey"),
+        "rocksteady.words.calibration": ("Calibration", "Posterior", "StoredPosterior"),
         "rocksteady.words.motions": ("DescribedMotion",),
         "rocksteady.words.observations": ("ObjectPrior", "Observations", "Prior"),
         "rocksteady.words.overturning_scales": ("OverturningScales",),
+        "rocksteady.words.predictions": ("Predictions", "Scores", "Validation"),
         "rocksteady.words.records": ("IntegratedRecord", "Measures", "ResponseSpectrum"),
         "rocksteady.words.restitution": ("RestitutionFit",),
         "rocksteady.words.screens": ("Screen", "Screens"),
