@@ -107,6 +107,7 @@ use_words(
     {
         "rocksteady.words.back_analysis": ("BackAnalysis", "Survey"),
         "rocksteady.words.calibration": ("Calibration", "Posterior", "StoredPosterior"),
+        "rocksteady.words.fragility": ("Fragility", "FragilityCurve", "StateFragility"),
         "rocksteady.words.motions": ("DescribedMotion",),
         "rocksteady.words.observations": ("ObjectPrior", "Observations", "Prior"),
         "rocksteady.words.overturning_scales": ("OverturningScales",),
