@@ -105,10 +105,14 @@ use_plots(
 )
 use_words(
     {
+        "rocksteady.words.assessment": ("Assessment",),
         "rocksteady.words.back_analysis": ("BackAnalysis", "Survey"),
         "rocksteady.words.calibration": ("Calibration", "Posterior", "StoredPosterior"),
         "rocksteady.words.fragility": ("Fragility", "FragilityCurve", "StateFragility"),
+        "rocksteady.words.hazard": ("HazardBranchCheck", "HazardCurve", "Risk"),
         "rocksteady.words.motions": ("DescribedMotion",),
+        "rocksteady.words.objects": ("DescribedObject", "FormulaAssessment", "ObjectFacts"),
+        "rocksteady.words.objects_table": ("ObjectsTable",),
         "rocksteady.words.observations": ("ObjectPrior", "Observations", "Prior"),
         "rocksteady.words.overturning_scales": ("OverturningScales",),
         "rocksteady.words.predictions": ("Predictions", "Scores", "Validation"),
@@ -126,7 +130,7 @@ use_describers(
         "fate map": ({"fate", "cycles"}, "rocksteady.dynamics.maps.map_facts"),
         "rocking ensemble": (
             {"status", "peak_angle", "uplift_time_s"},
-            "rocksteady.risk.ensemble._ensemble_facts",
+            "rocksteady.words.ensembles",
         ),
         "rocking spectrum": (
             {"status", "peak_angle", "peak_velocity"},
