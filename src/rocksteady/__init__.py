@@ -105,12 +105,25 @@ use_plots(
 )
 use_words(
     {
+        "rocksteady.words.assessment": ("Assessment",),
         "rocksteady.words.attractors": ("Attractor", "AttractorSweep", "Attractors"),
+        "rocksteady.words.back_analysis": ("BackAnalysis", "Survey"),
+        "rocksteady.words.calibration": ("Calibration", "Posterior", "StoredPosterior"),
+        "rocksteady.words.fragility": ("Fragility", "FragilityCurve", "StateFragility"),
+        "rocksteady.words.hazard": ("HazardBranchCheck", "HazardCurve", "Risk"),
         "rocksteady.words.kicks": ("FatalKicks",),
         "rocksteady.words.motions": ("DescribedMotion",),
         "rocksteady.words.neighbours": ("Neighbours",),
+        "rocksteady.words.objects": ("DescribedObject", "FormulaAssessment", "ObjectFacts"),
+        "rocksteady.words.objects_table": ("ObjectsTable",),
+        "rocksteady.words.observations": ("ObjectPrior", "Observations", "Prior"),
         "rocksteady.words.orbits": ("Orbit",),
         "rocksteady.words.overturning": ("OverturningWindows",),
+        "rocksteady.words.overturning_scales": ("OverturningScales",),
+        "rocksteady.words.predictions": ("Predictions", "Scores", "Validation"),
+        "rocksteady.words.records": ("IntegratedRecord", "Measures", "ResponseSpectrum"),
+        "rocksteady.words.restitution": ("RestitutionFit",),
+        "rocksteady.words.screens": ("Screen", "Screens"),
         "rocksteady.words.steady": (
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
         ),
@@ -124,11 +137,11 @@ use_describers(
         "fate map": ({"fate", "cycles"}, "rocksteady.dynamics.maps.map_facts"),
         "rocking ensemble": (
             {"status", "peak_angle", "uplift_time_s"},
-            "rocksteady.risk.ensemble._ensemble_facts",
+            "rocksteady.words.ensembles",
         ),
         "rocking spectrum": (
             {"status", "peak_angle", "peak_velocity"},
-            "rocksteady.seismic.spectra.describe",
+            "rocksteady.words.spectra",
         ),
     }
 )

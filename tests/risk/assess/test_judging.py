@@ -12,8 +12,8 @@ from rocksteady import BaseMotion, Block, Record, Status, run_ensemble
 from rocksteady.formulas import Side
 from rocksteady.motions import Floor, make_synthetic_suite
 from rocksteady.risk import DescribedObject, RestitutionBand
-from rocksteady.risk.assess import _judging
-from rocksteady.risk.assess._judging import Judged, band_of, judge_objects, onset_of, run_at_demand
+from rocksteady.risk.assess import judging
+from rocksteady.risk.assess.judging import Judged, band_of, judge_objects, onset_of, run_at_demand
 from rocksteady.risk.assess.placed_objects import place_objects
 from rocksteady.risk.counted.motions import Motion
 from rocksteady.risk.counted.reach import lifting_levels
@@ -22,14 +22,7 @@ from rocksteady.risk.counted.verdict import Decision, Target
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.screens.friction import needed_friction
 from tests.dynamics.full_integrator import follow
-from tests.risk.counted.recorded import (
-    G,
-    described,
-    judged,
-    real_pairs,
-    real_suite,
-    the_floor,
-)
+from tests.risk.counted.recorded import G, described, judged, real_pairs, real_suite, the_floor
 from tests.risk.counted.test_suite import peaks_of
 
 SUITE = make_synthetic_suite(14, seed=3)
@@ -399,7 +392,7 @@ def test_what_slides_is_not_run(monkeypatch: pytest.MonkeyPatch) -> None:
         asked.append(len(blocks))
         raise AssertionError
 
-    monkeypatch.setattr(_judging, "run_ensemble", run)
+    monkeypatch.setattr(judging, "run_ensemble", run)
     smooth = described(0.4, 1.6, pga_g=0.5, friction=0.2)
     found = judged(smooth, SUITE)
     assert found.decision == Decision(verdict="slides")
@@ -512,7 +505,7 @@ def test_equal_blocks_at_one_demand_are_run_once(monkeypatch: pytest.MonkeyPatch
         asked.append((len(blocks), len(motions)))
         return run_ensemble(blocks, motions, **how)
 
-    monkeypatch.setattr(_judging, "run_ensemble", counted)
+    monkeypatch.setattr(judging, "run_ensemble", counted)
     demands: list[dict[str, Any]] = [{"pga_g": pga, "pgv_m_s": 0.45} for pga in (0.4, 0.5)]
     rows = [described(0.15, 0.45, **demands[k % 2]) for k in range(20)]
     rows += [described(0.18, 0.45, **demands[0]), described(0.15, 0.45, **demands[0], friction=0.5)]

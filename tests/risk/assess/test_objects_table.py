@@ -18,7 +18,7 @@ from rocksteady import (
 from rocksteady.errors import InputError, ModelError
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.risk import DescribedObject, Peaks, RestitutionBand, Target
-from rocksteady.risk.assess import _judging
+from rocksteady.risk.assess import judging
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.risk.counted.verdict import VERDICTS
 from rocksteady.seismic.spectra.many import simulate_many
@@ -135,7 +135,7 @@ def test_a_row_that_is_repeated_is_run_once_and_has_the_same_answer(
         cells.append(int(found["status"].size))
         return found
 
-    monkeypatch.setattr(_judging, "run_ensemble", counted)
+    monkeypatch.setattr(judging, "run_ensemble", counted)
     rows = [one("rack", 0.3, 1.6), one("shelf", 0.25, 1.5)]
     single = assess_objects(rows, SUITE, demand=PEAKS)
     once, cells[:] = list(cells), []

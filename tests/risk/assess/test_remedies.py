@@ -9,7 +9,6 @@ import pytest
 from rocksteady import Record, assess_object
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.risk import DescribedObject, Target
-from rocksteady.risk.assess._judging import Judged, judge_objects
 from rocksteady.risk.assess._remedies import (
     FINER,
     WIDER,
@@ -20,8 +19,10 @@ from rocksteady.risk.assess._remedies import (
     is_helped,
     remedies_of,
 )
-from rocksteady.risk.assess._remedy import Remedy, change_words
+from rocksteady.risk.assess.judging import Judged, judge_objects
 from rocksteady.risk.assess.placed_objects import place_objects
+from rocksteady.risk.assess.remedy import Remedy
+from rocksteady.words._object_sentences import change_words, remedy_warning
 from tests.every import every
 from tests.risk.assess.test_judging import KNOWN
 from tests.risk.counted.recorded import Floats, described, judged, real_suite
@@ -121,7 +122,7 @@ def test_smaller_stretches_that_pass_are_islands() -> None:
     assert remedy.islands == ((3.0, 4.0), (7.0, 7.0))
     assert (remedy.value, remedy.share_1_1, remedy.shown_at) == (9.0, 0.2, 10.0)
     assert (remedy.friction_needed, remedy.slides) == (0.9, False)
-    assert "3 m to 4 m, 7 m would do too, but not all others below 9 m" in remedy.warning
+    assert "3 m to 4 m, 7 m would do too, but not all others below 9 m" in remedy_warning(remedy)
     assert change_words(remedy, Target(TARGET)) == (
         "base 9 m wide (20 % at 1.1 x); 10 m to be sure of 25 %"
     )

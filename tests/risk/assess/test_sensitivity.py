@@ -10,9 +10,9 @@ import pytest
 from rocksteady import BaseMotion, Block, Record, Status
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.risk import DescribedObject
-from rocksteady.risk.assess._sensitivity import Bar, Case, bars_of, changes_of, vary
 from rocksteady.risk.assess.described.objects import parameter_words
 from rocksteady.risk.assess.placed_objects import place_objects
+from rocksteady.risk.assess.sensitivity import Bar, Case, bars_of, changes_of, vary
 from rocksteady.risk.counted.band import share_band
 from rocksteady.seismic.spectra.many import simulate_many
 from tests.every import every

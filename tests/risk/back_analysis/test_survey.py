@@ -5,7 +5,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady.calibration import ObjectPrior, Survey
 from rocksteady.errors import InputError
 from rocksteady.risk.back_analysis.synthetic_survey import make_synthetic_survey
 from rocksteady.risk.observations.spread import PriorRange
@@ -15,35 +14,6 @@ def ends(given: Any) -> tuple[float, float]:
     """Return the ends of a range of an object's prior."""
     assert isinstance(given, PriorRange)
     return given.low, given.high
-
-
-def test_a_survey_in_words_and_keys() -> None:
-    objects = [
-        ObjectPrior(name=f"stone {place}", width_m=0.2 + 0.1 * place, height_m=1.0)
-        for place in range(3)
-    ]
-    survey = Survey(
-        objects=objects, fell=[True, False, True], reversed=[None, True, False], sources={"a": "b"}
-    )
-    values = survey.to_dict()
-    assert (values["objects"], values["fell"], values["sources"]) == (3, 2, {"a": "b"})
-    assert [row["outcome"] for row in values["rows"]] == ["fell", "stood", "fell"]
-    assert [row["reversed"] for row in values["rows"]] == [None, True, False]
-    assert [row["object"] for row in values["rows"]] == ["stone 0", "stone 1", "stone 2"]
-    assert values["rows"][0]["outline_alpha_rad"] == pytest.approx(np.arctan(0.2), rel=0.2)
-    assert repr(survey) == "<Survey: 3 objects: 2 fell, 1 stood>"
-    lines = survey.summary().splitlines()
-    (heading,) = (line for line in lines if "outcome" in line)
-    assert heading.split() == ["object", "outcome", "alpha", "by", "sizes,", "rad"]
-    # Words stand on the left of their columns, and numbers on the right.
-    first = next(line for line in lines if "stone 0" in line)
-    assert first.index("stone 0") == heading.index("object")
-    assert first.index("fell") == heading.index("outcome")
-    assert len(first.rstrip()) == len(heading.rstrip())
-    assert len(survey) == 3
-    assert survey.outcomes.tolist() == [1.0, 0.0, 1.0]
-    # Of objects whose sides are alike it makes no difference which way they face.
-    assert survey.facings == (None, None, None)
 
 
 def test_synthetic_surveys_are_of_their_sizes_and_fall_by_slenderness() -> None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rocksteady import BaseMotion, Record, read_record
 from rocksteady.motions import Floor
 from rocksteady.risk import DescribedObject, HazardCurve
-from rocksteady.risk.assess._judging import Judged, judge_objects
+from rocksteady.risk.assess.judging import Judged, judge_objects
 from rocksteady.risk.assess.placed_objects import place_objects
 from rocksteady.risk.counted.count import Count
 from rocksteady.risk.counted.suite import Suite

@@ -10,12 +10,8 @@ import xarray
 from rocksteady import Block
 from rocksteady.formulas import Outline
 from rocksteady.outcomes import Status
-from rocksteady.risk.ensemble.qualification import (
-    OUTPUTS,
-    most_of_rocking,
-    qualification_of,
-    rocking_words,
-)
+from rocksteady.risk.ensemble.qualification import OUTPUTS, most_of_rocking, qualification_of
+from rocksteady.words.ensembles import rocking_words
 from tests.risk.ensemble.test_runs import BLOCKS
 
 

@@ -1,14 +1,12 @@
 """Answers of a fragility: its sentence in each case, and the fields of its JSON."""
 
-import json
 from typing import Any
 
-import numpy as np
 import pytest
 
-from rocksteady import Block, Record, compute_fragility, run_ensemble
+from rocksteady import Block, compute_fragility
 from rocksteady.motions import make_synthetic_suite
-from rocksteady.risk import Fragility, Levels, RestitutionBand, Ways, count_fragility
+from rocksteady.risk import Fragility, Levels, RestitutionBand, Ways
 from tests.every import every
 from tests.risk.counted.test_suite import peaks_of
 
@@ -86,18 +84,3 @@ def test_large_factors_are_said_from_ten_on() -> None:
         _, lines = words_of(made([0.5 * level, level]))
         assert ("scaled" in lines) == said
         assert made([level]).scale_factor_max == pytest.approx(factor)
-
-
-def test_motions_that_never_lift_it_are_counted_and_have_no_infinite_number() -> None:
-    """Against a wall, under a base that only moves towards it."""
-    push = [Record(acceleration_m_s2=np.array([0.0, -2.0 - k, 0.0]), dt_s=0.1) for k in range(12)]
-    runs = run_ensemble(
-        BLOCK.against_wall(0.4), push, levels=Levels("pga_g", [0.5, 1.0], beside=()),
-        restitution=ONE, ways=Ways(reverse=False),
-    )  # fmt: skip
-    found = count_fragility(runs)
-    assert (np.array([each.curve.shares for each in found.states]) == 0.0).all()
-    assert found.state("uplift").half is None
-    values = json.loads(json.dumps(found.to_dict(), allow_nan=False))
-    assert values["uplift_level"] is None
-    assert "inf" not in found.summary()

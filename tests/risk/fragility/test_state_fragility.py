@@ -122,8 +122,3 @@ def test_each_level_is_a_row_with_its_count_and_interval() -> None:
     values = state.to_dict()
     assert [row["share"] for row in values["shares"]] == [0.0, 0.25, 0.75, 1.0]
     assert values["median"] == state.lognormal.median
-
-
-def test_a_state_is_described_by_its_half() -> None:
-    assert "half at 0.566 g" in state_of([0, 25, 75, 100]).describe().headline
-    assert "not half at any level" in state_of([0, 25]).describe().headline

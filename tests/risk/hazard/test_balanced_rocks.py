@@ -103,16 +103,6 @@ def test_a_fragility_of_the_block_meets_the_hazard_of_the_ground() -> None:
     assert of_block.survival == pytest.approx(of_ground.survival, rel=1e-9)
 
 
-def test_the_text_says_what_does_not_follow() -> None:
-    found = check_hazard_branches((MEDIAN, BETA), [branch(1e-3, name="b1"), branch(1e-9)], 2000.0)
-    text = " ".join(found.summary().split())
-    assert "No bound on PGA follows from one object" in text
-    assert "stands for 2000 years rejects 1 of 2 branches at 95 %" in text
-    rows = found.to_dict()["branches"]
-    assert [row["branch"] for row in rows] == ["b1", "2"]
-    assert [row["rejected"] for row in rows] == [True, False]
-
-
 @every(
     ("changed", "line"),
     [

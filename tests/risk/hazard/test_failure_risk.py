@@ -12,7 +12,7 @@ from rocksteady import Block, compute_fragility, compute_risk
 from rocksteady.errors import InputError
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.risk import Fragility, HazardCurve, Levels, RestitutionBand, fit_curve
-from rocksteady.risk.hazard.failure_risk import rate_words, risk_of, why_unknown
+from rocksteady.risk.hazard.failure_risk import risk_of, why_unknown
 from rocksteady.risk.hazard.fragile import fragile_of
 from tests.every import every
 
@@ -208,19 +208,6 @@ def test_rows_and_json_add_up() -> None:
     rows = told["contributions"]
     assert [row["high"] for row in rows[:-1]] == [row["low"] for row in rows[1:]]
     assert rows[-1]["high"] is None
-
-
-@every(
-    ("rate", "band", "words"),
-    [
-        (1.036e-3, (0.88e-3, 1.16e-3), "once in 965 years (90 %: 862 to 1,140): 5.0 % in 50 years"),
-        (0.5, None, "once in 2 years: > 99 % in 50 years"),
-        (1e-8, None, "once in 100,000,000 years: < 0.1 % in 50 years"),
-    ],
-)
-def test_a_rate_in_words(rate: float, band: tuple[float, float] | None, words: str) -> None:
-    risk = compute_risk((0.4, 0.5), HAZARD)
-    assert rate_words(dataclasses.replace(risk, annual_rate=rate, band=band)) == words
 
 
 @every("options", [{"years": 0.0}, {"years": 1e10}, {"hazard": "site.csv"}])

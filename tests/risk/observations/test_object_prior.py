@@ -227,30 +227,6 @@ def test_a_value_that_is_not_possible_is_named() -> None:
         prior.blocks([[-0.1, 0.0]])
 
 
-def test_an_object_in_words_and_keys() -> None:
-    given = ObjectPrior(name="column", width_m="0.15:0.17", height_m=0.6, base="0.9+-0.05")
-    values = given.to_dict()
-    assert values["name"] == "column"
-    assert values["outline_alpha_rad"] == pytest.approx(np.arctan(0.16 / 0.6))
-    rows = {row["parameter"]: row for row in values["parameters"]}
-    assert (rows["width_m"]["low"], rows["width_m"]["high"]) == (0.15, 0.17)
-    assert (rows["width_m"]["from"], rows["offset"]["from"]) == ("given", "default")
-    assert (rows["base"]["mean"], rows["base"]["sd"], rows["width_m"]["mean"]) == (0.9, 0.05, None)
-    assert f"{len(given.parameters)} numbers not exact" in repr(given)
-    (shown,) = given.describe().tables
-    assert all(column.left for column in shown.columns)
-    assert [column.heading for column in shown.columns] == ["parameter", "spread", "from"]
-    assert given.outline_radius_m == pytest.approx(0.5 * np.hypot(0.16, 0.6))
-    unlike = ObjectPrior(name="o", left_m=0.2, right_m=0.1, mass_centre_height_m=0.5)
-    assert unlike.outline_alpha_rad == pytest.approx(np.arctan(0.2))
-    assert unlike.outline_radius_m == pytest.approx(np.hypot(0.1, 0.5))
-    angled = ObjectPrior(name="o", alpha_rad=0.2, p_rad_s=2.0)
-    assert angled.outline_alpha_rad == 0.2
-    assert angled.outline_radius_m == pytest.approx(0.75 * 9.80665 / 4.0)
-    centred = ObjectPrior(name="o", width_m=0.2, height_m=1.0, mass_centre_height_m=0.4)
-    assert centred.outline_alpha_rad == pytest.approx(np.arctan(0.25))
-
-
 def test_an_object_given_in_two_ways_or_in_none() -> None:
     for sizes, words in (
         ({}, "has no size: the size is given in one way.*; add width_m and height_m"),

@@ -80,15 +80,6 @@ def test_names_are_told_apart_and_objects_are_there() -> None:
         Observations(tests=[first], objects={"column": 3})  # type: ignore[dict-item]
 
 
-def test_usual_tests_have_no_warnings_and_defaults_are_named() -> None:
-    shaken = made()
-    assert shaken.warnings == ()
-    notes = shaken.describe().notes
-    words = "not given, so that calibrate takes priors as wide as geometry allows."
-    assert f"base, offset, housner_factor, scatter: {words}" in notes
-    assert f"housner_factor, scatter: {words}" in shaken.of("vase").describe().notes
-
-
 def test_large_gains_moving_bases_and_coarse_records_are_remarked_on() -> None:
     assert any("2 tests scale a record by more than 10" in w for w in _warned(gain=10.5))
     assert any("by less than 1/10" in w for w in _warned(gain=0.09))
@@ -108,33 +99,6 @@ def _warned(*, one: bool = False, **changed: Any) -> tuple[str, ...]:
     if not one:
         tests.append(ShakingTest(**(usual | changed | {"name": "other"})))
     return Observations(tests=tests, objects={"column": COLUMN, "vase": VASE}).warnings
-
-
-def test_tests_in_words_and_keys() -> None:
-    shaken = made(gain=1.5, session="day 1", sigma_ln=0.1)
-    values = shaken.to_dict()
-    assert (values["tests"], values["records"], values["groups"]) == (4, 2, 2)
-    assert values["sources"] == {"a": "0"}
-    assert values["objects"] == ["column", "vase"]
-    row = values["rows"][1]
-    for key, value in (
-        *(("test", "t1"), ("object", "column"), ("record", "b"), ("outcome", "stood")),
-        *(("gain", 1.5), ("session", "day 1"), ("sigma_ln", 0.1), ("group", "b")),
-        *(("vertical", None), ("peak_rad", None), ("sigma_rad", None)),
-    ):
-        assert row[key] == value, key
-    text = shaken.summary()
-    assert "2 fell, 1 stood, 1 unknown" in text
-    lines = text.splitlines()
-    (heading,) = (line for line in lines if "outcome" in line and "gain" in line)
-    assert heading.split() == ["test", "object", "record", "gain", "outcome"]
-    first = next(line for line in lines if "t0" in line)
-    for words, name in (("t0", "test"), ("column", "object"), ("fell", "outcome")):
-        assert first.index(words) == heading.index(name)
-    assert first.index("1.5") + 3 == heading.index("gain") + 4
-    only = shaken.subset([0, 3])
-    assert repr(only) == "<Observations: 2 tests of 2 objects on 2 records: 2 fell>"
-    assert repr(only.of("vase")) == "<Observations: 1 test of 1 object on 1 record: 1 fell>"
 
 
 def test_subsets_from_the_first_place_to_the_last() -> None:

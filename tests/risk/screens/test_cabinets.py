@@ -5,7 +5,7 @@ import math
 import pytest
 
 from rocksteady import Block
-from rocksteady.risk.screens._cabinets import CABINETS, nearest_cabinet
+from rocksteady.risk.screens.cabinets import CABINETS, nearest_cabinet
 from rocksteady.risk.screens.thresholds import kaneko_hayashi
 
 PUBLISHED = {  # depth, height [in], median [m/s], alpha, p, number, e, NRML mean and sd [cm/s]

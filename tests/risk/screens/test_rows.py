@@ -9,8 +9,8 @@ import pytest
 from rocksteady import Block, Demand, check_facade, screen_block
 from rocksteady.codes import ElasticSpectrum, Facade, FacadeDemand
 from rocksteady.results.numbers import number
-from rocksteady.risk.screens._cabinets import CABINETS, INCH_M
 from rocksteady.risk.screens._rows import LEAST_NUMBER
+from rocksteady.risk.screens.cabinets import CABINETS, INCH_M
 from rocksteady.risk.screens.friction import uplift_acceleration_g
 from rocksteady.risk.screens.screen import Kind, Screen
 from rocksteady.risk.screens.thresholds import (

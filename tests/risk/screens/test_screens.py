@@ -234,27 +234,6 @@ def test_the_ratio_of_a_row_is_the_demand_over_its_threshold() -> None:
     ]
 
 
-def test_the_answer_shows_the_governing_row_then_what_is_not_passed() -> None:
-    calm = screen_block(BLOCK, Demand(pga_g=0.17, pgv_m_s=0.2), friction=0.4, object_kind="wall")
-    answer = calm.describe().answer
-    assert answer is not None
-    passes = [calm.row(name).passes for name, _ in answer.rows]
-    assert passes == [False, None, None, None, True, True]
-    assert "restitution" not in [name for name, _ in answer.rows]
-    for kind in (None, "statue"):
-        worst = full(kind=kind).describe().answer
-        assert worst is not None
-        failed = [row.name for row in full(kind=kind).rows if row.passes is False]
-        assert [name for name, _ in worst.rows][: len(failed)] == failed
-    bare = screen_block(BLOCK, Demand()).describe().answer
-    assert bare is not None
-    none = "No answer yet: none of the published screens for any block has a verdict."
-    assert bare.sentence == none
-    (words,) = [text for name, text in bare.facts if name == "no verdict"]
-    assert words == "uplift needs a PGA; friction to rock needs a PGA"
-    assert not dict(bare.facts)["give next"]
-
-
 def test_an_unknown_row_and_a_wrong_friction_are_refused() -> None:
     with pytest.raises(InputError, match="uplift, friction to rock"):
         full().row("west")
@@ -292,22 +271,3 @@ def test_the_page_has_the_worked_values_of_its_block() -> None:
         assert all(f"{value:.4f}" in lines[name] for value in values), name
     shares, _, _ = found.row("p PGV/(g tan alpha)").verdict.partition(" of such")
     assert f": {shares} |" in lines["p PGV/(g tan alpha)"]
-
-
-@every(
-    ("demand", "friction", "words"),
-    [
-        (Demand(), None, "none of the other published screens has a verdict."),
-        (Demand(pga_g=0.35), 0.05, "It slides at 0.35 g: no screen of rocking is an answer."),
-        (Demand(pgv_m_s=9.0), None, "It fails the one other published screen that has a verdict"),
-        (Demand(spectrum=SPECTRUM[1:]), None, "its damping, as 0.05; for the rest a PGA (or its"),
-        (Demand(spectrum=SPECTRUM[1:], spectrum_damping=0.05), None, "give next for the rest a"),
-    ],
-)
-def test_what_screens_say_at_once(demand: Demand, friction: float | None, words: str) -> None:
-    result = screen_block(BLOCK, demand, friction=friction, object_kind="cask")
-    text = " ".join(result.summary().split())
-    assert words in text, text
-    assert ("give next" in text) == (demand.spectrum is not None)
-    failed = any(row.passes is False for row in result.rows)
-    assert result.negative == (failed or friction is not None)

@@ -8,7 +8,7 @@ import pytest
 
 from rocksteady import Block, Demand, Record, screen_block
 from rocksteady.codes import Screens
-from rocksteady.risk.screens.screen import Kind, Screen
+from rocksteady.risk.screens.screen import Screen
 from tests.every import every
 
 WIDTH, HEIGHT, G = 2.4, 4.3, 9.80665
@@ -16,7 +16,6 @@ CASK = Block.rectangle(width=WIDTH, height=HEIGHT)
 SLOPE = WIDTH / HEIGHT
 FLAT = [[0.01, 0.7], [50.0, 0.7]]
 """0.7 g at every period: no damping but the factor moves it."""
-ROW: dict[str, Any] = {"spectrum": FLAT, "spectrum_damping": 0.1}
 ASCE, NUMBER, CABINET = "ASCE 43-05 rocking", "p PGV/(g tan alpha)", "FEMA P-58 cabinets"
 
 
@@ -142,38 +141,6 @@ def test_every_row_with_an_answer_states_its_use_of_vertical_motion(
         assert row.remark.count("Vertical motion: ") == (words is not None), row.name
         if words:
             assert (f"Vertical motion: {words}" in row.remark) is (row.name in uses), row.name
-
-
-@every(
-    ("kind", "given", "counts"),
-    [
-        ("statue", {"pga_g": 0.1, "pgv_m_s": 0.1, "vertical_g": 0.3}, True),  # Ishiyama's PGA
-        ("statue", {"pga_g": 0.1, "pgv_m_s": 0.1, "vertical_g": 0.3, "vertical_share": 0.0}, False),
-        ("statue", {"pga_g": 0.9, "pgv_m_s": 0.1, "vertical_g": 0.3}, False),  # bound of PGV
-        ("statue", {"pga_g": 0.9, "pgv_m_s": 9.0, "vertical_g": 0.3}, True),
-        ("statue", {"pgv_m_s": 9.0, "vertical_g": 0.3}, False),  # shares alone
-        ("statue", {"pga_g": 0.9, "vertical_g": 0.3}, False),  # uplift and friction alone
-        ("wall", {"pga_g": 0.9, "vertical_g": 0.3}, True),
-        ("cask", {"pga_g": 0.9, "vertical_g": 0.3, "vertical_share": 0.0, **ROW}, True),
-        ("cask", {"pga_g": 0.9, "vertical_g": 0.3, "sa_v_per_sa_h": 0.5, **ROW}, False),
-    ],
-)
-def test_the_first_line_has_the_vertical_peak_where_a_verdict_counts_it(
-    kind: Kind, given: dict[str, Any], counts: bool
-) -> None:
-    found = screen_block(CASK, Demand(**given), object_kind=kind)
-    answer = found.describe().answer
-    assert answer is not None
-    assert ("with a vertical peak of 0.3 g" in answer.sentence) is counts, answer.sentence
-    fact = "" if counts else "0.3 g enters no row that has a verdict"
-    assert dict(answer.facts)["vertical motion"] == fact
-
-
-def test_a_slide_under_vertical_motion_names_it() -> None:
-    demand = Demand(pga_g=0.3, vertical_g=0.5)
-    found = screen_block(CASK, demand, friction=0.5)
-    assert found.motion == "slides"
-    assert "It slides at 0.3 g with a vertical peak of 0.5 g" in found.summary()
 
 
 def test_a_record_brings_the_ratio_of_its_peak() -> None:

@@ -12,7 +12,8 @@ from rocksteady import Block, DimensionlessBlock, Record, Status, compute_measur
 from rocksteady.errors import InputError
 from rocksteady.measures import compute_response_spectrum
 from rocksteady.model.equations import Nonlinear
-from rocksteady.seismic.measures.intensity import WORDS, _simpson
+from rocksteady.seismic.measures.intensity import _simpson
+from rocksteady.words.records import WORDS
 from tests.every import every
 from tests.seismic.sines import noise, sine
 
@@ -142,33 +143,6 @@ def test_what_is_said_to_lift_a_block_does(sign: float, wall: bool) -> None:
     answer = measures.describe().answer
     assert answer is not None
     assert ("never lifts" in str(answer.facts[0])) is not lifts
-
-
-def test_the_table_of_notebooks_has_every_measure() -> None:
-    found = compute_measures(sine(), BLOCK)
-    html = found._repr_html_()
-    for words, unit in WORDS.values():
-        assert words in html
-        assert unit in html
-    assert ">PGV/PGA</th>" in html
-    assert found.record == sine()
-    assert found.block is BLOCK
-    assert repr(found).startswith("<Measures: record: PGA ")
-
-
-def test_the_keys_are_the_measures_without_those_of_no_block() -> None:
-    found = compute_measures(sine())
-    assert found.to_dict().keys() == WORDS.keys() - {
-        "pga_per_uplift",
-        "p_pgv_per_uplift",
-        "p_pgv_per_pga",
-    }
-    assert all(value == getattr(found, name) for name, value in found.to_dict().items())
-    assert found.warning is None
-    samples = sine().acceleration_m_s2 + 0.5
-    drifting = compute_measures(Record(acceleration_m_s2=samples, dt_s=sine().dt_s))
-    assert (drifting.warning or "").startswith("PGD = ")
-    assert "--baseline linear" in drifting.summary().replace("\n", " ")
 
 
 def test_what_is_refused() -> None:

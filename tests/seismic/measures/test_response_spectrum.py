@@ -112,25 +112,6 @@ def test_el_centro_as_chopra_prints_it(period: float, inches: float, g: float) -
     assert found.pseudo_acceleration_m_s2[0] / 9.80665 == pytest.approx(g, rel=0.01)
 
 
-def test_it_describes_itself() -> None:
-    spectrum = compute_response_spectrum(noise(3), [0.1, 0.5, 1.0], damping=0.02)
-    values = spectrum.to_dict()
-    assert values["periods_s"] == [0.1, 0.5, 1.0]
-    assert values["damping"] == 0.02
-    frequency = 2.0 * math.pi / np.array(values["periods_s"])
-    np.testing.assert_allclose(
-        values["pseudo_velocity_m_s"], frequency * np.array(values["displacement_m"])
-    )
-    rows = [line.split() for line in spectrum.summary().splitlines()[-3:]]
-    assert [float(row[0]) for row in rows] == values["periods_s"]
-    shown = [1e-3 * float(row[5]) for row in rows]
-    assert shown == pytest.approx(values["displacement_m"], rel=6e-3)
-    dataset = spectrum.to_dataset()
-    assert dataset.displacement_m.values.tolist() == values["displacement_m"]
-    assert dataset.acceleration_m_s2.attrs["units"] == "m s-2"
-    assert spectrum.plot().get_lines()
-
-
 def test_the_average_is_a_geometric_mean() -> None:
     record = noise(3)
     periods = np.linspace(0.2, 3.0, 10) * 0.7

@@ -129,16 +129,3 @@ def test_el_centro_as_chopra_prints_it() -> None:
     course = integrate_record(Record(acceleration_m_s2=values, dt_s=step))
     assert abs(course.peak_acceleration.value) / 9.80665 == pytest.approx(0.319, abs=5e-4)
     assert abs(course.peak_displacement.value) / 0.0254 == pytest.approx(8.40, rel=0.01)
-
-
-def test_it_describes_itself() -> None:
-    course = integrate_record(noise(3))
-    values = course.to_dict()
-    assert values["pga_m_s2"] == abs(course.peak_acceleration.value)
-    assert values["pgv_t_s"] == course.peak_velocity.t_s
-    assert values["final_velocity_m_s"] == course.velocity_m_s[-1]
-    assert "PGV" in course.summary()
-    dataset = course.to_dataset()
-    np.testing.assert_array_equal(dataset.velocity_m_s, course.velocity_m_s)
-    assert dataset.sizes == {"t_s": len(course.t_s)}
-    assert repr(course).startswith("<IntegratedRecord: Ground motion of ")

@@ -259,30 +259,3 @@ def test_a_rack_under_pacoima_dam() -> None:
     found = find_overturning_scales(rack, record, within=(0.85, 1.15), resolution=5e-4)
     fates = [found.falls(0, scale) for scale in (0.90, 0.95, 1.00, 1.02, 1.05, 1.10)]
     assert fates == [True, False, False, True, False, True]
-
-
-def test_the_sentence_of_one_record_names_it_once() -> None:
-    answer = find_overturning_scales(BLOCK, SHOCK).describe().answer
-    assert answer is not None
-    assert answer.sentence.count(" x ") == 3
-    assert answer.sentence.count(" x shock (") == answer.sentence.count("shock") == 1
-
-
-def test_an_answer_is_one_for_one_record_for_several_and_for_none_that_overturns() -> None:
-    weak = SHOCK.scaled(1e-3)
-    weak = Record(acceleration_m_s2=weak.acceleration_m_s2, dt_s=weak.dt_s, name="weak")
-    low, high = (f"{end:g}" for end in find_overturning_scales(BLOCK, weak).within)
-    reached = f"{float(high) * 4e-3 / 9.80665:.3g} g"
-    one, two, mixed = (
-        find_overturning_scales(BLOCK, records).describe().answer
-        for records in (weak, [weak, SHOCK.scaled(1e-4)], [weak, SHOCK])
-    )
-    assert one is not None
-    assert one.sentence == f"It stands in weak, from {low} to {high} x ({reached})."
-    assert two is not None
-    assert two.sentence == f"It stands in all 2 records, from {low} to {high} x ({reached})."
-    assert mixed is not None
-    assert mixed.sentence.startswith("It falls in 1 of 2 records, first at ")
-    assert mixed.sentence.endswith(" in shock.")
-    (row,) = (str(fact[1]) for fact in mixed.facts if fact[0] == "shock")
-    assert row.startswith("falls first at ")

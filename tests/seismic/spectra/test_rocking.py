@@ -23,7 +23,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.pulses import Pulse
-from rocksteady.seismic.spectra.describe import describe as described
+from rocksteady.words.spectra import describe as described
 from tests.every import every
 from tests.records import ABSENT, FOLDER, peer
 from tests.records.published import AT_PACOIMA_DAM, PEAKS

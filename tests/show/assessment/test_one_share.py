@@ -11,7 +11,7 @@ from rocksteady.export import write_assessment
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.results.numbers import chance
 from rocksteady.risk import DescribedObject
-from rocksteady.risk.hazard.failure_risk import rate_words
+from rocksteady.words.hazard import rate_words
 from tests.every import every
 from tests.outputs import unrendered
 from tests.risk.counted.recorded import SITE

@@ -124,9 +124,9 @@ def spectrum(
     run = sweep.run(force=output.force)
     motions, lifting = motions_of(recorded, reading)
 
-    from rocksteady.seismic.spectra.describe import describe
     from rocksteady.seismic.spectra.many import cells_of_many
     from rocksteady.seismic.spectra.rocking import spectrum_cells
+    from rocksteady.words.spectra import describe
 
     count = len(blocks) or len(slenderness) * len(periods)
     motions_run = len(motions) * count * len(recorded.scales)

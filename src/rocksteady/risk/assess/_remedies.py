@@ -9,15 +9,9 @@ from typing import Final
 import numpy as np
 
 from rocksteady.errors import InputError, ModelError
-from rocksteady.risk.assess._judging import (
-    Judged,
-    band_of,
-    evidence_of,
-    onset_of,
-    run_at_demand,
-)
-from rocksteady.risk.assess._remedy import CHANGES, Remedy
 from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.risk.assess.judging import Judged, band_of, evidence_of, onset_of, run_at_demand
+from rocksteady.risk.assess.remedy import CHANGES, Remedy
 from rocksteady.risk.counted.count import count_falls
 from rocksteady.risk.counted.suite import Shaking
 from rocksteady.risk.counted.verdict import MARGIN, decide

@@ -4,45 +4,32 @@ import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.record import Record
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import force_words, number, number_or_none
-from rocksteady.results.result import Result
-from rocksteady.results.stated import Stated, facts_stated
-from rocksteady.risk.assess._assessment_tables import tables_of
-from rocksteady.risk.assess._judging import Judged, judge_objects
+from rocksteady.results.result import Result, words_of
+from rocksteady.results.stated import Stated
 from rocksteady.risk.assess._remedies import is_helped, remedies_of
-from rocksteady.risk.assess._remedy import Remedy
-from rocksteady.risk.assess._sensitivity import Case, bars_of, vary
-from rocksteady.risk.assess._sentences import Screen
-from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.facts import ObjectFacts, compute_object_facts
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
-from rocksteady.risk.assess.placed_objects import demand_of, place_objects
+from rocksteady.risk.assess.judging import Judged, judge_objects
+from rocksteady.risk.assess.placed_objects import place_objects
 from rocksteady.risk.assess.rates import curve_of, is_curved, site_of, with_rate, without_rate
-from rocksteady.risk.counted.motions import folds, median_fold
-from rocksteady.risk.counted.suite import Demanded, Peaks, Shaking, Suite
-from rocksteady.risk.counted.verdict import CODES, LEAST, Decision, Target
-from rocksteady.risk.ensemble.qualification import (
-    OF_ROCKING,
-    forces_of_rocking,
-    most_of_rocking,
-    rocking_words,
-)
+from rocksteady.risk.assess.remedy import Remedy
+from rocksteady.risk.assess.sensitivity import Case, bars_of, vary
+from rocksteady.risk.counted.suite import Suite
+from rocksteady.risk.counted.verdict import CODES, Decision, Target
+from rocksteady.risk.ensemble.qualification import forces_of_rocking, most_of_rocking
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard.failure_risk import Risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.screens.screen import KINDS
 from rocksteady.risk.screens.screens import Screens, screen_block
-from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
 from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
@@ -136,17 +123,19 @@ class Assessment(Result):
     @property
     def sentence(self) -> str:
         """The answer in a sentence."""
-        return self.screen.sentence
+        sentence: str = self.screen.sentence
+        return sentence
 
     @property
     def demand(self) -> str:
         """The demand in words."""
-        return where_words(self.described, self.judged.shaking).partition(" ")[2]
+        words: str = words_of(Assessment).demand_words(self)
+        return words
 
     @cached_property
-    def screen(self) -> Screen:
-        """Sentence and lines."""
-        return screen_of(self.described, self.judged, self.suite)
+    def screen(self) -> Any:
+        """Sentence and lines, in the words of `rocksteady.words`."""
+        return words_of(Assessment).screen_of(self.described, self.judged, self.suite)
 
     @cached_property
     def qualification(self) -> Mapping[str, float | None]:
@@ -184,202 +173,14 @@ class Assessment(Result):
     @property
     def scope_words(self) -> str:
         """Which published formulas stand beside the answer, and a kind that chooses none."""
-        kind = self.described.given.kind
-        words = f"Published formulas, {': '.join(self.screens.scope)}."
-        if self.screens.kind is not None or kind == "other":
-            return words
-        return f"Kind {kind!r} chooses no formulas; {', '.join(KINDS)} do. {words}"
-
-    def describe(self) -> Description:
-        """Return the sentence, facts, sensitivity, formulas, caveats and inputs."""
-        facts = self.facts.describe()
-        kept = [fact for fact in facts.facts if fact.key != "name"]
-        return Description(
-            headline=self.sentence,
-            facts=[*self._answer(), *kept],
-            tables=tables_of(
-                self.screens, self.cases, self.suite, self.judged.shaking, self.remedies
-            ),
-            notes=[*self.facts.warnings, *self._warnings(), *CAVEATS, self.scope_words],
-            answer=Answer(self.sentence, facts_stated(self.lines)),
-        )
+        words: str = words_of(Assessment).scope_words(self)
+        return words
 
     @property
     def lines(self) -> list[Stated]:
         """The facts below the sentence."""
-        lines = list(self.screen.lines)
-        for bar in bars_of(self.cases)[:1]:
-            if words := bar.words:
-                words = f"{bar.parameter}, {bar.ends}: {words}"
-                lines.append(Stated(quantity="matters most", text=words))
-        if parts := self.facts.block.parts:
-            words = f"{parts} as one body"
-            names = [line.quantity for line in lines]
-            if "lifts at" in names:  # where there is room
-                place = names.index("lifts at")
-                condition = lines[place].condition
-                lines[place] = replace(lines[place], condition=f"{condition}; {words}".lstrip("; "))
-            else:
-                lines.append(Stated(quantity="one body", text=words))
+        lines: list[Stated] = words_of(Assessment).lines_of(self)
         return lines
-
-    def _answer(self) -> list[Fact]:
-        """Return the facts of the answer."""
-        judged, target = self.judged, self.target
-        words = rocking_words(self.qualification) if self.qualification else ""
-        moved = ("top moves", words) if words else ("", "")
-        force = self.base_force_kn
-        pushed = (
-            ("force on base", f"{force_words(force, 'kN')}, {OF_ROCKING}") if force else ("", "")
-        )
-        return [
-            Fact("name", self.described.name, "object"),
-            Fact("sentence", self.sentence),
-            *(Fact("", label=label, text=text) for label, text in facts_stated(self.lines)),
-            *answer_facts(judged, target, built_in=self.suite.built_in),
-            Fact("copies", self.suite.copies),
-            *target_facts(target),
-            *demand_facts(self.judged.shaking, demand_of(self.described), self.demand),
-            Fact("vertical_g", self.described.demand.vertical_g),
-            Fact("vertical_share", self.described.demand.vertical_share),
-            Fact("model", self.model.name, "model"),
-            Fact("qualification", self.qualification or None, *moved),
-            Fact("base_force_kn", force and list(force), *pushed),
-            Fact("seconds", self.seconds),
-        ]
-
-    def _warnings(self) -> list[str]:
-        """Return what limits the runs, and least changes beside others that would do."""
-        warnings = [] if self.fragility is None else list(self.fragility.warnings)
-        shaking = self.judged.shaking
-        if shaking is not None and shaking.stretched and self.fragility is not None:
-            words = f"The curve is over multiples of the demand: {shaking.demand.kept}."
-            warnings.append(words)
-        demand = demand_of(self.described)
-        warnings += [demand.remark] if isinstance(demand, DesignSpectrum) else []
-        if shaking is not None and shaking.placing is not None:
-            warnings.append(shaking.placing.remark)
-        warnings += [each.warning for each in self.remedies if each.warning]
-        warnings += [] if self.risk is None else self.risk.hazard.remarks
-        return [*filter(None, dict.fromkeys(warnings))]
-
-
-def answer_facts(judged: Judged, target: Target, *, built_in: bool) -> list[Fact]:
-    """Return what a judgement is in JSON, under the keys that others rely on."""
-    decision, shaking = judged.decision, judged.shaking
-    counted = decision.verdict in ("green", "red", "not-shown") and not judged.stands
-    count = judged.count if counted else None
-    stands = judged.stands and decision.verdict != "slides"
-    low, high = (0.0, 0.0) if stands else count.band if count else (None, None)
-    by, in_years = None, target.years is not None
-    if decision.verdict == "slides" or (judged.stands and not in_years):
-        by = "statics"
-    elif count is not None or decision.verdict in ("green", "red", "not-shown"):
-        by = "built-in motions" if built_in else "runs"
-    beyond = judged.beyond if judged.beyond is not None and judged.beyond.records >= LEAST else None
-    near = judged.near
-    conditions = []
-    if not judged.friction_known and decision.verdict != "no-answer":
-        conditions.append(f"friction at least {number(judged.friction.largest)}")
-        if judged.friction_of_rate is not None:
-            need = number(judged.friction_of_rate.largest)
-            conditions.append(f"friction at least {need} for the rate")
-    return [
-        Fact("verdict", decision.verdict),
-        Fact("reason", decision.reason or None),
-        Fact("doubts", list(decision.doubts)),
-        Fact("conditions", conditions),
-        Fact("by", by),
-        Fact("share", 0.0 if stands else count and number_or_none(count.share)),
-        Fact("low", low),
-        Fact("high", high),
-        Fact("share_1_1", beyond and number_or_none(beyond.share)),
-        Fact("records", 0 if judged.count is None else judged.count.records),
-        Fact("runs", 0 if judged.count is None else judged.count.runs),
-        Fact("fall", 0 if judged.count is None else judged.count.falls),
-        Fact("without_answer", 0 if judged.count is None else judged.count.without),
-        Fact("lifted", judged.lifted),
-        Fact("share_near", near.share if near and near.records >= LEAST else None),
-        Fact("records_near", near and near.records),
-        Fact("median_scale", None if shaking is None else median_fold(shaking.scales)),
-        Fact("median_stretch", None if shaking is None else median_fold(shaking.stretches)),
-        Fact("largest_stretch", None if shaking is None else float(folds(shaking.stretches).max())),
-        Fact("stretched", shaking is not None and shaking.stretched),
-        Fact("friction_needed", judged.friction.largest),
-        Fact("friction_cause", judged.friction.cause),
-        *_rate_facts(judged),
-    ]
-
-
-def _rate_facts(judged: Judged) -> list[Fact]:
-    """Return the rate of falling in JSON; None where it is not known."""
-    risk, need = judged.risk, judged.friction_of_rate
-    known = risk if risk is not None and risk.is_known else None
-    low, high = known.band if known and known.band else (None, None)
-    return [
-        Fact("no_rate", judged.no_rate or None),
-        Fact("rate_per_year", known and known.annual_rate),
-        Fact("rate_low", low),
-        Fact("rate_high", high),
-        Fact("rate_outside", risk and risk.outside),
-        Fact("rate_unknown", risk and number_or_none(risk.unknown)),
-        Fact("probability_50_years", known and known.probability),
-        Fact("friction_needed_of_rate", need and need.largest),
-    ]
-
-
-def demand_facts(shaking: Shaking | None, demand: Demanded | None, words: str) -> list[Fact]:
-    """Return a demand, None of several, and how motions lie on its spectrum."""
-    kind = None if demand is None else "peaks" if isinstance(demand, Peaks) else "spectrum"
-    values = demand.values if isinstance(demand, DesignSpectrum) else None
-    if shaking is not None and shaking.placing is not None:
-        values = shaking.placing.values
-    return [
-        Fact(
-            "demand",
-            {"kind": kind, "words": words},
-            "demand",
-            words,
-        ),
-        Fact("spectrum", values),
-    ]
-
-
-def target_facts(target: Target) -> list[Fact]:
-    """Return a target in JSON and in words."""
-    at_demand = target.years is None
-    return [
-        Fact("target_probability", target.share if at_demand else None, "target", target.words),
-        Fact("target_50_years", None if at_demand else target.share),
-    ]
-
-
-def where_words(described: DescribedObject, shaking: Shaking | None) -> str:
-    """Return the demand of an object in words after a verb, as far as its motions have it."""
-    demand = demand_of(described)
-    words = demand.where
-    if shaking is not None and not shaking.stretched and demand.kept:
-        words = f"{Peaks(pga_g=demand.pga_g).where} with each record's own PGV"
-    if described.on_floor:
-        words += " of ground motion"
-    if vertical := described.demand.vertical_words:
-        words += f" with {vertical}"
-    return words
-
-
-def screen_of(described: DescribedObject, judged: Judged, suite: Suite) -> Screen:
-    """Return sentence and lines of an object."""
-    friction = described.given.friction
-    return Screen(
-        judged,
-        target=described.target,
-        friction=None if friction is None else bounds_of(friction)[0],
-        where=where_words(described, judged.shaking),
-        suite=suite,
-        on_floor=described.on_floor,
-        of_floor=described.given.demand.place == "floor",
-        idle_spectrum=described.spectrum is not None and not described.is_on_spectrum,
-    )
 
 
 @checked

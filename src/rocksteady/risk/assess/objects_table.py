@@ -4,27 +4,18 @@ import time
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.results.answer import Answer, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import chance, number, plural, share_of
-from rocksteady.results.result import Result
-from rocksteady.results.stated import share_words
-from rocksteady.risk.assess._judging import Judged, band_of, judge_objects
+from rocksteady.results.result import Result, words_of
 from rocksteady.risk.assess._remedies import is_helped, remedies_of
-from rocksteady.risk.assess._remedy import CHANGES, Remedy, change_words
-from rocksteady.risk.assess._sentences import WORDS
-from rocksteady.risk.assess.assessment import answer_facts, demand_facts, screen_of, target_facts
-from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.building import Building
-from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
-from rocksteady.risk.assess.described.schema import Value
+from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.risk.assess.judging import Judged, band_of, judge_objects
 from rocksteady.risk.assess.placed_objects import (
     PlacedObjects,
     demand_of,
@@ -32,8 +23,9 @@ from rocksteady.risk.assess.placed_objects import (
     with_demand,
 )
 from rocksteady.risk.assess.rates import curve_of, is_curved, site_of, with_rate, without_rate
-from rocksteady.risk.counted.suite import Demanded, Peaks, Shaking, Suite
-from rocksteady.risk.counted.verdict import CODES, LEAST, VERDICTS, Target, Verdict
+from rocksteady.risk.assess.remedy import Remedy
+from rocksteady.risk.counted.suite import Demanded, Shaking, Suite
+from rocksteady.risk.counted.verdict import CODES, VERDICTS, Target, Verdict
 from rocksteady.risk.ensemble.qualification import (
     FORCES,
     OUTPUTS,
@@ -42,19 +34,11 @@ from rocksteady.risk.ensemble.qualification import (
 )
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
-from rocksteady.risk.screens.friction import uplift_acceleration_g
-from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
-from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
 
-OPEN: Final[tuple[Verdict, ...]] = ("slides", "not-shown", "no-answer")
-"""Verdicts that are neither above nor below a target."""
-EACH = "the demand of each object"
-MOST_ROWS = 5
-"""Kinds of objects on a screen."""
 MOST_HELPED = 10
 """Kinds of objects whose least changes are looked for, the worst first."""
 
@@ -126,17 +110,6 @@ class ObjectsTable(Result):
         several = set(self.demands.values())
         return several.pop() if len(several) == 1 else None
 
-    @property
-    def _where(self) -> str:
-        """The demand in words after a verb, as far as the motions have it."""
-        demand = self.demand
-        if demand is None:
-            return f"at {EACH}"
-        shaken = [row["stretched"] for row in self.rows if row["median_scale"] is not None]
-        if not demand.kept or all(shaken):
-            return demand.where
-        return f"{Peaks(pga_g=demand.pga_g).where} with each record's own PGV"
-
     def sorted_by(self, column: str, *, descending: bool = True) -> tuple[Mapping[str, Any], ...]:
         """Return the rows in the order of a column; those without a value come last.
 
@@ -175,126 +148,11 @@ class ObjectsTable(Result):
             seen.setdefault(row["like"], row)
         return [(row, counts[like]) for like, row in seen.items()]
 
-    def describe(self) -> Description:
-        """Return how many objects have which verdict, and a row for each, the worst first."""
-        columns = [
-            Column("name", "object", left=True),
-            Column("share", "falls", share_of),
-            Column("low", "from", share_of),
-            Column("high", "to (90 %)", share_of),
-            Column("share_1_1", "at 1.1 x", share_of),
-            *[Column("probability_50_years", "in 50 years", share_of)] * self._has_rates,
-            Column("verdict", "verdict", lambda verdict: WORDS[verdict], left=True),
-        ]
-        where = self._where
-        words = verdict_words(self.verdicts)
-        facts = [
-            Fact("objects", len(self.rows), "objects"),
-            Fact("kinds", len(self.kinds), "kinds of object"),
-            Fact("records", self.records, "records"),
-            Fact("copies", self.suite.copies),
-            Fact("built_in", self.suite.built_in),
-            Fact("model", self.model.name, "model"),
-            Fact("pga_g", self.pga_g),
-            Fact("pgv_m_s", self.pgv_m_s),
-            *self._demand_facts(),
-            *target_facts(self.target),
-            Fact("verdicts", self.verdicts, "verdicts", words),
-            Fact("seconds", self.seconds),
-        ]
-        return Description(
-            headline=f"{plural(len(self.rows), 'object')} {where}: {words}",
-            facts=facts,
-            tables=[
-                Table(
-                    "objects",
-                    self.worst,
-                    columns,
-                    kind=lambda row: WORDS[row["verdict"]],
-                    alarm=WORDS["red"],
-                )
-            ],
-            notes=[*CAVEATS, *self._remarks()],
-            answer=self._answer(),
-        )
-
-    def _answer(self) -> Answer:
-        """Return how many objects are above the target, and the worst kinds."""
-        kinds, red = self.kinds, self.verdicts.get("red", 0)
-        placing = None if self.shaking is None else self.shaking.placing
-        several = len(kinds) < len(self.rows)
-        objects = plural(len(self.rows), "object")
-        place = "" if self.target.years else f" {self._where}"
-        at = f"{place}{' on built-in motions' * self.suite.built_in}"
-        target = f"the target of {self.target.words}"
-        count = sum(row["verdict"] == "red" for row, _ in kinds) if several else red
-        subject = f"{red} of {objects}"
-        if several:
-            subject = f"{count} of {plural(len(kinds), 'kind')} ({subject})"
-        neither = {key: self.verdicts[key] for key in OPEN if key in self.verdicts}
-        others = f"; {verdict_words(neither)}" if neither else ""
-        sentence = f"{subject} {'are' if count > 1 else 'is'} above {target}{at}{others}."
-        if not red:
-            sentence = f"{verdict_words(self.verdicts)} of {objects}{at}, for {target}."
-        rest = kinds[MOST_ROWS:]
-        left = verdict_words(Counter(row["verdict"] for row, _ in rest))
-        needs = [row["friction_needed"] for row in self.rows if row["friction"] is None]
-        facts = [
-            left_out(len(rest), left),
-            ("spectrum", "" if placing is None else placing.line(placing.doubt).words),
-            ("records", f"{self.records:,}" if not self.suite.built_in else ""),
-            (
-                "friction",
-                f"must be at least {number(max(needs))} where it is not given" if needs else "",
-            ),
-        ]
-        in_years = self.target.years is not None
-        rows = [(row["name"], _row_words(row, count, in_years)) for row, count in kinds[:MOST_ROWS]]
-        return Answer(sentence, facts, rows)
-
-    def _remarks(self) -> list[str]:
-        """Return what formulas of spectra leave to the engineer."""
-        spectra = [each for each in self.demands.values() if isinstance(each, DesignSpectrum)]
-        return [*filter(None, dict.fromkeys(each.remark for each in spectra))]
-
-    def _demand_facts(self) -> list[Fact]:
-        """Return the demand in JSON and in words, with the motions of the first object on it."""
-        return demand_facts(self.shaking, self.demand, self._where.partition(" ")[2])
-
-    @property
-    def _has_rates(self) -> bool:
-        """Whether a rate is known of an object."""
-        return any(row["rate_per_year"] is not None for row in self.rows)
-
 
 def _on_spectrum(shakings: Sequence[Shaking | None]) -> Shaking | None:
     """Return the first motions on a spectrum; None without one, or of several spectra."""
     placed = [each for each in shakings if each is not None and each.placing is not None]
     return placed[0] if len({each.demand for each in placed}) == 1 else None
-
-
-def verdict_words(counts: Mapping[Verdict, int]) -> str:
-    """Return numbers of verdicts in words, as "2 red, 1 not shown"."""
-    return ", ".join(
-        f"{counts[verdict]:,} {WORDS[verdict]}" for verdict in VERDICTS if verdict in counts
-    )
-
-
-def _row_words(row: Mapping[str, Any], count: int, in_years: bool) -> str:
-    """Return verdict and share of objects that are alike."""
-    words, rate = WORDS[row["verdict"]], row["probability_50_years"]
-    if in_years and (rate is not None or row["no_rate"]):
-        words += f", no rate: {row['no_rate']}" if rate is None else f", {chance(rate)} in 50 years"
-    elif row["by"] == "statics" and row["verdict"] != "slides":
-        words += ", by statics"
-    elif row["share"] is not None:
-        band = (row["low"], row["high"])
-        words += f", {share_words(row['fall'], row['runs'], band, row['share'])}"
-    elif row["verdict"] == "no-answer":
-        words += f", {row['records']} of {LEAST} records"
-    if rate is not None and not in_years:
-        words += f"; {chance(rate)} in 50 years"
-    return f"{words}; {count:,} alike" if count > 1 else words
 
 
 @checked
@@ -408,9 +266,9 @@ def assess_placed(
     ]
     heavy = {kind for each, kind in zip(objects, like, strict=True) if each.body.whole_mass_kg}
     forces = _forces_per_kg(alike, kinds, heavy, run)
-    rows = []
+    words, rows = words_of(ObjectsTable), []
     for each, kind in zip(objects, like, strict=True):
-        row = _row(each, kinds[kind], placed.suite) | {"like": kind}
+        row = words.row_of(each, kinds[kind], placed.suite) | {"like": kind}
         row |= dict.fromkeys((*OUTPUTS, *FORCES)) | moved[kind]
         force, mass = forces[kind], each.body.whole_mass_kg
         if force is not None and mass is not None:
@@ -486,55 +344,6 @@ def _forces_per_kg(
         for place, force in zip(places, values, strict=True):
             forces[place] = force
     return forces
-
-
-def _row(described: DescribedObject, judged: Judged, suite: Suite) -> dict[str, Any]:
-    """Return the row of an object."""
-    block, demand, given = described.block, described.demand, described.given
-    asked = demand_of(described)
-    side = first_side(block)
-    uplift = uplift_acceleration_g(block, demand.vertical_at_peak_g)
-    sentence = screen_of(described, judged, suite).sentence
-    answer = answer_facts(judged, described.target, built_in=suite.built_in)
-    return {
-        "name": described.name,
-        "kind": given.kind,
-        "building": given.building,
-        "floor": given.floor,
-        "storey": described.storey,
-        "place": given.demand.place,
-        "pga_g": described.pga_g,
-        "pgv_m_s": given.demand.pgv_m_s,
-        "spectrum": asked.words_of_source if isinstance(asked, DesignSpectrum) else None,
-        "floor_pga_g": demand.pga_g if described.on_floor else None,
-        **{fact.key: fact.value for fact in answer if fact.key not in ("doubts", "conditions")},
-        "alpha_rad": side.alpha,
-        "p_rad_s": side.p,
-        "uplift_pga_g": uplift,
-        "friction": _friction(given.friction),
-        "vertical_g": demand.vertical_g,
-        "vertical_share": demand.vertical_share,
-        **_least(judged.remedies, described.target),
-        "sentence": f"{described.label}: {sentence[0].lower()}{sentence[1:]}",
-    }
-
-
-def _least(remedies: Sequence[Remedy], target: Target) -> dict[str, Any]:
-    """Return the least changes of a row, in metres and in words; None where there is none."""
-    row: dict[str, Any] = {}
-    for change in CHANGES:
-        remedy = next((each for each in remedies if each.change == change), None)
-        key = change.replace(" ", "_")
-        row |= {f"{key}_m": remedy and remedy.value, f"{key}_shown_m": remedy and remedy.shown_at}
-    helped = next((each for each in remedies if each.values), None)
-    return row | {"least_change": helped and change_words(helped, target)}
-
-
-def _friction(given: Value | None) -> str | None:
-    """Return a friction as a table of objects takes it, as "0.3:0.5"; None of none."""
-    if given is None:
-        return None
-    return ":".join(dict.fromkeys(f"{end:g}" for end in bounds_of(given)))
 
 
 def _kept(described: DescribedObject, row: Mapping[str, object]) -> dict[str, str]:

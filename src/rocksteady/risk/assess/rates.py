@@ -8,9 +8,9 @@ import numpy as np
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.results.numbers import quantity
-from rocksteady.risk.assess._judging import Judged, band_of, unfit_of
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import own_states
+from rocksteady.risk.assess.judging import Judged, band_of, unfit_of
 from rocksteady.risk.assess.placed_objects import demand_of
 from rocksteady.risk.counted.motions import Motion, across, folds
 from rocksteady.risk.counted.reach import reaching_levels

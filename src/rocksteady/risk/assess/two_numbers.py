@@ -9,12 +9,9 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import FRICTION
-from rocksteady.model.facts import block_text, block_values
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import chance, number, quantity
 from rocksteady.results.result import Result
-from rocksteady.results.words import Label, facts_of
+from rocksteady.results.words import Label
 from rocksteady.risk.screens.demand import PGA, PGV, VERTICAL
 from rocksteady.risk.screens.friction import (
     SLIDES,
@@ -24,21 +21,9 @@ from rocksteady.risk.screens.friction import (
     needed_friction,
     uplift_acceleration_g,
 )
-from rocksteady.risk.screens.thresholds import (
-    BETA,
-    MEDIAN,
-    sampled,
-    shares_at,
-    velocity_number,
-)
+from rocksteady.risk.screens.thresholds import BETA, MEDIAN, sampled, shares_at, velocity_number
 from rocksteady.seismic.measures.free_sides import first_side
 
-SOURCE = (
-    "Lognormal in p PGV/(g tan alpha), median 0.757 and beta 0.592, where PGA > g tan alpha; "
-    "0 below. Inferred from 28,399 classified runs of Chu, Giouvanidis, Loong and "
-    "Dimitrakopoulos, Earthq. Eng. Struct. Dyn. 54, 3576 (2025), doi 10.1002/eqe.70042. "
-    "`assess_object` counts runs of the object itself: use its answer, and this to compare."
-)
 STRONGEST_PGA_G = 4.0
 """Beyond it a PGA is remarked on: about 4 g was recorded in 2008 (IWTH25, vertical included)."""
 LEAST_RATIO_S, MOST_RATIO_S = 0.01, 0.5
@@ -85,22 +70,6 @@ class FormulaAssessment(Result):
     verdict: Annotated[str, Label("")]
     sentence: Annotated[str, Label("")]
     remarks: Annotated[tuple[str, ...], Label("")] = ()
-
-    def describe(self) -> Description:
-        """Return the sentence, the thresholds, the source and the remarks."""
-        lifting = quantity(self.uplift_pga_g, "g") + " as one body" * bool(self.block.parts)
-        lifting += f", {number(self.uplift_pga_g / self.pga_g, 2)} of the demand"
-        answer = [
-            ("doubt", " ".join(self.remarks)),
-            ("friction needed", number(self.friction_needed)),
-            ("friction given", "" if self.friction is None else number(self.friction)),
-            ("lifts at", lifting),
-            ("half fall at", quantity(self.median_pgv_m_s, "m/s") * (self.verdict == "rocks")),
-        ]
-        block = Fact("block", block_values(self.block), "block", block_text(self.block))
-        facts = facts_of(self, block, Fact("source", SOURCE))
-        first = Answer(self.sentence, answer)
-        return Description(self.sentence, facts, notes=[*self.remarks, SOURCE], answer=first)
 
 
 @checked

@@ -12,31 +12,14 @@ from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Model
-from rocksteady.results.answer import Answer, doubt
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import chance, number, number_or_none, plural, quantity
+from rocksteady.results.numbers import chance, number, number_or_none
 from rocksteady.results.result import Result
-from rocksteady.results.words import Label, facts_of
+from rocksteady.results.words import Label
 from rocksteady.risk.back_analysis._density import level_of
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.seismic.measures.scalar import Measure
 
 Bound = Literal["interval", "lower bound", "upper bound"]
-
-CAVEATS = (
-    (
-        "One object that stands bounds no PGA from above: at 0.6 g 66 % of 59 records leave an "
-        "object standing that a static formula topples at 0.42 g. Many objects, the records of the "
-        "suite and the limits of the scales make the upper end here."
-    ),
-    (
-        "The region is of shakings like those of the suite, each record as likely as the others "
-        "before the survey. The temper and the probability of the region are chosen so that "
-        "records that are left out are covered: that is no Bayesian posterior."
-    ),
-    "Rigid objects in one plane, without slip and bounce, all on the same ground.",
-)
-"""What is to be known of every back-analysis."""
 
 
 @checked_result
@@ -212,90 +195,3 @@ class BackAnalysis(Result):
         across = np.broadcast_to(self.first_values[:, np.newaxis], up.shape)
         columns = (across, up, self.density, self.region)
         return list(zip(*(each.ravel().tolist() for each in columns), strict=True))
-
-    def describe(self) -> Description:
-        """Return the interval of each measure, and the weight of each record."""
-        fell, first = sum(self.survey.fell), self.measures[0]
-        low, high = map(number, self.limits)
-        columns = (
-            Column("label", "measure", left=True),
-            Column("median", "median", _or_open),
-            Column("low", "low", _or_open),
-            Column("high", "high", _or_open),
-            Column("mc_error", "error of ln", _or_open),
-        )
-        record_columns = (
-            Column("record", "record", left=True),
-            Column("weight", "weight"),
-            Column("scale", "best scale"),
-            *(Column(measure.key, str(measure)) for measure in self.measures),
-        )
-        coverage = (
-            "not checked by records that are left out"
-            if self.held_out_surveys == 0
-            else f"{number(self.confidence)} of {self.held_out_surveys} simulated surveys under "
-            f"records that are left out, at a posterior probability of {number(self.share)}"
-        )
-        return Description(
-            headline=f"{fell} of {plural(len(self.survey), 'object')} fell: " + self._sentence(),
-            facts=facts_of(
-                self,
-                Fact("objects", len(self.survey), "Objects"),
-                Fact("fell", fell, "Fell"),
-                Fact("records", len(self.records), "Records"),
-                "bound confidence share plain_coverage held_out_surveys temper",
-                Fact(
-                    "temper_scores", {f"{key:g}": each for key, each in self.temper_scores.items()}
-                ),
-                "effective_records limits draws runs",
-                Fact("model", self.model.name, "Equations of motion"),
-                Fact("sources", dict(self.survey.sources)),
-                "warnings",
-                held_out_surveys=coverage,
-                limits=f"{low} to {high} {first.unit}".strip() + f" of {first.label}",
-            ),
-            tables=[
-                Table("measures", self.rows(), columns),
-                Table("record_weights", self.record_rows(), record_columns),
-            ],
-            notes=[*self.warnings, *CAVEATS],
-            answer=self._answer(coverage),
-        )
-
-    def _answer(self, coverage: str) -> Answer:
-        """Return the intervals of the first two measures, their middles, and doubts."""
-        fell, level = sum(self.survey.fell), chance(self.confidence)
-        medians = [
-            quantity(float(median), measure.unit).rstrip()
-            for measure, median in zip(self.measures[:2], self.medians, strict=False)
-            if not np.isnan(median)
-        ]
-        best = self.record_rows()[0]
-        if self.held_out_surveys:
-            coverage = f"{level} of {self.held_out_surveys} simulated surveys"
-        facts = [
-            ("doubt", doubt(self.warnings)),
-            ("median", " and ".join(medians)),
-            ("coverage", coverage if self.bound == "interval" else ""),
-            ("records", f"{len(self.records)}, of {number(self.effective_records)} effective"),
-            ("best record", f"{best['record']}, scaled by {number(best['scale'])}"),
-        ]
-        sentence = f"{fell or 'None'} of {len(self.survey)} fell: {self._sentence()} ({level})."
-        return Answer(sentence, facts)
-
-    def _sentence(self) -> str:
-        """Return the interval of the first two measures in words."""
-        parts = []
-        for measure, low, high in zip(self.measures[:2], self.lows, self.highs, strict=False):
-            words, end = f"{number(low)} to ", high
-            if self.bound != "interval":
-                lower = self.bound == "lower bound"
-                words, end = ("at least ", low) if lower else ("likely below ", high)
-            bound = words + quantity(end, measure.unit).rstrip()
-            parts.append(f"{measure.label} {'without a bound' if np.isnan(end) else bound}")
-        return ", ".join(parts)
-
-
-def _or_open(value: object) -> str:
-    """Return a number in words; an open end is a dash."""
-    return "-" if value is None else number(float(value))  # type: ignore[arg-type]

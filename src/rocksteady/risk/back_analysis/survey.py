@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 from rocksteady.risk.observations.object_prior import ObjectPrior
 
@@ -100,34 +99,6 @@ class Survey(Result):
         return tuple(
             None if facing is None or _symmetric(each) else facing
             for each, facing in zip(self.objects, self.reversed, strict=True)
-        )
-
-    def describe(self) -> Description:
-        """Return how many objects fell, and a row for each."""
-        assert self.reversed is not None
-        rows = [
-            {
-                "object": each.name,
-                "outcome": "fell" if fell else "stood",
-                "outline_alpha_rad": each.outline_alpha_rad,
-                "reversed": facing,
-            }
-            for each, fell, facing in zip(self.objects, self.fell, self.reversed, strict=True)
-        ]
-        columns = [
-            Column("object", "object", left=True),
-            Column("outcome", "outcome", left=True),
-            Column("outline_alpha_rad", "alpha by sizes, rad", number),
-        ]
-        count = sum(self.fell)
-        return Description(
-            headline=f"{plural(len(self), 'object')}: {count} fell, {len(self) - count} stood",
-            facts=[
-                Fact("objects", len(self), "objects"),
-                Fact("fell", count, "fell"),
-                Fact("sources", dict(self.sources)),
-            ],
-            tables=[Table("rows", rows, columns, kind=lambda row: str(row["outcome"]))],
         )
 
 

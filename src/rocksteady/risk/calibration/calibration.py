@@ -1,7 +1,7 @@
 """Calibration: posteriors of objects, held-out scores, and predictions of other tests."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
@@ -11,16 +11,13 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Model
-from rocksteady.results.answer import Answer, doubt, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import ANSWER_DRAWS
-from rocksteady.results.numbers import chance, interval, number, number_or_none, plural
+from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.learning import Trial
 from rocksteady.risk.calibration.held_out.predictions import Predictions
-from rocksteady.risk.calibration.held_out.scores import Scores
 from rocksteady.risk.calibration.held_out.validate import Validation, validate_trial, why_not
-from rocksteady.risk.calibration.identified import LIMIT, MEANINGS
+from rocksteady.risk.calibration.identified import LIMIT
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampler.rounds import Fit
 from rocksteady.risk.calibration.stored_posterior import StoredPosterior, digest_of
@@ -30,11 +27,7 @@ from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.risk.observations.spread import PriorRange
 from rocksteady.sweep.run import Execution
 
-LONGEST_NAME = 20
-"""Letters of an object in a table of parameters."""
 Folds = Literal["group", "record", "test", "session"]
-MOST = 3
-"""Rows of an answer."""
 FOLDS: tuple[Folds, ...] = ("group", "record", "test", "session")
 TOWARDS = {"lower": "towards lower values", "upper": "towards higher values"}
 
@@ -246,77 +239,6 @@ class Calibration(Result):
             self.tests, self.fits, self.measures, names, codes, folds=folds, seed=self.seed
         )
 
-    def describe(self) -> Description:
-        """Return scores, parameters with their verdicts, and what limits them."""
-        rows = self.validation.rows
-        effective = {name: each.effective_draws for name, each in self.posteriors.items()}
-        answer = self._answer()
-        facts = [
-            Fact("seed", self.seed),
-            Fact("tests", len(self.tests), "tests"),
-            Fact("counts", self.tests.describe().to_dict()["counts"]),
-            Fact("folds", self.folds, "held out together"),
-            Fact("model", self.model.name, "model"),
-            Fact("tolerance", getattr(self.model, "tolerance", None)),
-            Fact("scores", {name: each.values() for name, each in rows.items()}),
-            Fact(
-                "new_day",
-                None
-                if self.new_day is None
-                else {name: each.values() for name, each in self.new_day.rows.items()},
-            ),
-            Fact("most_runs", self.most_runs),
-            Fact("runs", self.runs, "runs of a test", _words(self.runs)),
-            Fact("effective_draws", effective, "effective draws", _words(effective)),
-            Fact(
-                "pareto_k",
-                {name: number_or_none(each.pareto_k) for name, each in self.posteriors.items()},
-                "Pareto k of the weights",
-                _words({name: each.pareto_k for name, each in self.posteriors.items()}),
-            ),
-            Fact(
-                "conflicts",
-                [asdict(each) | {"prior": str(each.prior)} for each in self.conflicts],
-            ),
-            Fact("curve", asdict(self.validation.curve)),
-            Fact("stack", asdict(self.validation.stack)),
-            Fact("sessions", {name: list(each.sessions) for name, each in self.posteriors.items()}),
-            Fact("mc_error", self.mc_error, "largest Monte Carlo error"),
-            Fact("flips", dict(self.flips), "flips", _words(self.flips)),
-            Fact(
-                "inputs",
-                {
-                    "objects": {
-                        name: {key: str(spread) for key, spread in each.space.block.spreads.items()}
-                        for name, each in self.posteriors.items()
-                    },
-                    "noise": {
-                        name: {key: str(spread) for key, spread in each.noise.items()}
-                        for name, each in self.posteriors.items()
-                    },
-                },
-            ),
-            Fact("trained", self._trained),
-            Fact("hashes", {**self.tests.sources, **self.prior.sources}),
-            Fact("warnings", list(self.warnings)),
-        ]
-        of_scores, *others = self.validation.describe().tables
-        tables = [
-            self._table(),
-            Table("score_rows", of_scores.rows, of_scores.columns, title=of_scores.title),
-            *others,
-            *self._sessions(),
-        ]
-        return Description(
-            headline=f"calibration of {plural(len(self.posteriors), 'object')} by "
-            f"{plural(len(self.tests), 'test')}: {answer.sentence[0].lower()}"
-            f"{answer.sentence[1:].removesuffix('.')}",
-            facts=facts,
-            tables=tables,
-            notes=[*self.warnings, *self._remarks()],
-            answer=answer,
-        )
-
     @property
     def runs(self) -> dict[str, int]:
         """Runs of a test of each object."""
@@ -331,133 +253,6 @@ class Calibration(Result):
         if effective >= ANSWER_DRAWS:
             missing = f"Pareto's k of its weights is {number(posterior.pareto_k, 2)}, above 0.7"
         return f"{missing}, after {runs:,} runs of a test"
-
-    def _answer(self) -> Answer:
-        """Return how well held-out tests are predicted, and what outcomes show of parameters."""
-        rows = self.validation.rows
-        few = [name for name, each in self.posteriors.items() if not each.identified]
-        sentence = f"{self.validation.warnings[0]}." if not rows else ""
-        sentence = f"{sentence[:1].upper()}{sentence[1:]}"
-        if rows:
-            best = rows["predicted"]
-            _, low, high = best.accuracy
-            band = interval(None if np.isnan(low) else (low, high), 0.9)
-            share = chance(best.accuracy[0], best.tests)
-            share += "" if " of " in share else " of"
-            least = min(each.effective_draws for each in self.posteriors.values())
-            sentence = (
-                f"{share} tests are predicted{band} on {self._unseen} not seen before, by "
-                f"{least:.0f} effective draws."
-            )
-        bounds = [row for row in self.parameters if row["bound_side"] is not None]
-        silent = [fit.bench.space.block.name for fit in self.fits if self._silent(fit)]
-        if silent:
-            sentence = (
-                f"No answer: in each test of {silent[0]} all draws fall, or all stand: check units "
-                "and gains."
-            )
-        elif few:
-            sentence = f"No answer: {self._missing(few[0])}."
-        elif bounds:
-            side = "at most" if bounds[0]["bound_side"] == "upper" else "at least"
-            outcome = "fell" if bounds[0]["bound_side"] == "upper" else "stood"
-            sentence = (
-                f"A bound and no fit: all tests of {bounds[0]['object']} {outcome}, so that alpha "
-                f"is {side} {number(bounds[0]['bound'])} rad (90 %)."
-            )
-        elif self.conflicts:
-            first = self.conflicts[0].sentence
-            sentence = f"{first[0].upper()}{first[1:]}. {sentence}"
-        several, lines = len(self.posteriors) > 1, []
-        for row in self.parameters:
-            name = str(row["parameter"])
-            if name != "alpha_rad" and (several or name != "restitution"):
-                continue
-            label = f"{row['object']}, alpha" if several else name.removesuffix("_rad")
-            words = f"no estimate yet; prior {_range(row, 'prior_low', 'prior_high')}"
-            if row["median"] is not None:
-                words = f"{number(row['median'])} (90 %: {_range(row, 'low', 'high')}); "
-                words += str(row["verdict"])
-            lines.append((label, words))
-        # A short screen drops facts from the end.
-        facts = [("held out", self._compared(rows))] if rows else []
-        facts += [*lines[: MOST if several else 1], left_out(max(len(lines) - MOST, 0))]
-        facts.append(("doubt", doubt(self.warnings[len(self.conflicts) :])))
-        if self.new_day is not None and self.new_day.rows:
-            day = self.new_day.rows["predicted"].accuracy[0]
-            facts.append(("new day", f"{chance(day)}; {self._compared(self.new_day.rows)}"))
-        if rows and not few and not bounds:
-            facts.append(("use", self._use()))
-        return Answer(sentence, facts if several else [*facts, *lines[1:]])
-
-    @property
-    def _unseen(self) -> str:
-        """What is held out together, in words."""
-        plain = all(test.group == test.record.name for test in self.tests.tests)
-        kind = "record" if self.folds == "group" and plain else self.folds
-        return f"{kind}s"
-
-    def _compared(self, rows: Mapping[str, Scores]) -> str:
-        """Return the Brier score of each way to predict."""
-        words = ", ".join(f"{name} {number(each.brier[0], 2)}" for name, each in rows.items())
-        return f"Brier score {words.removeprefix('predicted ')}"
-
-    def _use(self) -> str:
-        """Return which way to predict is better where it is clearly not the block's."""
-        value = {name: each.brier[0] for name, each in self.validation.rows.items()}
-        if not value["logistic"] < self.validation.rows["block"].brier[1]:
-            return ""
-        best = "the logistic" if value["logistic"] < value["predicted"] else "block and logistic"
-        return f"{best} to predict such tests; the block for what it says of the object"
-
-    def _table(self) -> Table:
-        before = (
-            Column("prior_low", "prior 5 %", number),
-            Column("prior_high", "prior 95 %", number),
-        )
-        names = (Column("object", "object", _shortened, left=True),)
-        columns = [
-            *(names if len(self.posteriors) > 1 else ()),
-            Column("parameter", "parameter", left=True),
-            *(() if len(self.posteriors) > 1 else before),  # 80 columns have no room for both
-            Column("median", "median", number),
-            Column("low", "5 %", number),
-            Column("high", "95 %", number),
-            Column("verdict", "verdict", left=True),
-        ]
-        return Table("parameters", self.parameters, columns)
-
-    def _sessions(self) -> list[Table]:
-        """Return the gain of each session of each object, with its interval of 90 %."""
-        ends = ("gain", "low", "high")
-        rows = [
-            {"object": name, "session": session}
-            | dict(zip(ends, posterior.session_gain(session), strict=True))
-            for name, posterior in self.posteriors.items()
-            for session in posterior.sessions
-        ]
-        columns = (
-            Column("object", "object", _shortened, left=True),
-            Column("session", "session", left=True),
-            *(
-                Column(key, words, number)
-                for key, words in zip(ends, ("gain", "5 %", "95 %"), strict=True)
-            ),
-        )
-        return [Table("session_gains", rows, columns, title="gains of sessions")] if rows else []
-
-    def _remarks(self) -> list[str]:
-        """Return what the verdicts and the temper mean."""
-        used = dict.fromkeys(row["verdict"] for row in self.parameters)
-        remarks = [f"{verdict}: {MEANINGS[verdict]}." for verdict in used]
-        if len(self.posteriors) > 1:
-            remarks.append("Each object has its own posterior and its own errors.")
-        return remarks
-
-
-def _range(row: Mapping[str, Any], low: str, high: str) -> str:
-    """Return two ends of a row in words."""
-    return f"{number(row[low])} to {number(row[high])}"
 
 
 def codes_of(tests: Sequence[ShakingTest], folds: Folds) -> tuple[list[str], Integers]:
@@ -511,12 +306,3 @@ def validation_of(
         seed=seed,
     )
     return validate_trial(trial, tests.tests, names, folds=folds, learning=learning)
-
-
-def _words(values: Mapping[str, float]) -> str:
-    return ", ".join(f"{name} {number(float(value))}" for name, value in values.items())
-
-
-def _shortened(name: str) -> str:
-    """Return a name that leaves room for numbers beside it."""
-    return name if len(name) <= LONGEST_NAME else f"{name[: LONGEST_NAME - 1]}…"

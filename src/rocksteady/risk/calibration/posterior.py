@@ -14,9 +14,7 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.doubts import ANSWER_DRAWS, NOT_IDENTIFIED, TOO_FEW
-from rocksteady.results.numbers import number, number_or_none
+from rocksteady.results.doubts import ANSWER_DRAWS
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.leaving_out import weighted_quantiles
 from rocksteady.risk.calibration.sampler.exact import effective
@@ -157,29 +155,3 @@ class Posterior(Result):
         """Return the weighted median of each parameter, shape (parameters,)."""
         medians: Floats = weighted_quantiles(self.values, self.weights, (0.5,))[0]
         return medians
-
-    def describe(self) -> Description:
-        """Return the median and the 90 % interval of each number."""
-        rows = []
-        for name in (*self.columns, *self.errors):
-            ends = (None if math.isnan(each) else each for each in self.interval(name))
-            rows.append(
-                dict(zip(("parameter", "median", "low", "high"), (name, *ends), strict=True))
-            )
-        few = "" if self.identified else f", {TOO_FEW}: {NOT_IDENTIFIED}"
-        columns = (
-            Column("parameter", "parameter", left=True),
-            Column("median", "median", number),
-            Column("low", "5 %", number),
-            Column("high", "95 %", number),
-        )
-        return Description(
-            headline=f"{self.object}: {len(self.values):,} draws, "
-            f"{self.effective_draws:.0f} effective{few}",
-            facts=[
-                Fact("object", self.object, "object"),
-                Fact("effective_draws", self.effective_draws, "effective draws"),
-                Fact("pareto_k", number_or_none(self.pareto_k), "Pareto k of the weights"),
-            ],
-            tables=[Table("parameters", rows, columns)],
-        )

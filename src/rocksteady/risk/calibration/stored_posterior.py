@@ -10,25 +10,15 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Model
-from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
-from rocksteady.risk.calibration.held_out.leaving_out import (
-    HeldOut,
-    blank,
-    fill,
-    weighed,
-)
+from rocksteady.risk.calibration.held_out.leaving_out import HeldOut, blank, fill, weighed
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
 from rocksteady.risk.calibration.held_out.rivals import LogisticCurve, Stack, measures_of
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampler.bench import GAINS, Bench
 from rocksteady.risk.calibration.sampler.exact import rounded
-from rocksteady.risk.calibration.sampler.logistic import (
-    DESIGN_BITS,
-    fit_logistics,
-    probability,
-)
+from rocksteady.risk.calibration.sampler.logistic import DESIGN_BITS, fit_logistics, probability
 from rocksteady.risk.calibration.sampler.surfaces import FAR, moments, quadratic
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest, distinct
@@ -108,20 +98,6 @@ class StoredPosterior(Result):
             **columns,
             held_out=tuple((places >= 0).tolist()),
             warnings=(words,) if changed else (),
-        )
-
-    def describe(self) -> Description:
-        """Return objects and draws."""
-        draws = {name: len(each.values) for name, each in self.posteriors.items()}
-        return Description(
-            headline=f"posterior of {plural(len(draws), 'object')} from "
-            f"{plural(len(self.trained), 'test')}",
-            facts=[
-                Fact("objects", list(draws), "objects"),
-                Fact("draws", draws),
-                Fact("tests", len(self.trained), "tests"),
-                Fact("seed", self.seed, "seed"),
-            ],
         )
 
 

@@ -1,6 +1,5 @@
 """Motions on a design spectrum: each stretched in time until its own spectrum lies on it."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
@@ -9,10 +8,8 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.model.checks.arrays import guard_result
-from rocksteady.results.numbers import number, quantity
-from rocksteady.results.stated import Stated
 from rocksteady.risk.counted.motions import Motion, across, folds, median_fold
-from rocksteady.risk.spectra.design_spectrum import PLACED_S, DesignSpectrum
+from rocksteady.risk.spectra.design_spectrum import DesignSpectrum
 from rocksteady.seismic.measures.sampled_spectrum import sample_pseudo_acceleration
 
 GRID_S: Final = np.geomspace(0.02, 20.0, 100)
@@ -25,10 +22,6 @@ COMPARED: Final = 40
 """Number of periods at which spectra are compared, evenly in ln T."""
 FAR_OFF: Final = 0.45
 """Median misfit above which motions do not follow a spectrum."""
-MOST_DOUBTS: Final = 2
-"""Doubts on a line, the gravest first: a longer one is left out of a screen."""
-DOUBTFUL_STRETCH: Final = 3.5
-"""Median fold of stretches on a spectrum above which there is a doubt."""
 
 
 @guard_result
@@ -60,22 +53,9 @@ class Placing:
         return float(np.median(self.misfits))
 
     @property
-    def misfit_words(self) -> str:
-        """That median, as "32 %"; above 1 as a factor."""
-        if self.misfit > 1.0:
-            return f"{number(math.exp(self.misfit), 2)}-fold"
-        return f"{number(100.0 * self.misfit, 2)} %"
-
-    @property
     def is_far_off(self) -> bool:
         """Whether the motions do not follow the spectrum."""
         return self.misfit > FAR_OFF
-
-    @property
-    def doubt(self) -> str:
-        """Why no answer on it is green, in words; empty of nothing."""
-        far = f"half of the records miss the spectrum by {self.misfit_words} or more"
-        return self.spectrum.peak_words or far * self.is_far_off
 
     @property
     def at_limit(self) -> int:
@@ -87,25 +67,6 @@ class Placing:
         """Median, 10 and 90 % quantile of the peak velocities [m/s]."""
         median, low, high = np.quantile(self.pgv_m_s, (0.5, 0.1, 0.9)).tolist()
         return median, low, high
-
-    def line(self, doubt: str) -> Stated:
-        """Return how the motions lie on it and what is doubtful, as a line of a screen."""
-        (first, last), limited = self.spectrum.range_s, self.at_limit
-        median, low, high = self.pgv_range_m_s
-        pgv = f"PGV {quantity(median, 'm/s', 2)} ({number(low, 2)} to {number(high, 2)})"
-        is_far = median_fold(self.stretches) > DOUBTFUL_STRETCH
-        doubts = [
-            doubt,
-            self.spectrum.damping_words,
-            f"{limited} at the limit of the stretch" * bool(limited),
-            f"half are stretched over {DOUBTFUL_STRETCH:g}-fold: doubtful" * is_far,
-        ]
-        span = f"{number(first)} to {number(last)} s{', its end' * (last < PLACED_S[1])}"
-        return Stated(
-            quantity="spectrum",
-            text=f"{span}, met to {self.misfit_words}; {pgv}",
-            condition="; ".join([*filter(None, doubts)][:MOST_DOUBTS]),
-        )
 
     def spectra_g(self, periods_s: Floats) -> Floats:
         """Return the spectra of the motions as placed [g], shape (motions, periods)."""
@@ -139,13 +100,6 @@ class Placing:
             "pgv_m_s": {"median": median, "low": low, "high": high},
             "mean_over_spectrum": {"least": least, "most": most},
         }
-
-    @property
-    def remark(self) -> str:
-        """How the mean spectrum of the motions lies on the design spectrum, as a sentence."""
-        ends = " to ".join(number(each) for each in self.spectrum.range_s)
-        least, most = (number(each, 2) for each in self.mean_over_spectrum)
-        return f"From {ends} s the mean spectrum of the motions is {least} to {most} of it."
 
 
 def shapes_of(motions: Sequence[Motion]) -> Floats:

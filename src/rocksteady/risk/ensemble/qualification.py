@@ -15,7 +15,6 @@ from rocksteady.model.equations import chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
-from rocksteady.results.numbers import length, quantity
 from rocksteady.seismic.measures.free_sides import free_sides
 from rocksteady.seismic.spectra.batch import GroundShaking, shaken_forces, sides_in_si
 from rocksteady.seismic.spectra.grounds import grounds_of
@@ -48,7 +47,6 @@ FORCE_OUTPUTS: Final = tuple(
 )
 SHARE: Final = 0.84
 """Share of the runs that rock and stand, of which a description has the largest values."""
-OF_ROCKING: Final = f"in {100.0 * SHARE:.0f} % of the runs that rock and stand"
 
 
 def qualification_of(
@@ -91,16 +89,6 @@ def most_of_rocking(runs: "xarray.Dataset") -> dict[str, float | None]:
         known = runs[key].values[rocks & np.isfinite(runs[key].values)]
         values[key] = float(np.quantile(known, SHARE)) if len(known) else None
     return values
-
-
-def rocking_words(values: Mapping[str, float | None]) -> str:
-    """Return the same in words; empty where no run rocks and stands."""
-    known = [value for key in OUTPUTS if (value := values[key]) is not None]
-    if not known:
-        return ""
-    top, gap, speed = known
-    edge = quantity(speed, "m/s")
-    return f"at most {length(top)}, clearance {length(gap)}, its edge at {edge}, {OF_ROCKING}"
 
 
 def forces_of_rocking(

@@ -12,21 +12,12 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import non_negative
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.doubts import NOT_IDENTIFIED
-from rocksteady.results.numbers import number, number_or_none, plural, quantity
+from rocksteady.results.numbers import number_or_none
 from rocksteady.results.result import Result
-from rocksteady.results.words import Label, facts_of
-from rocksteady.risk.fits._maximum import (
-    ALWAYS,
-    FITTED,
-    NEVER,
-    NOT_RISING,
-    SEPARATED,
-    maximum_of,
-)
+from rocksteady.results.words import Label
 from rocksteady.risk.fits._stripes import Row, compare_stripes
 from rocksteady.risk.fits._totals import totals_of
+from rocksteady.risk.fits.maximum import ALWAYS, FITTED, NEVER, NOT_RISING, SEPARATED, maximum_of
 
 SHARE = Bounds(0.0, 1.0, "()", "give a share, as 0.5")
 QUANTILE = 1.645
@@ -186,57 +177,6 @@ class FragilityCurve(Result):
         """
         uncertainty = non_negative("beta_u", beta_u, hint="give that of ln median")
         return self.median * math.exp(-QUANTILE * (self.beta + uncertainty))
-
-    def describe(self) -> Description:
-        """Return the curve and its stripes."""
-        name, unit = self.measure
-        facts = facts_of(
-            self,
-            Fact("measure", name, "intensity", f"{name} [{unit}]" if unit else name),
-            "status median beta step log_likelihood misfit trials failures sampled",
-            median=self._words(self.median),
-            beta=NOT_IDENTIFIED if math.isnan(self.beta) else number(self.beta),
-            sampled=f"{number(self.sampled[0])} to {self._words(self.sampled[1])}",
-        )
-        rows = [
-            {"intensity": at, "trials": n, "failures": k, "share": k / n, "probability": curve}
-            for at, n, k, curve in self.stripes
-        ]
-        columns = (
-            Column("intensity", "intensity", number),
-            Column("trials", "trials"),
-            Column("failures", "failures"),
-            Column("share", "share", number),
-            Column("probability", "curve"),
-        )
-        return Description(
-            headline=self._headline(), facts=facts, tables=[Table("stripes", rows, columns)]
-        )
-
-    def _headline(self) -> str:
-        """Return the curve, and how far it is from the shares, in a line."""
-        name, trials = self.measure[0], plural(self.trials, "trial")
-        if self.status == FITTED:
-            return (
-                f"lognormal in {name}: median {self._words(self.median)}, beta "
-                f"{number(self.beta)}, within {number(100.0 * self.misfit, 2)} points of the shares"
-                f" of {trials}"
-            )
-        if self.step is not None:
-            ends = list(dict.fromkeys(map(self._words, self.step)))
-            place = f"between {' and '.join(ends)}" if len(ends) > 1 else f"at {ends[0]}"
-            return f"step in {name} {place}, {trials}"
-        low, high = map(self._words, self.sampled)
-        if self.status == NEVER:
-            return f"no failure in {trials}: the median is above the highest {name}, {high}"
-        if self.status == ALWAYS:
-            return f"no survival in {trials}: the median is below the lowest {name}, {low}"
-        return f"no curve: failures do not become more frequent with {name}"
-
-    def _words(self, value: float) -> str:
-        """Return an intensity with its unit."""
-        unit = self.measure[1]
-        return quantity(value, unit) if unit and not math.isnan(value) else number(value)
 
 
 @checked

@@ -8,8 +8,7 @@ from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import chance, interval, number, number_or_none
+from rocksteady.results.numbers import number_or_none
 from rocksteady.results.result import Result
 from rocksteady.risk.counted.curve import Curve, monotone
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
@@ -124,32 +123,6 @@ class StateFragility(Result):
             "beta": number_or_none(best.beta),
             "misfit": number_or_none(best.misfit) if np.isfinite(best.beta) else None,
         }
-
-    def describe(self) -> Description:
-        """Return the counted shares at all levels."""
-        unit = "" if self.measure is None else self.measure.unit
-        columns = (
-            Column("level", f"level [{unit}]" if unit else "level", number),
-            Column("share", "share", chance),
-            Column("band", "90 %", left=True),
-            Column("reached", "runs"),
-            Column("runs", "of"),
-        )
-        rows = [
-            {**row, "band": interval((row["low"], row["high"]), 0.9).partition(": ")[2].rstrip(")")}
-            for row in self.rows
-        ]
-        half, summary = self.half, self.summary_row
-        words = f"half at {number(half[0])} {unit}".rstrip() if half else "not half at any level"
-        return Description(
-            headline=f"{self.state.name}: {words}",
-            facts=[
-                Fact("damage_state", summary.pop("damage_state"), "damage state"),
-                Fact("peak", self.state.peak),
-                *(Fact(key, value) for key, value in summary.items()),
-            ],
-            tables=[Table("shares", rows, columns)],
-        )
 
 
 def _crossing(levels: Floats, shares: Floats) -> float | None:

@@ -13,15 +13,9 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Linear, Model
-from rocksteady.results.answer import Answer, doubt
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.doubts import NOT_IDENTIFIED, TOO_FEW
-from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.free_rocking.release import Release
 
-ANSWERED = ("scatter of impacts", "measuring error", "trend", "until 5 % of the peak")
-"""Labels of facts that stand in the answer."""
 SMALL = 0.05
 """Part of the first peak down to which impacts are counted."""
 MOST_COUNTED = 1_000_000
@@ -171,122 +165,6 @@ class RestitutionFit(Result):
         """
         ends = self.restitution if ratios is None else _two(ratios)
         return decayed(release, self.block, self.model, ends)
-
-    def describe(self) -> Description:
-        """Return the estimates, the impacts and the remarks."""
-        same = self.restitution[0] == self.restitution[1]
-        sides = (0,) if same else (0, 1)
-        words = " and ".join(number(self.restitution[k], 4) for k in sides)
-        identified = math.isfinite(self.standard_error[0])
-        errors = " and ".join(number(self.standard_error[k], 2) for k in sides)
-        spans = " and ".join(
-            f"{number(self.low[k], 4)} to {number(self.high[k], 4)}" for k in sides
-        )
-        counted = plural(sum(2 if each.side == 0 else 1 for each in self.impacts), "impact")
-        facts = [
-            Fact("restitution", list(self.restitution), "restitution", words),
-            Fact(
-                "standard_error",
-                [number_or_none(each) for each in self.standard_error],
-                "standard error",
-                errors if identified else f"{NOT_IDENTIFIED}: {TOO_FEW} impacts",
-            ),
-            Fact("low", list(self.low)),
-            Fact("high", list(self.high)),
-            Fact("", label="90 % interval", text=spans),
-        ]
-        housner = None if self.housner is None else list(self.housner)
-        plain = "none: so stocky a block does not rock on"
-        if self.housner is not None:
-            plain = " and ".join(dict.fromkeys(number(each, 4) for each in self.housner))
-        facts.append(Fact("housner", housner, "Housner's", plain))
-        if self.factor is not None and self.factor_error is not None:
-            ratios = " and ".join(
-                f"{number(self.factor[k], 4)} ± {number(self.factor_error[k], 2)}"
-                for k in ((0,) if self.factor[0] == self.factor[1] else (0, 1))
-            )
-            facts += [
-                Fact("factor", list(self.factor), "e/Housner", ratios),
-                Fact("factor_error", [number_or_none(each) for each in self.factor_error]),
-            ]
-        high = None if math.isinf(self.scatter_high) else self.scatter_high
-        beyond = "any" if high is None else number(high, 2)
-        facts += [
-            Fact(
-                "scatter",
-                number_or_none(self.scatter),
-                "scatter of impacts",
-                f"{NOT_IDENTIFIED}: {TOO_FEW} impacts"
-                if not identified
-                else f"sd {number(self.scatter, 2)} ({number(self.scatter_low, 2)} to {beyond})",
-            ),
-            Fact("scatter_low", self.scatter_low),
-            Fact("scatter_high", high),
-            Fact("sigma_estimated", self.sigma_estimated),
-        ]
-        sigma = "given for each peak"
-        if self.sigma_rad is not None:
-            estimated = " (estimated)" if self.sigma_estimated else ""
-            sigma = f"sd {number(1e3 * self.sigma_rad)} mrad{estimated}"
-        facts.append(Fact("sigma_rad", self.sigma_rad, "measuring error", sigma))
-        if self.trend is not None and self.trend_error is not None:
-            words_of = f"{number(self.trend, 2)} ± {number(self.trend_error, 2)} per theta/alpha"
-            facts.append(Fact("trend", self.trend, "trend", words_of))
-            facts.append(Fact("trend_error", self.trend_error))
-        if self.half_periods is not None:
-            times = f"{number(self.half_periods)} of the computed ones"
-            facts.append(Fact("half_periods", self.half_periods, "half periods", times))
-        counts = " and ".join(
-            f"{'never' if count is None else plural(count, 'impact')} by {name}"
-            for count, name in (
-                (self.to_small, "the fit"),
-                (self.to_small_housner, "Housner's value"),
-            )
-        )
-        facts += [
-            Fact("impacts_to_5_percent", self.to_small, "until 5 % of the peak", counts),
-            Fact("impacts_to_5_percent_housner", self.to_small_housner),
-            Fact("left_out", self.left_out),
-            Fact("model", self.model.name),
-            Fact("warnings", list(self.warnings)),
-        ]
-        share = (
-            "" if self.factor is None or not same else f", {number(self.factor[0])} of Housner's"
-        )
-        texts = {fact.label: fact.words for fact in facts}
-        interval = f" (90 %: {spans})" if identified else ", without an interval: too few impacts"
-        of_housner = ""
-        if share and self.factor is not None:
-            of_housner = f", {self.factor[0]:.3f} of Housner's {plain}"
-        table = Table(
-            "impacts",
-            [vars(each) for each in self.impacts],
-            [
-                Column("release", "test", left=True),
-                Column("number", "impact"),
-                Column("peak_rad", "peak [rad]"),
-                Column("next_rad", "next [rad]"),
-                Column("restitution", "restitution", lambda e: f"{e:.4f}"),
-                Column("measuring_error", "± measuring"),
-                Column("residual", "residual [sd]", lambda r: f"{r:+.1f}"),
-            ],
-            severity=lambda row: abs(row["residual"]),
-        )
-        return Description(
-            headline=f"restitution {words}{share}, from {counted} of "
-            f"{plural(len(self.releases), 'release')}",
-            facts=facts,
-            tables=[table],
-            notes=self.warnings,
-            answer=Answer(
-                f"Restitution {words}{interval}{of_housner}.",
-                [
-                    ("in doubt", doubt(self.warnings)),
-                    ("from", f"{counted} of {plural(len(self.releases), 'release')}"),
-                    *((label, texts.get(label, "")) for label in ANSWERED),
-                ],
-            ),
-        )
 
 
 def velocities(peaks: Floats, sides: NDArray[np.int64], block: Block, model: Model) -> Floats:

@@ -13,37 +13,19 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
-from rocksteady.results.words import Label, facts_of
+from rocksteady.results.words import Label
 from rocksteady.risk.hazard._sum import mass_of
 from rocksteady.risk.hazard.failure_risk import known, risk_of
 from rocksteady.risk.hazard.fragile import Fragile, Given, fragile_of
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
-from rocksteady.risk.hazard.hazard_measures import measure_fact, written
+from rocksteady.risk.hazard.hazard_measures import written
 from rocksteady.seismic.measures.scalar import Measure
 
 NODES = 32
 """Of Gauss and Hermite's rule over ln alpha."""
 OLDEST_YEARS = 1e9
-SENTENCES = (
-    (
-        "A branch is rejected where an object of this fragility would have fallen within its age "
-        "with at least that confidence: 1 - exp(-age x rate), averaged over alpha. The age must be "
-        "that of the object in its present shape and place."
-    ),
-    (
-        "No bound on PGA follows from one object: it may have stood through strong shaking that "
-        "did not suit it. What is tested are whole hazard curves, through the rate of toppling "
-        "that each gives."
-    ),
-    (
-        "Posterior weights are prior weights times survival. Branches of one model share faults "
-        "and ground-motion models, and one object tests all of them with the same fragility."
-    ),
-)
-"""What is to be known of every test."""
 
 
 @checked_result
@@ -101,41 +83,6 @@ class HazardBranchCheck(Result):
             }
             for at, curve in enumerate(self.branches)
         ]
-
-    def describe(self) -> Description:
-        """Return rate, survival and verdict of each branch."""
-        count, percent = int(self.rejected.sum()), f"{number(100.0 * self.level)} %"
-        weight = float(self.prior[self.rejected].sum())
-        columns = (
-            Column("branch", "branch", left=True),
-            Column("annual_rate", "topples, 1/year"),
-            Column("survival", "survival"),
-            Column("confidence", "confidence"),
-            Column("rejected", "rejected"),
-            Column("prior", "prior"),
-            Column("posterior", "posterior"),
-        )
-        return Description(
-            headline=f"An object that stands for {number(self.age_years)} years rejects {count} of "
-            f"{plural(len(self.branches), 'branch').replace('branchs', 'branches')} at {percent}",
-            facts=facts_of(
-                self,
-                measure_fact(self.branches[0].intensity),
-                "age_years alpha_cv level",
-                Fact("rejected_weight", weight, "Weight of what is rejected"),
-                level=percent,
-            ),
-            tables=[
-                Table(
-                    "branches",
-                    self.rows(),
-                    columns,
-                    severity=lambda row: row["annual_rate"],
-                    kind=lambda row: "rejected" if row["rejected"] else "not rejected",
-                )
-            ],
-            notes=SENTENCES,
-        )
 
 
 @checked

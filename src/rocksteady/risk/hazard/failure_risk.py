@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass
-from operator import itemgetter
 from typing import Annotated, Any, Final
 
 import numpy as np
@@ -12,16 +11,13 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import CONFIDENCE, chance, number, quantity
+from rocksteady.results.numbers import chance, number, quantity
 from rocksteady.results.result import Result
-from rocksteady.results.words import Label, facts_of
+from rocksteady.results.words import Label
 from rocksteady.risk.counted.band import TAIL
 from rocksteady.risk.hazard._sum import Mass, mass_of
 from rocksteady.risk.hazard.fragile import Fragile, Given, fragile_of, resampled
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
-from rocksteady.risk.hazard.hazard_measures import measure_fact
 from rocksteady.seismic.measures.scalar import Measure
 
 LONGEST_YEARS = 1e9
@@ -31,10 +27,6 @@ LEAST_FOR_BAND: Final = 28
 """Records from which a rate has an interval."""
 RESAMPLES: Final = 400
 """Of the records, for the interval of a rate."""
-POISSON: Final = (
-    "Failures are a Poisson process: independent, at a constant rate, the object set up again "
-    "unchanged."
-)
 SHARES: Final = (0.05, 0.5, 0.95)
 """Of the rate, at whose levels it is divided."""
 
@@ -95,50 +87,6 @@ class Risk(Result):
     def is_known(self) -> bool:
         """Whether no more than a tenth may lie beyond the runs, or beyond the hazard curve."""
         return max(self.outside, self.unknown) <= MOST_OUTSIDE
-
-    def describe(self) -> Description:
-        """Return rate, probability, and where the rate comes from."""
-        label, unit = self.hazard.label, self.hazard.unit
-        low, high = self.band or (None, None)
-        facts = facts_of(
-            self,
-            measure_fact(self.hazard.intensity),
-            "years annual_rate",
-            Fact("rate_low", low),
-            Fact("rate_high", high),
-            Fact("return_period_years", 1.0 / self.annual_rate),
-            "probability outside unknown contributing",
-            contributing=", ".join(quantity(level, unit) for level in self.contributing),
-        )
-        columns = (
-            Column("low", f"{label} from"),
-            Column("high", f"to [{unit}]"),
-            Column("annual_rate", "1/year"),
-            Column("share", "share of the rate", chance),
-        )
-        title, rows = "Where the rate is", self.rows()
-        sentence = f"Falls {rate_words(self)}."
-        return Description(
-            headline=sentence,
-            facts=facts,
-            tables=[Table("contributions", rows, columns, title, severity=itemgetter("share"))],
-            notes=[self._reach, POISSON],
-            answer=Answer(
-                sentence, [("half of it", f"below {quantity(self.contributing[1], unit)}")]
-            ),
-        )
-
-    @property
-    def _reach(self) -> str:
-        """What of the shaking counts."""
-        low, high = (
-            float(self.hazard.levels[0]),
-            quantity(float(self.hazard.levels[-1]), self.hazard.unit),
-        )
-        return (
-            f"The hazard curve reaches from {number(low)} to {high}: weaker shaking is left out, "
-            "stronger shaking counts as that of its last level."
-        )
 
     def rows(self) -> list[dict[str, Any]]:
         """Return the rate of failure between each two levels of the hazard, as rows."""
@@ -308,19 +256,3 @@ def why_unknown(risk: Risk) -> str:
 def in_years(rate: float, years: float) -> float:
     """Return the probability of one event or more in some years, of an annual rate."""
     return -math.expm1(-rate * years)
-
-
-def rate_words(risk: Risk) -> str:
-    """Return a rate in words, as "once in 962 years (90 %: 862 to 1,130): 5.1 % in 50 years"."""
-    band = ""
-    if risk.band is not None:
-        longest, shortest = (years_words(end) for end in risk.band)
-        band = f" ({100.0 * CONFIDENCE:g} %: {shortest} to {longest})"
-    chances = f"{chance(risk.probability)} in {number(risk.years)} years"
-    return f"once in {years_words(risk.annual_rate)} years{band}: {chances}"
-
-
-def years_words(rate: float) -> str:
-    """Return the years between events of an annual rate, with three digits."""
-    years = float(f"{1.0 / rate:.3g}") if rate > 0.0 else math.inf
-    return f"{years:,.0f}" if 10.0 <= years < math.inf else number(years)

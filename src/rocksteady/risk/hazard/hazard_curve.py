@@ -12,11 +12,9 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import in_range
-from rocksteady.results.description import Column, Description, Table
-from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import Result
-from rocksteady.results.words import Label, facts_of
-from rocksteady.risk.hazard.hazard_measures import ground_measure, measure_fact
+from rocksteady.results.words import Label
+from rocksteady.risk.hazard.hazard_measures import ground_measure
 from rocksteady.seismic.measures.scalar import Measure
 
 LOWEST, HIGHEST = 1e-100, 1e100
@@ -169,21 +167,3 @@ class HazardCurve(Result):
             )
         rates: Floats = np.exp(np.interp(np.log(wanted), np.log(self.levels), np.log(self.rates)))
         return rates
-
-    def describe(self) -> Description:
-        """Return the points of the curve."""
-        rows = [
-            {"level": level, "annual_rate": rate}
-            for level, rate in zip(self.levels.tolist(), self.rates.tolist(), strict=True)
-        ]
-        low, high = rows[0], rows[-1]
-        name = f", {self.name}" if self.name else ""
-        columns = (Column("level", f"{self.label} [{self.unit}]"), Column("annual_rate", "1/year"))
-        return Description(
-            headline=f"Hazard of {self.label}{name} from {number(low['level'])} to "
-            f"{quantity(high['level'], self.unit)}: {number(low['annual_rate'])} to "
-            f"{number(high['annual_rate'])} a year",
-            facts=facts_of(self, measure_fact(self.intensity), "name"),
-            tables=[Table("points", rows, columns, title=plural(len(rows), "level"))],
-            notes=list(self.remarks),
-        )

@@ -10,7 +10,6 @@ from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.records.core.numbers import number as read_number
-from rocksteady.results.description import Fact
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.seismic.measures.scalar import Measure
 
@@ -76,11 +75,6 @@ def ground_measure(name: str, measure: object) -> Measure:
 def written(measure: Measure) -> str:
     """Return the text of a measure, as ``sa_g:1.0``."""
     return measure.name if measure.period_s is None else f"{measure.name}:{measure.period_s!r}"
-
-
-def measure_fact(measure: Measure) -> Fact:
-    """Return the fact of a measure."""
-    return Fact("measure", written(measure), "Measure", str(measure))
 
 
 def fragility_factor(measure: Measure, hazard: Measure, block: Block | None) -> float:

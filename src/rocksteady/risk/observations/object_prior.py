@@ -15,8 +15,6 @@ from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, nonempty_text
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import angle, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.observations._sides import (
     LOWEST_RESTITUTION,
@@ -325,32 +323,6 @@ class ObjectPrior(Result):
             else np.full(len(rows), spread.low)
             for key, spread in self.spreads.items()
         }
-
-    def describe(self) -> Description:
-        """Return each number with its spread, and which of them are defaults."""
-        rows = [
-            {
-                "parameter": key,
-                "low": spread.low,
-                "high": spread.high,
-                "mean": spread.mean,
-                "sd": spread.sd,
-                "from": "default" if key in self.defaults else "given",
-                "spread": str(spread),
-            }
-            for key, spread in self.spreads.items()
-        ]
-        columns = [Column(key, key, left=True) for key in ("parameter", "spread", "from")]
-        outline = self.outline_alpha_rad
-        return Description(
-            headline=f"{self.name}: alpha {angle(outline)} by its sizes, "
-            f"{plural(len(self.parameters), 'number')} not exact",
-            facts=[
-                Fact("name", self.name, "object"),
-                Fact("outline_alpha_rad", outline, "alpha by sizes", angle(outline)),
-            ],
-            tables=[Table("parameters", rows, columns)],
-        )
 
     def _rows(self, name: str, values: ArrayLike) -> Floats:
         """Return rows of one value for each parameter."""

@@ -1,7 +1,6 @@
 """Tests and what is known of the objects before them."""
 
 import difflib
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -12,11 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 from rocksteady.risk.observations._doubts import doubts_on
-from rocksteady.risk.observations.object_prior import DEFAULTS, ObjectPrior
+from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.shaking_test import ShakingTest, distinct
 
 
@@ -135,51 +132,3 @@ class Observations(Result):
         if name not in self.objects:
             raise InputError("name", name, f"objects are {', '.join(self.objects)}", "give one")
         return replace(self, tests=[test for test in self.tests if test.object == name])
-
-    def describe(self) -> Description:
-        """Return how many tests fell, and a row for each."""
-        outcomes = {True: "fell", False: "stood", None: "unknown"}
-        rows = [
-            {
-                "test": test.name,
-                "object": test.object,
-                "record": test.record.name,
-                "outcome": outcomes[test.fell],
-                "gain": test.gain,
-                "reversed": test.reversed,
-                "sigma_ln": test.sigma_ln,
-                "group": test.group,
-                "session": test.session,
-                "peak_rad": test.peak_rad,
-                "sigma_rad": test.sigma_rad,
-                "vertical": None if test.vertical is None else test.vertical.name,
-            }
-            for test in self.tests
-        ]
-        shown = ("test", "object", "record", "gain", "outcome")
-        columns = [Column(key, key, left=key != "gain") for key in shown]
-        counts = Counter(outcomes[test.fell] for test in self.tests)
-        words = ", ".join(f"{counts[word]} {word}" for word in outcomes.values() if counts[word])
-        records = len({id(test.record) for test in self.tests})
-        facts = [
-            Fact("tests", len(self.tests), "tests"),
-            Fact("counts", dict(counts), "outcomes", words),
-            Fact("objects", list(self.objects), "objects"),
-            Fact("records", records, "records"),
-            Fact("groups", len(set(self.groups.tolist())), "groups"),
-            Fact("sources", dict(self.sources)),
-            Fact("warnings", list(self.warnings)),
-        ]
-        return Description(
-            headline=f"{plural(len(self.tests), 'test')} of {plural(len(self.objects), 'object')} "
-            f"on {plural(records, 'record')}: {words}",
-            facts=facts,
-            tables=[Table("rows", rows, columns, kind=lambda row: str(row["outcome"]))],
-            notes=[*self.warnings, *self._defaults_used()],
-        )
-
-    def _defaults_used(self) -> list[str]:
-        """Return a sentence on the numbers that are not given of some objects."""
-        silent = [key for key in DEFAULTS if any(key in p.defaults for p in self.objects.values())]
-        words = "not given, so that calibrate takes priors as wide as geometry allows"
-        return [f"{', '.join(silent)}: {words}."] if silent else []

@@ -9,7 +9,6 @@ from typing import Final
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.result import Result
 from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.observations.object_prior import BOUNDS, ObjectPrior, possible
@@ -122,20 +121,6 @@ class Prior(Result):
     def object_prior(self, given: ObjectPrior) -> ObjectPrior:
         """Return an object with the defaults in place of those of the package."""
         return given.with_defaults(self.defaults)  # type: ignore[arg-type]  # ranges by now
-
-    def describe(self) -> Description:
-        """Return each spread."""
-        spreads = {f"noise.{key}": getattr(self.noise, key) for key in NOISE}
-        spreads |= {f"object.{key}": spread_of(key, value) for key, value in self.defaults.items()}
-        rows = [
-            {"parameter": key, "low": spread.low, "high": spread.high, "spread": str(spread)}
-            for key, spread in spreads.items()
-        ]
-        columns = [Column(key, key, left=True) for key in ("parameter", "spread")]
-        return Description(
-            headline=f"prior: sigma_ln {self.noise.sigma_ln}, outliers {self.noise.outliers}",
-            tables=[Table("parameters", rows, columns)],
-        )
 
 
 @checked

@@ -12,7 +12,7 @@ from rocksteady.model.blocks.caps import conserving_pair
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.sides import Side, wall_ratio
 from rocksteady.results.numbers import chance, number, quantity
-from rocksteady.risk.screens._cabinets import nearest_cabinet
+from rocksteady.risk.screens.cabinets import nearest_cabinet
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import (
     SLIDES,

@@ -4,8 +4,7 @@ from dataclasses import dataclass
 from typing import Final, Literal, get_args
 
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, quantity
+from rocksteady.results.numbers import quantity
 from rocksteady.results.result import Result
 
 Standing = Literal["computed", "approximate", "needs input", "refused"]
@@ -82,23 +81,3 @@ class Screen(Result):
     def values(self) -> dict[str, str | float | bool | None]:
         """Return the row of JSON and CSV."""
         return {key: getattr(self, key) for key in KEYS}
-
-    def describe(self) -> Description:
-        """Return value, verdict and source, and the intermediate quantities."""
-        columns = (
-            Column("quantity", "quantity", left=True),
-            Column("value", "value", number),
-            Column("unit", "unit", left=True),
-        )
-        keys = [column.key for column in columns]
-        rows = [dict(zip(keys, detail, strict=True)) for detail in self.details]
-        shown = ("verdict", "equation", "edition", "status", "made_for", "source")
-        return Description(
-            headline=f"{self.name}: {self.words}; {self.verdict}",
-            facts=[
-                Fact(key, value, key.replace("_", " ") if key in shown and value else "")
-                for key, value in self.values().items()
-            ],
-            tables=[Table("details", rows, columns)] if rows else [],
-            notes=[self.remark] if self.remark else [],
-        )

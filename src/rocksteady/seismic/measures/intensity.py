@@ -1,7 +1,6 @@
 """Intensity measures of records, and their dimensionless forms for a given block."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,9 +12,7 @@ from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
 from rocksteady.model.motions.record import Record
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number, quantity
+from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.seismic.measures._durations import absolute_velocity, strong_shaking
 from rocksteady.seismic.measures.response_spectrum import DAMPING, compute_response_spectrum
@@ -28,32 +25,6 @@ MEAN_PERIOD_HZ = (0.25, 20.0)
 """Frequencies that count for the mean period."""
 FINEST_HZ = 0.05
 """Their largest distance; shorter records are padded with zeros."""
-
-WORDS: Mapping[str, tuple[str, str]] = {
-    "pga_g": ("PGA", "g"),
-    "pga_m_s2": ("", "m/s^2"),
-    "pgv_m_s": ("PGV", "m/s"),
-    "pgd_m": ("PGD", "m"),
-    "pgv_per_pga_s": ("PGV/PGA", "s"),
-    "arias_m_s": ("Arias intensity", "m/s"),
-    "arias_of_samples_m_s": ("", "m/s"),
-    "cav_m_s": ("cumulative absolute velocity", "m/s"),
-    "significant_5_75_s": ("significant duration, 5-75 %", "s"),
-    "significant_5_95_s": ("significant duration, 5-95 %", "s"),
-    "rms_m_s2": ("rms over 5-95 %", "m/s^2"),
-    "bracketed_s": ("bracketed duration", "s"),
-    "uniform_s": ("uniform duration", "s"),
-    "threshold_m_s2": ("", "m/s^2"),
-    "mean_period_s": ("mean period", "s"),
-    "housner_intensity_m": ("Housner intensity", "m"),
-    "damping": ("", ""),
-    "final_velocity_m_s": ("velocity at the end", "m/s"),
-    "drifts": ("", ""),
-    "pga_per_uplift": ("PGA/(g tan alpha)", ""),
-    "p_pgv_per_uplift": ("p PGV/(g tan alpha)", ""),
-    "p_pgv_per_pga": ("p PGV/PGA", ""),
-}
-"""Name and unit of each measure; without a name it is for JSON alone."""
 
 
 @checked_result
@@ -161,48 +132,6 @@ class Measures(Result):
             f"{abs(self.final_velocity_m_s) / self.pgv_m_s:.0%} of PGV; --baseline linear "
             "(records.Cleaning) may help"
         )
-
-    def describe(self) -> Description:
-        """Return all measures, those of a block where there is one."""
-        facts = []
-        for key, (label, unit) in WORDS.items():
-            value = getattr(self, key)
-            if value is not None:
-                facts.append(Fact(key, value, label, quantity(value, unit) if unit else ""))
-        rule = (
-            f"The ground begins at rest; 1 g is {STANDARD_GRAVITY} m/s^2; Arias intensity of "
-            f"straight lines between the samples; bracketed and uniform above "
-            f"{number(self.threshold_m_s2 / STANDARD_GRAVITY)} g; Housner intensity at "
-            f"{number(100.0 * self.damping)} % of critical damping."
-        )
-        notes = [rule]
-        if self.warning is not None:
-            notes.append(self.warning)
-        name = self.record.name or "record"
-        return Description(
-            headline=f"{name}: PGA {number(self.pga_g)} g, PGV {number(self.pgv_m_s)} m/s, "
-            f"significant duration {number(self.significant_5_95_s)} s",
-            facts=facts,
-            notes=notes,
-            answer=self._answer(name),
-        )
-
-    def _answer(self, name: str) -> Answer:
-        """Return the peaks, how long it is strong, and whether it drifts."""
-        end = quantity(self.final_velocity_m_s, "m/s")
-        ratio = quantity(self.pgv_per_pga_s, "s")
-        facts = [
-            ("drift", self.warning or f"none: velocity at the end {end}"),
-            ("Arias intensity", quantity(self.arias_m_s, "m/s")),
-            ("PGV/PGA", f"{ratio}; mean period {quantity(self.mean_period_s, 's')}"),
-        ]
-        if (reached := self.peak_per_uplift) is not None:
-            lifts = "never lifts" if reached < 1.0 else "lifts"
-            what = "PGA is" if reached == self.pga_per_uplift else "to a free side it reaches"
-            words = f"it {lifts}: {what} {number(reached)} x what lifts it"
-            facts.insert(0, ("block at rest", words))
-        strong = quantity(self.significant_5_95_s, "s")
-        return Answer(f"{name} peaks at {self.peaks_text}; its strong part lasts {strong}.", facts)
 
 
 @checked

@@ -1,7 +1,7 @@
 """History of any base motion: acceleration, velocity and displacement."""
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,10 +11,6 @@ from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Motion
-
-if TYPE_CHECKING:
-    pass
-
 
 PERIODS = 3
 """Of an endless motion, that its history has."""

@@ -11,15 +11,12 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import exp, log
-from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.record import Record
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 from rocksteady.seismic.measures._oscillators import peaks
 from rocksteady.seismic.measures.time_course import refuse_extreme
 
@@ -44,21 +41,6 @@ ORDINATES = {
     "pseudo_acceleration_m_s2": "m s-2",
 }
 """Arrays of a spectrum, with their units."""
-
-
-def _in_g(value: float) -> str:
-    """Return an acceleration in g."""
-    return number(value / STANDARD_GRAVITY)
-
-
-COLUMNS = (
-    Column("periods_s", "T [s]", number),
-    Column("pseudo_acceleration_m_s2", "PSA [g]", _in_g),
-    Column("acceleration_m_s2", "Sa [g]", _in_g),
-    Column("pseudo_velocity_m_s", "PSV [m/s]", number),
-    Column("velocity_m_s", "Sv [m/s]", number),
-    Column("displacement_m", "Sd [mm]", lambda metres: number(1e3 * metres)),
-)
 
 
 @checked_result
@@ -99,36 +81,10 @@ class ResponseSpectrum(Result):
         acceleration: Floats = np.square(2.0 * math.pi / self.periods_s) * self.displacement_m
         return acceleration
 
-    def describe(self) -> Description:
-        """Return the ordinates, a row for each period."""
-        arrays = {name: getattr(self, name).tolist() for name in ORDINATES}
-        rows = [dict(zip(arrays, row, strict=True)) for row in zip(*arrays.values(), strict=True)]
-        largest = int(np.argmax(self.pseudo_acceleration_m_s2))
-        peak = self.pseudo_acceleration_m_s2[largest] / STANDARD_GRAVITY
-        return Description(
-            headline=f"Response spectrum of {self.record.name or 'a record'}, "
-            f"{number(100.0 * self.damping)} % damping: {len(rows)} periods, PSA up to "
-            f"{number(peak)} g at {number(self.periods_s[largest])} s",
-            facts=[
-                Fact("damping", self.damping),
-                *(Fact(name, values) for name, values in arrays.items()),
-            ],
-            tables=[Table("", rows, COLUMNS, title=f"Damping {number(self.damping)} of critical")],
-        )
-
     def to_dataset(self) -> "xarray.Dataset":
         """Return the ordinates as a Dataset over ``period_s``."""
-        import xarray
-
-        return xarray.Dataset(
-            {
-                name: ("period_s", getattr(self, name), {"units": unit})
-                for name, unit in ORDINATES.items()
-                if name != "periods_s"
-            },
-            coords={"period_s": ("period_s", self.periods_s, {"units": "s"})},
-            attrs={"damping": self.damping, "record": self.record.name or ""},
-        )
+        dataset: xarray.Dataset = words_of(ResponseSpectrum).spectrum_dataset(self)
+        return dataset
 
 
 @checked

@@ -18,9 +18,7 @@ from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import length, number
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -115,57 +113,10 @@ class IntegratedRecord(Result):
             np.concatenate([self.t_s, self.t_s[at] + t]),
         )
 
-    def describe(self) -> Description:
-        """Return the largest values and their times."""
-        pga, pgv, pgd = self.peak_acceleration, self.peak_velocity, self.peak_displacement
-        in_g = number(abs(pga.value) / STANDARD_GRAVITY)
-        facts = [
-            Fact("pga_m_s2", abs(pga.value), "PGA", f"{in_g} g at {number(pga.t_s)} s"),
-            Fact("pga_t_s", pga.t_s),
-            Fact(
-                "pgv_m_s",
-                abs(pgv.value),
-                "PGV",
-                f"{number(abs(pgv.value))} m/s at {number(pgv.t_s)} s",
-            ),
-            Fact("pgv_t_s", pgv.t_s),
-            Fact(
-                "pgd_m", abs(pgd.value), "PGD", f"{length(abs(pgd.value))} at {number(pgd.t_s)} s"
-            ),
-            Fact("pgd_t_s", pgd.t_s),
-            Fact(
-                "arias_m_s",
-                float(self.arias_m_s[-1]),
-                "Arias intensity",
-                f"{number(float(self.arias_m_s[-1]))} m/s",
-            ),
-            Fact(
-                "final_velocity_m_s",
-                float(self.velocity_m_s[-1]),
-                "velocity at the end",
-                f"{number(float(self.velocity_m_s[-1]))} m/s",
-            ),
-            Fact("drifts", self.drifts, "drifts"),
-        ]
-        name = self.record.name or "a record"
-        words = f"{len(self.t_s):,} samples every {self.record.dt_s:g} s"
-        return Description(headline=f"Ground motion of {name}: {words}, PGA {in_g} g", facts=facts)
-
     def to_dataset(self) -> "xarray.Dataset":
         """Return the samples as a Dataset over ``t_s``."""
-        import xarray
-
-        units = {
-            "acceleration_m_s2": "m s-2",
-            "velocity_m_s": "m s-1",
-            "displacement_m": "m",
-            "arias_m_s": "m s-1",
-        }
-        return xarray.Dataset(
-            {name: ("t_s", getattr(self, name), {"units": unit}) for name, unit in units.items()},
-            coords={"t_s": ("t_s", self.t_s, {"units": "s"})},
-            attrs={"record": self.record.name or ""},
-        )
+        dataset: xarray.Dataset = words_of(IntegratedRecord).integrated_dataset(self)
+        return dataset
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per sample."""

@@ -2,7 +2,7 @@
 
 import functools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -23,12 +23,7 @@ from rocksteady.dynamics.overturning.window_cells import (
     outputs,
     search_both_ways,
 )
-from rocksteady.dynamics.overturning.window_lists import (
-    NO_WINDOW,
-    OTHER_WAY,
-    WindowLists,
-    floor_digits,
-)
+from rocksteady.dynamics.overturning.window_lists import WindowLists
 from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import CEILING, LIFT, LIFT_SLOPE
 from rocksteady.kernels.elementary.arrays import log
@@ -37,15 +32,11 @@ from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, rising
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
-from rocksteady.model.facts import case_text, solved_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural, quantity
+from rocksteady.results.result import words_of
 from rocksteady.seismic.measures.time_course import integrate_record
 from rocksteady.seismic.spectra.batch import GroundShaking
-from rocksteady.seismic.spectra.describe import shortened
 from rocksteady.seismic.spectra.grounds import check_grounds, grounds_of, names_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -67,8 +58,6 @@ KEPT = 256
 """Windows that are kept of a record; of more the widest."""
 LYING = 64
 """Most stretches kept of a record, in which the windows left out lie."""
-MOST_ROWS = 100
-"""Windows that a summary shows."""
 ON_THE_GROUND = 1.0 - 1e-9
 """Part of g up to which the base may fall."""
 OUTPUTS = (
@@ -175,163 +164,8 @@ class OverturningScales(WindowLists):
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the windows as an xarray Dataset over record and window."""
-        import xarray
-
-        along, scale = "record", {"units": "1", "long_name": "factor of the accelerations"}
-        return xarray.Dataset(
-            self._variables(along, scale, "top", "share"),
-            coords={
-                "record": list(self.names),
-                "window": np.arange(self.low.shape[1]),
-                "pga_g": (along, self.pga_g, {"units": "g", "long_name": "PGA at scale 1"}),
-                "pgv_m_s": (along, self.pgv_m_s, {"units": "m/s", "long_name": "PGV at scale 1"}),
-            },
-            attrs=self._searched,
-        )
-
-    def describe(self) -> Description:
-        """Return the windows by record, in scale, PGA and PGV."""
-        low, high = (number(end) for end in self.within)
-        facts = [
-            self._block_fact,
-            Fact("model", self.model.name, "model"),
-            Fact("scales", list(self.within), "searched", f"scales {low} to {high}"),
-            Fact("resolution", self.resolution),
-        ]
-        rows = [self._row(index) for index in range(len(self.names))]
-        records = [
-            {name: row[name] for name in ("record", "first", "governing", "governs", "share")}
-            | {name: row[name] for name in ("first_g", "governing_g")}
-            | {"windows": len(row["intervals"])}
-            for row in rows
-        ]
-        columns = [
-            Column("record", "record"),
-            Column("governing", "first scale", lambda value: number(value, 6)),
-            Column("governing_g", "PGA g", lambda value: number(value, 4)),
-            *([Column("governs", "governs")] if self._two_ways else []),
-            Column("windows", "windows"),
-        ]
-        window_columns = [
-            Column("record", "record"),
-            Column("low", "from scale", lambda value: number(value, 6)),
-            Column("high", "to scale", lambda value: number(value, 6)),
-            Column("low_g", "from g", lambda value: number(value, 4)),
-            Column("high_g", "to g", lambda value: number(value, 4)),
-            Column("low_m_s", "from m/s"),
-            Column("high_m_s", "to m/s"),
-            Column("side", "side", lambda value: ("", "+", "-")[value]),
-        ]
-        return Description(
-            f"Overturning scales: {plural(len(rows), 'record')}, {case_text(self.block)}, "
-            f"{self.model.name} model",
-            facts,
-            [
-                Table(
-                    "",
-                    list(self._window_rows(rows)),
-                    window_columns,
-                    most=MOST_ROWS,
-                    severity=lambda row: -row["low"],
-                ),
-                Table(
-                    "records",
-                    records,
-                    columns,
-                    most=MOST_ROWS,
-                    severity=lambda row: -row["governing"] if row["governs"] else -math.inf,
-                    kind=lambda row: "falling" if row["governs"] else "standing",
-                ),
-                Table("windows", rows),
-            ],
-            self._notes(),
-            answer=self._answer(),
-        )
-
-    def _answer(self) -> Answer:
-        """Return at which scales it falls in the one record, or in each."""
-        names, count = [shortened(name) for name in self.names], len(self.names)
-        shown, falls = self._by_first, int((~np.isnan(self.governing)).sum())
-        low, high = (number(end) for end in self.within)
-        searched = f"{low} to {high} x{self._missing}"
-        if short := int((self.top < self.within[1]).sum()):
-            searched += f"; {plural(short, 'record')} up to -g, from {number(self.top.min())} x on"
-        facts = [self._undecided, ("searched", solved_text(searched, self.block)), self._computed]
-
-        def write(row: int, scale: float) -> str:
-            pga = quantity(scale * self.pga_g[row], "g")
-            return f"{number(scale)} x ({pga})"
-
-        where = names[0] if count == 1 else f"all {count} records"
-        reached = quantity(self.pga_g.max() * self.within[1], "g")
-        stand = Answer(f"It stands in {where}, from {low} to {high} x ({reached}).", facts)
-        if not shown:
-            return stand
-        if count == 1:
-            single, name = functools.partial(write, 0), names[0]
-            if math.isnan(self.first[0]):
-                return self._with_other_way(single, stand)
-            windows = self._widest(0)
-            facts[1:1] = [("falls", windows and f"{windows} x{self._narrower(0)}")]
-            sentence = f"It falls {self._verdict(0, single)}.".replace(" x (", f" x {name} (", 1)
-            return self._with_other_way(single, Answer(sentence, facts))
-        rows = [
-            (names[row], self._governing_verdict(row, functools.partial(write, row)))
-            for row in shown
-        ]
-        facts[1:1] = [*rows, self._rest]
-        row = shown[0]
-        least = self._first_at(float(self.governing[row]), functools.partial(write, row))
-        way = f", {OTHER_WAY}" * bool(self.opposite_governs[row])
-        sentence = f"It falls in {falls} of {count} records, {least} in {names[row]}{way}."
-        return Answer(sentence, facts)
-
-    def _notes(self) -> list[str]:
-        """Return what the search has left."""
-        notes = []
-        if stands := int(np.isnan(self.governing).sum()):
-            notes.append(f"The block stands at all scales searched of {plural(stands, 'record')}.")
-        if left_out := int(self.left_out.sum()):
-            notes.append(
-                f"{plural(left_out, 'narrower window')} left out of the list and of CSV, of no "
-                f"record more than {self.left_out_width.max():.2g} wide together."
-            )
-        if unsettled := int((self.unsettled > 0).sum()):
-            notes.append(
-                f"Ever narrower windows remain in {plural(unsettled, 'record')}: those narrower "
-                f"than some {0.1 * self.resolution:.0e} of the scale may be missing."
-            )
-        if short := int((self.top < self.within[1]).sum()):
-            notes.append(
-                f"The vertical component of {plural(short, 'record')} takes the base away under "
-                f"the block, at -g, from scale {number(float(self.top.min()))} on: the search ends "
-                "there."
-            )
-        return notes
-
-    def _row(self, index: int) -> dict[str, Any]:
-        """Return all that is known of one record."""
-        pga, pgv = float(self.pga_g[index]), float(self.pgv_m_s[index])
-        intervals = self.intervals(index)
-        row = {
-            "record": self.names[index],
-            "pga_g": pga,
-            "pgv_m_s": pgv,
-            "intervals": [list(ends) for ends in intervals],
-            "intervals_g": [[end * pga for end in ends] for ends in intervals],
-            "intervals_m_s": [[end * pgv for end in ends] for ends in intervals],
-            "modes": self._modes(index),
-            "first": float(self.first[index]),
-            "first_g": float(self.first[index]) * pga,
-            "opposite": float(self.opposite[index]),
-            "governing": float(self.governing[index]),
-            "governing_g": float(self.governing[index]) * pga,
-            "governs": self._governs(index),
-            "top": float(self.top[index]),
-            "share": float(self.share[index]),
-            **self._left(index),
-        }
-        return floor_digits(row) if self._floors[index] else row
+        dataset: xarray.Dataset = words_of(OverturningScales).scales_dataset(self)
+        return dataset
 
     @property
     def _on_floors(self) -> bool:
@@ -341,27 +175,6 @@ class OverturningScales(WindowLists):
     def _floors(self) -> list[bool]:
         """Whether each record is that of a floor, whose lines leave four digits right."""
         return [ground.record.ground is not None for ground in grounds_of(self.motions)]
-
-    def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
-        """Yield one row per window, as in tables and files."""
-        for row, floor in zip(rows, self._floors, strict=True):
-            for mode in row["modes"] or [NO_WINDOW] * bool(row["governs"]):
-                low, high = mode["interval"]
-                window = {
-                    "record": row["record"],
-                    "low": low,
-                    "high": high,
-                    "low_g": low * row["pga_g"],
-                    "high_g": high * row["pga_g"],
-                    "low_m_s": low * row["pgv_m_s"],
-                    "high_m_s": high * row["pgv_m_s"],
-                    "impacts": mode["impacts"],
-                    "side": mode["side"],
-                    "endless": mode["endless"],
-                    "left_out": row["left_out"],
-                    **{name: row[name] for name in ("governing", "governing_g", "governs")},
-                }
-                yield floor_digits(window) if floor else window
 
 
 @checked

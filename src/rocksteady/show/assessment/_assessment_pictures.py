@@ -13,6 +13,7 @@ from rocksteady.show.plots.risk.placed_spectra import DECIDING, plot_placed_spec
 from rocksteady.show.plots.risk.tornado import plot_tornado
 from rocksteady.show.report import picture, twins
 from rocksteady.show.style.wording import span, state_words
+from rocksteady.words.placing import spectrum_remark
 
 ROW = 0.34
 """Height of a row of bars [inches]."""
@@ -72,7 +73,8 @@ def _words_of_object(assessment: Assessment) -> str:
 def _words_of_spectra(placing: Placing) -> str:
     """Return what the picture of the spectra of the motions shows."""
     motions = plural(len(placing.shapes), "motion")
-    return f"A design spectrum with the spectra of {motions} and their mean. {placing.remark}"
+    mean = spectrum_remark(placing)
+    return f"A design spectrum with the spectra of {motions} and their mean. {mean}"
 
 
 def _words_of_shares(assessment: Assessment) -> str:

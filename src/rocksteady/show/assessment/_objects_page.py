@@ -5,13 +5,14 @@ from typing import Any
 
 from rocksteady.results.numbers import chance, number, plural, share_of
 from rocksteady.risk.assess.objects_table import ObjectsTable
-from rocksteady.risk.ensemble.qualification import FORCES, OF_ROCKING
+from rocksteady.risk.ensemble.qualification import FORCES
 from rocksteady.show.assessment._assessment_tables import ends, share_cell
 from rocksteady.show.export.provenance import provenance
 from rocksteady.show.plots.risk.plan import floors_of, plot_plan
 from rocksteady.show.report import picture, prose, render
 from rocksteady.show.style.markup import Row, badge, figure, named, quiet
 from rocksteady.show.style.wording import BADGES, NOTHING, cleaned, greek
+from rocksteady.words.ensembles import OF_ROCKING
 
 FLOOR = 0.8
 """Height of a floor in the plan [inches]."""

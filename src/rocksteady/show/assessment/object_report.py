@@ -7,7 +7,6 @@ from typing import Any
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import plural
 from rocksteady.risk.assess.assessment import Assessment
-from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.assessment._assessment_pictures import pictures_of
 from rocksteady.show.assessment._assessment_tables import (
@@ -31,6 +30,7 @@ from rocksteady.show.export.provenance import provenance
 from rocksteady.show.report import render
 from rocksteady.show.style.markup import badge
 from rocksteady.show.style.wording import BADGES, cleaned, greek, plain_name, sentence, span
+from rocksteady.words.assessment import CAVEATS
 
 
 @checked

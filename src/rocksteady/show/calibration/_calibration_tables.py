@@ -11,10 +11,11 @@ from markupsafe import Markup
 from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.results.numbers import chance, number, plural
 from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.risk.calibration.held_out.scores import NAMES, WORDS
+from rocksteady.risk.calibration.held_out.scores import NAMES
 from rocksteady.risk.calibration.identified import BOUND, IDENTIFIED, LIMIT, MEANINGS
 from rocksteady.show.style.markup import Cell, Row, badge, beside, figure, isolated, named, under
 from rocksteady.show.style.wording import NOTHING, greek, sentence, span
+from rocksteady.words.predictions import WORDS
 
 LEAST_SCORE = 5e-5
 LABELS = {

@@ -8,7 +8,7 @@ import pytest
 from rocksteady import Block, read_objects
 from rocksteady.errors import InputError
 from rocksteady.risk import DescribedObject
-from rocksteady.risk.assess._judging import band_of
+from rocksteady.risk.assess.judging import band_of
 from tests.every import every
 
 SIZE = {"width_m": 0.4, "height_m": 1.6}

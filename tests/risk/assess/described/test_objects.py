@@ -8,7 +8,6 @@ import pytest
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.model.blocks.block import Block
-from rocksteady.risk.assess.described.facts import compute_object_facts
 from rocksteady.risk.assess.described.objects import EXAMPLE, DescribedObject, read_object
 from tests.every import every
 
@@ -105,33 +104,6 @@ def test_content_is_added_as_two_point_masses_would_be() -> None:
     radius = math.hypot(0.16, height)
     assert both.positive.centre_height == pytest.approx(height, rel=1e-12)
     assert both.p == pytest.approx(math.sqrt(100.0 * 9.80665 * radius / inertia), rel=1e-12)
-
-
-@every(
-    ("geometry", "keys", "words"),
-    [
-        (SIZES, {}, "(all parts as one body)"),
-        (SIZES, {"against_wall": True}, "(all parts as one body)"),
-        ({**SIZES, "mass_kg": 60.0}, {"content": {"mass_kg": 9.0, "mass_centre_height_m": 1.5}},
-         "(object and content as one body)"),
-        ({**SIZES, "columns": 1, "cap_mass_ratio": 2.0}, {}, "(pier and point cap as one body)"),
-        ({**SIZES, "columns": 4, "cap_mass_ratio": 2.0}, {}, "(each column as one body)"),
-    ],
-)  # fmt: skip
-def test_several_parts_are_named_as_one_body(
-    geometry: dict[str, Any], keys: dict[str, Any], words: str
-) -> None:
-    """Wherever the block is named: of the object, of its ends and of changes to it."""
-    described = made(geometry, fixed_parts=True, **keys)
-    blocks = [described.block, described.block_of(described.body.wider(0.95))]
-    for block in blocks:
-        assert words in block.describe().headline
-    facts = {fact.label: fact.text for fact in compute_object_facts(described).describe().facts}
-    assert f"({facts['as one body']} as one body)" == words
-
-
-def test_an_object_of_one_part_is_not_named_as_one_body() -> None:
-    assert "as one body" not in made().summary() + compute_object_facts(made()).summary()
 
 
 def test_one_pier_of_a_file_is_that_of_the_constructor_with_its_whole_mass() -> None:

@@ -54,10 +54,3 @@ def test_the_calibration_error_is_that_of_tenths() -> None:
     assert scored([0.4999], [1]).accuracy[0] == 0.0
     sure = scored([0.0, 1.0], [1, 1])
     assert sure.log_score[0] == pytest.approx(-0.5 * math.log(1e-12))
-
-
-def test_scores_in_words() -> None:
-    result = scored([0.9, 0.2, 0.6], [1, 0, 0])
-    assert list(result.values()) == ["accuracy", "f1", "brier", "log_score", "ece"]
-    assert result.values()["brier"]["value"] == pytest.approx((0.01 + 0.04 + 0.36) / 3.0)
-    assert "Brier score 0.137 of 3 tests" in repr(result)

@@ -555,7 +555,7 @@ def _runs(described: "DescribedObject", motions: int) -> int:
 
 def _notes(notes: Sequence[str], out: Path | None) -> list[str]:
     """Return the notes of an answer; its caveats stand in the report where one is written."""
-    from rocksteady.risk.assess.caveats import CAVEATS
+    from rocksteady.words.assessment import CAVEATS
 
     if out is None:
         return [*notes]

@@ -80,6 +80,7 @@ def fragility(
     from rocksteady.risk.counted.suite import Suite as Motions
     from rocksteady.risk.counted.verdict import LEAST
     from rocksteady.risk.fragility.compute_fragility import damage_states, plan_fragility
+    from rocksteady.words.placing import doubt_on_spectrum, spectrum_line, spectrum_remark
 
     sweep.check(output)
     needs("--damping", designs.damping, "--spectrum", "FILE", beside=designs.spectrum)
@@ -138,7 +139,7 @@ def fragility(
 
         output.write_plot(lambda page: fragility_figure(result, headline, page))
     kept = f", kept in {after['store']}" if after["store"] else ""
-    remarks = [] if placing is None else [placing.spectrum.remark, placing.remark]
+    remarks = [] if placing is None else [placing.spectrum.remark, spectrum_remark(placing)]
     notes = [
         *description.notes,
         *filter(None, remarks),
@@ -146,7 +147,7 @@ def fragility(
     ]
     answer = description.answer
     if answer is not None and placing is not None:
-        line = placing.line(placing.doubt)
+        line = spectrum_line(placing, doubt_on_spectrum(placing))
         answer = replace(answer, facts=[("spectrum", line.words), *answer.facts])
     output.leave(
         "fragility",

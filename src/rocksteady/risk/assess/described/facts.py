@@ -6,18 +6,13 @@ from dataclasses import dataclass
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import angle, length, number, quantity
+from rocksteady.results.numbers import angle, number
 from rocksteady.results.result import Result
-from rocksteady.risk.assess.described.objects import (
-    DescribedObject,
-    bounds_of,
-    parameter_words,
-)
+from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of, parameter_words
 from rocksteady.risk.assess.described.schema import Range
 from rocksteady.risk.screens.demand import Demand
-from rocksteady.risk.screens.friction import least_gravity_g, uplift_acceleration_g
-from rocksteady.seismic.measures.free_sides import first_side, free_sides
+from rocksteady.risk.screens.friction import uplift_acceleration_g
+from rocksteady.seismic.measures.free_sides import first_side
 
 STOCKY = 0.4
 """Slenderness [rad] from which on a block on most floors slides before it rocks."""
@@ -60,67 +55,6 @@ class ObjectFacts(Result):
     friction_to_lift: float
     mass_kg: float | None
     warnings: tuple[str, ...]
-
-    def describe(self) -> Description:
-        """Return the facts of the weaker side, and a row for each side."""
-        weaker, walled = first_side(self.block), self.block.one_sided
-        gravity_g = least_gravity_g(self.block, self.demand.vertical_at_peak_g)
-        lifts = quantity(self.uplift_pga_g, "g")
-        if self.demand.vertical_words:
-            lifts += f" with {self.demand.vertical_words}"
-        mass = "" if self.mass_kg is None else quantity(self.mass_kg, "kg")
-        if mass and self.block.cap is not None:
-            mass += " of columns and cap"
-        rows = [
-            {
-                "side": name,
-                **side.to_dict(),
-                **({"restitution": self.block.restitution} if walled else {}),
-                "uplift_pga_g": gravity_g * tan(side.alpha),
-            }
-            for name, side in zip(("left", "right"), free_sides(self.block), strict=False)
-        ]
-        ratio = self.block.restitution if walled else weaker.restitution
-        whose = "restitution of the wall" if walled else "restitution"
-        facts = [
-            Fact("name", self.name, "object"),
-            *([Fact("", label="as one body", text=parts)] if (parts := self.block.parts) else []),
-            Fact("alpha_rad", weaker.alpha, "slenderness alpha", angle(weaker.alpha)),
-            Fact("p_rad_s", weaker.p, "frequency p", quantity(weaker.p, "rad/s")),
-            Fact("radius_m", weaker.radius, "radius R", length(weaker.radius)),
-            Fact("restitution", ratio, whose, number(ratio)),
-            Fact(
-                "mass_centre_height_m",
-                weaker.centre_height,
-                "mass centre",
-                f"{length(weaker.centre_height)} up",
-            ),
-            Fact("uplift_pga_g", self.uplift_pga_g, "lifts at", lifts),
-            Fact(
-                "friction_to_lift",
-                self.friction_to_lift,
-                "friction to lift",
-                f"more than {number(self.friction_to_lift)}",
-            ),
-            Fact("friction", self.friction),
-            Fact("mass_kg", self.mass_kg, "mass" if mass else "", mass),
-        ]
-        columns = [
-            Column("side", "edge", left=True),
-            Column("alpha_rad", "alpha", angle),
-            Column("p_rad_s", "p [rad/s]"),
-            Column("radius_m", "R", length),
-            Column("restitution", "restitution"),
-            Column("uplift_pga_g", "lifts at [g]"),
-        ]
-        shown = [] if self.block.symmetric or walled else columns
-        return Description(
-            headline=f"{self.name}: alpha {angle(weaker.alpha)}, p {quantity(weaker.p, 'rad/s')}, "
-            f"lifts at {lifts}",
-            facts=facts,
-            tables=[Table("sides", rows, shown)],
-            notes=self.warnings,
-        )
 
 
 @checked

@@ -15,18 +15,11 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Restitution, form_of_text
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, nonempty_text
-from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.risk.assess.described._body import Body, body_of, middle
 from rocksteady.risk.assess.described._validation import validated
-from rocksteady.risk.assess.described.schema import (
-    ObjectInput,
-    Range,
-    Value,
-    numbers_of,
-    target_of,
-)
+from rocksteady.risk.assess.described.schema import ObjectInput, Range, Value, numbers_of, target_of
 from rocksteady.risk.counted.verdict import Target
 from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.screens.demand import Demand
@@ -317,7 +310,7 @@ did you mean width_m?
 
     def _reshaped(self, sizes: Mapping[str, Value]) -> "DescribedObject":
         """Return the object with another geometry."""
-        known = {key: _plain(value) for key, value in sizes.items()}
+        known = {key: plain_value(value) for key, value in sizes.items()}
         return replace(self, values={**self.values, "geometry": known})
 
     def with_peaks(self, *, pga_g: float | None, pgv_m_s: float | None) -> "DescribedObject":
@@ -383,23 +376,6 @@ did you mean width_m?
                 blocks.append(replace(self, values=values).block)
         return tuple(blocks)
 
-    def describe(self) -> Description:
-        """Return the description in the file."""
-        block = self.block.describe()
-        about = [
-            Fact("name", self.name, "name"),
-            Fact("kind", self.given.kind, "kind"),
-            Fact("against_wall", self.given.against_wall),
-            Fact("source", self.source, "from"),
-            Fact("sha256", self.sha256),
-            Fact("extra", dict(self.extra)),
-        ]
-        if self.given.friction is not None:
-            low, high = bounds_of(self.given.friction)
-            words = number(low) if low == high else f"{number(low)} to {number(high)}"
-            about.append(Fact("friction", _plain(self.given.friction), "friction", words))
-        return Description(headline=f"{self.name}: {block.headline}", facts=[*about, *block.facts])
-
     def _made(self, body: Body, restitution: Restitution) -> Block:
         """Return the block of a body; a refusal names the file."""
         gravity = self.given.gravity_m_s2
@@ -423,7 +399,7 @@ def bounds_of(value: Value) -> tuple[float, float]:
     return (value.low, value.high) if isinstance(value, Range) else (value, value)
 
 
-def _plain(value: Value) -> float | dict[str, float]:
+def plain_value(value: Value) -> float | dict[str, float]:
     """Return a number, or both ends of a range."""
     return {"low": value.low, "high": value.high} if isinstance(value, Range) else value
 

@@ -8,26 +8,13 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.answer import Answer, doubt, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import ANSWER_DRAWS, FEWEST_DRAWS
-from rocksteady.results.numbers import (
-    chance,
-    counted,
-    interval,
-    number,
-    number_or_none,
-    plural,
-)
+from rocksteady.results.numbers import number_or_none
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.leaving_out import HeldOut
 from rocksteady.risk.calibration.held_out.rivals import Stack
 from rocksteady.risk.observations.shaking_test import ShakingTest
 
-SHOWN = 4
-"""Tests that an answer lists."""
-LONGEST_NAME = 30
-"""Letters of a test in a table."""
 OUTCOMES: Mapping[bool | None, str] = {True: "fell", False: "stood", None: "unknown"}
 
 
@@ -116,73 +103,6 @@ class Predictions(Result):
             for k in range(len(self.test))
         ]
 
-    def describe(self) -> Description:
-        """Return a row for each test."""
-        columns = (
-            Column("test", "test", _shortened, left=True),
-            Column("p", "p", number),
-            Column("low", "5 %", number),
-            Column("high", "95 %", number),
-            Column("block", "block", number),
-            Column("logistic", "logistic", number),
-            *([Column("held_out", "held out")] if any(self.held_out) else []),
-            *([Column("outcome", "outcome", left=True)] if set(self.fell) - {None} else []),
-        )
-        likely = int((self.p >= 0.5).sum())
-        return Description(
-            headline=self._likely(likely),
-            facts=[
-                Fact("tests", len(self.test), "tests"),
-                Fact("mc_error", float(np.max(self.mc_error)), "largest Monte Carlo error"),
-                Fact("warnings", list(self.warnings)),
-            ],
-            tables=[
-                Table(
-                    "predictions",
-                    self.rows,
-                    columns,
-                    severity=lambda row: row["p"],
-                    kind=lambda row: f"likely to {'fall' if row['p'] >= 0.5 else 'stand'}",
-                )
-            ],
-            notes=self.warnings,
-            answer=self._answer(likely),
-        )
-
-    def _likely(self, count: int) -> str:
-        """Return the number of tests that fall with more than even chance, in words."""
-        return f"{counted(count, plural(len(self.test), 'test'), 'more likely fall')} than not"
-
-    def _answer(self, likely: int) -> Answer:
-        """Return the probabilities, the highest first; provisional of too few draws."""
-        rows = sorted(self.rows, key=lambda row: row["p"], reverse=True)
-        words = [
-            chance(row["p"])
-            + interval(None if row["low"] is None else (row["low"], row["high"]), 0.9)
-            for row in rows
-        ]
-        few = not self.identified
-        fall = self._likely(likely)
-        sentence = f"{fall[0].upper()}{fall[1:]}."
-        if len(rows) == 1:
-            sentence = f"It falls in {rows[0]['test']} with {words[0]}."
-        if few:
-            sentence = (
-                f"No answer, provisional: {self.effective_draws.min():.0f} effective draws of the "
-                f"{ANSWER_DRAWS:g} that it takes."
-            )
-        left = rows[SHOWN:]
-        falling = sum(row["p"] >= 0.5 for row in left)
-        kinds = f"{falling} likely to fall, {len(left) - falling} to stand"
-        names = [_shortened(row["test"]) for row in rows]
-        shown = list(zip(names, words, strict=True))[:SHOWN]
-        facts = [
-            *(shown if len(rows) > 1 or few else ()),
-            left_out(len(left), kinds),
-            ("doubt", doubt(self.warnings)),
-        ]
-        return Answer(sentence, facts)
-
 
 def predictions_of(
     tests: Sequence[ShakingTest],
@@ -223,9 +143,3 @@ def predictions_of(
         held_out=(True,) * len(tests),
         fell=tuple(test.fell for test in tests),
     )
-
-
-def _shortened(name: str) -> str:
-    """Return a name that leaves room for numbers beside it; its middle is left out."""
-    half = LONGEST_NAME // 2
-    return name if len(name) <= LONGEST_NAME else f"{name[:half]}…{name[1 - half :]}"

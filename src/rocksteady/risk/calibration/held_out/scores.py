@@ -7,9 +7,7 @@ import numpy as np
 from rocksteady.arrays import Floats, Integers
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.model.checks.arrays import compare_by_value
-from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_GROUPS
-from rocksteady.results.numbers import chance, number
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration.sampler.exact import rounded
 
@@ -22,13 +20,6 @@ LEAST = 1e-12
 """A probability of 0 of what happened has this one in the log score."""
 REPLICATES = 1000
 NAMES = ("accuracy", "f1", "brier", "log_score", "ece")
-WORDS = {
-    "accuracy": "accuracy",
-    "f1": "F1 of falls",
-    "brier": "Brier score",
-    "log_score": "log score",
-    "ece": "calibration error",
-}
 
 
 @compare_by_value
@@ -59,28 +50,6 @@ class Scores(Result):
     ece: Interval
     tests: int
     groups: int
-
-    def describe(self) -> Description:
-        """Return the five scores."""
-        rows = [
-            {"score": key, "value": value, "low": low, "high": high}
-            for key, (value, low, high) in ((key, getattr(self, key)) for key in NAMES)
-        ]
-        columns = (
-            Column("score", "score", lambda key: WORDS[key], left=True),
-            Column("value", "value", number),
-            Column("low", "5 %", number),
-            Column("high", "95 %", number),
-        )
-        return Description(
-            headline=f"accuracy {chance(self.accuracy[0], self.tests)}, Brier score "
-            f"{number(self.brier[0])} of {self.tests} tests",
-            facts=[
-                Fact("tests", self.tests, "tests"),
-                Fact("groups", self.groups, "groups that the bootstrap draws"),
-            ],
-            tables=[Table("scores", rows, columns)],
-        )
 
     def values(self) -> dict[str, dict[str, float]]:
         """Return the scores as plain values for a file."""

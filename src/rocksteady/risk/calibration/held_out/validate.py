@@ -8,9 +8,8 @@ import numpy as np
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
-from rocksteady.results.numbers import chance, interval, number
+from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.learning import Trial, learning_curve
 from rocksteady.risk.calibration.held_out.leaving_out import hold_out
@@ -23,7 +22,7 @@ from rocksteady.risk.calibration.held_out.rivals import (
     logistic_of,
     stacks_of,
 )
-from rocksteady.risk.calibration.held_out.scores import BINS, NAMES, Scores, bin_of, scores_of
+from rocksteady.risk.calibration.held_out.scores import BINS, Scores, bin_of, scores_of
 from rocksteady.risk.observations.shaking_test import ShakingTest
 
 Row = dict[str, Any]
@@ -83,42 +82,6 @@ class Validation(Result):
     curve: LogisticCurve
     stack: Stack
     warnings: tuple[str, ...] = ()
-
-    def describe(self) -> Description:
-        """Return the scores, one row for each rule."""
-        rows = [{"rule": name} | _plain(scores) for name, scores in self.rows.items()]
-        residuals = [{"by": by, **row} for by, rows in self.residuals.items() for row in rows]
-        columns = (
-            Column("rule", "predicted by", left=True),
-            Column("accuracy", "accuracy", number),
-            Column("f1", "F1", number),
-            Column("brier", "Brier", number),
-            Column("log_score", "log score", number),
-            Column("ece", "ECE", number),
-        )
-        best = self.rows.get("predicted")
-        words = "no scores"
-        if best is not None:
-            share, low, high = best.accuracy
-            span = interval(None if np.isnan(low) else (low, high), 0.9)
-            words = f"accuracy {chance(share, best.tests)}{span}, "
-            words += f"Brier score {number(best.brier[0])}"
-        return Description(
-            headline=f"held out by {self.folds}: {words}",
-            facts=[
-                Fact("folds", self.folds, "held out together"),
-                Fact("groups", 0 if best is None else best.groups, "groups"),
-                Fact("tests", 0 if best is None else best.tests, "tests"),
-                Fact("warnings", list(self.warnings)),
-            ],
-            tables=[
-                Table("scores", rows, columns, title="scores of tests that were held out"),
-                Table("reliability", self.reliability),
-                Table("residuals", residuals),
-                Table("learning", self.learning),
-            ],
-            notes=self.warnings,
-        )
 
 
 def validate_trial(
@@ -201,15 +164,6 @@ def why_not(fell: Floats, codes: Integers, folds: str) -> str:
     if len(np.unique(codes[known])) < 2:
         return f"all tests with an outcome are of one {folds}: none is left to predict it from"
     return ""
-
-
-def _plain(scores: Scores) -> Row:
-    """Return scores and their ends as values of a row."""
-    row: Row = {}
-    for key in NAMES:
-        value, low, high = getattr(scores, key)
-        row |= {key: value, f"{key}_low": low, f"{key}_high": high}
-    return row
 
 
 def _reliability(p: Floats, fell: Floats) -> list[Row]:

@@ -5,11 +5,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.model.checks.arguments import checked
-from rocksteady.risk.hazard.failure_risk import Risk, years_words
+from rocksteady.risk.hazard.failure_risk import Risk
 from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style.layout import axes_or_new, percent_ticks, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
 from rocksteady.show.style.tokens import DOUBT, inks_of
+from rocksteady.words.hazard import years_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

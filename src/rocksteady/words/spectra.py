@@ -1,4 +1,4 @@
-"""Spectra of a suite, and runs of many blocks, as facts, tables and notes."""
+"""Words of rocking spectra, and of runs of many blocks."""
 
 import math
 from collections.abc import Sequence
@@ -19,13 +19,21 @@ if TYPE_CHECKING:
 
     from rocksteady.sweep.cases.cells import Labelled
 
+
 FALLS = "falls"
+
+
 SHOWN = 4
 """Rows of an answer."""
+
+
 MOST_COLUMNS, MOST_SUITE_COLUMNS = 5, 3
 """Columns of slendernesses in a text, of one record and of several; of more each run is a row."""
+
+
 WITH_FALLS = "with falls"
 """Kind of a row of a table with a fall."""
+
 
 MEASURES = {
     "alpha": "alpha_rad",

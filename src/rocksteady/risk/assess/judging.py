@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rocksteady.model.blocks.block import Block
-from rocksteady.risk.assess._remedy import Remedy
 from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import Range
 from rocksteady.risk.assess.placed_objects import PlacedObjects
+from rocksteady.risk.assess.remedy import Remedy
 from rocksteady.risk.counted.count import Count, count_falls
 from rocksteady.risk.counted.motions import folds, median_fold
 from rocksteady.risk.counted.sliding import friction_at

@@ -1,12 +1,13 @@
-"""An ensemble as facts, a row for each level, and notes."""
+"""Words of ensembles: how the runs ended, and a row for each level."""
 
 import json
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Final
 
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table, shown
-from rocksteady.results.numbers import length, number, plural
-from rocksteady.risk.ensemble.qualification import FORCES, SHARE, most_of_rocking
+from rocksteady.results.numbers import length, number, plural, quantity
+from rocksteady.risk.ensemble.qualification import FORCES, OUTPUTS, SHARE, most_of_rocking
 
 if TYPE_CHECKING:
     import xarray
@@ -91,3 +92,16 @@ def _row(stripe: "xarray.Dataset") -> dict[str, Any]:
         "overturned": float((status == Status.OVERTURNED).mean()),
         **most_of_rocking(stripe),
     }
+
+
+OF_ROCKING: Final = f"in {100.0 * SHARE:.0f} % of the runs that rock and stand"
+
+
+def rocking_words(values: Mapping[str, float | None]) -> str:
+    """Return values of `most_of_rocking` in words; empty where no run rocks and stands."""
+    known = [value for key in OUTPUTS if (value := values[key]) is not None]
+    if not known:
+        return ""
+    top, gap, speed = known
+    edge = quantity(speed, "m/s")
+    return f"at most {length(top)}, clearance {length(gap)}, its edge at {edge}, {OF_ROCKING}"

@@ -10,8 +10,8 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arrays import compare_by_value
 from rocksteady.results.numbers import number_or_none, share_of
-from rocksteady.risk.assess._judging import band_of, run_at_demand
 from rocksteady.risk.assess.described.objects import DescribedObject, key_words
+from rocksteady.risk.assess.judging import band_of, run_at_demand
 from rocksteady.risk.counted.count import count_falls
 from rocksteady.risk.counted.suite import Shaking
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand

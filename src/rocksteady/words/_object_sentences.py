@@ -4,10 +4,10 @@ from typing import Final, get_args
 
 import numpy as np
 
-from rocksteady.results.numbers import chance, number, plural, quantity
+from rocksteady.results.numbers import chance, length, number, plural, quantity
 from rocksteady.results.stated import Stated, band_words, runs_that, share_words
-from rocksteady.risk.assess._judging import Judged
-from rocksteady.risk.assess._remedy import change_words
+from rocksteady.risk.assess.judging import Judged
+from rocksteady.risk.assess.remedy import CHANGES, Remedy
 from rocksteady.risk.counted.band import records_to_show, upper_of_none
 from rocksteady.risk.counted.built_in import ACCURACY, ACCURACY_ON_SPECTRUM
 from rocksteady.risk.counted.count import Count
@@ -25,7 +25,30 @@ from rocksteady.risk.counted.verdict import (
     Unfit,
     Verdict,
 )
-from rocksteady.risk.hazard.failure_risk import LEAST_FOR_BAND, rate_words
+from rocksteady.risk.hazard.failure_risk import LEAST_FOR_BAND
+from rocksteady.words.hazard import rate_words
+from rocksteady.words.placing import doubt_on_spectrum, spectrum_line
+
+
+def change_words(remedy: Remedy, target: Target) -> str:
+    """Return the least change of a kind, as "base 165 mm wide (9.0 % at 1.1 x); ..."."""
+
+    def named(value: float) -> str:
+        if remedy.change == CHANGES[0]:
+            return f"base {length(value)} wide"
+        return f"mass centre {length(value)} lower"
+
+    if remedy.value is None and remedy.shown_at is None:
+        reason = "the next would slide" if remedy.slides else "the last that was run"
+        return f"none up to a {named(remedy.last)}, {reason}"
+    if remedy.value is None:
+        return f"{named(remedy.shown_at or 0.0)} to be sure of {target.words}"
+    beyond = f"{chance(remedy.share_1_1)} at" if remedy.share_1_1 else "none falls at"
+    words = f"{named(remedy.value)} ({beyond} {MARGIN:g} x)"
+    if remedy.shown_at is not None and remedy.shown_at > remedy.value:
+        words += f"; {length(remedy.shown_at)} to be sure of {target.words}"
+    return words
+
 
 PEAKS: Final = "with your two peaks"
 SAME: Final = 1e-6
@@ -146,7 +169,7 @@ class Screen:
             words = "both peaks decide; it serves the published formulas alone"
             return [Stated(quantity="spectrum", text=words * self.idle_spectrum)]
         unfit = {*self.decision.doubts} & {*get_args(Unfit)} - {self.decision.reason}
-        return [self.placing.line("; ".join(map(self._unfit, unfit)))]
+        return [spectrum_line(self.placing, "; ".join(map(self._unfit, unfit)))]
 
     def _beside_rate(self) -> list[Stated]:
         """Return the rate, or of a target in years what is counted at the demand."""
@@ -234,7 +257,7 @@ class Screen:
             return f"built-in motions are noise {'on your spectrum' if self.placing else PEAKS}"
         if reason == "floor-spectrum":
             return "a floor's spectrum alone: give the ground's, building and floor"
-        return self.placing.doubt
+        return doubt_on_spectrum(self.placing)
 
     def _by_statics(self) -> str:
         """Return what statics says, and what of 1.1 times the demand."""
@@ -384,3 +407,15 @@ def median_of(judged: Judged) -> float:
 def _fall(count: Count) -> str:
     """Return a share with its verb."""
     return f"{chance(count.share)} fall" if count.falls else "none falls"
+
+
+def remedy_warning(remedy: Remedy) -> str:
+    """Return what to know of smaller values that pass; empty where there are none."""
+    if not remedy.islands:
+        return ""
+    spans = ", ".join(" to ".join(dict.fromkeys(map(length, ends))) for ends in remedy.islands)
+    more = "" if remedy.value is None else f" below {length(remedy.value)}"
+    return (
+        f"{remedy.change.capitalize()}: {spans} would do too, but not all others{more}; shares "
+        "need not fall with a change."
+    )

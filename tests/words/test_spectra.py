@@ -11,7 +11,7 @@ import xarray
 from rocksteady import Block, Status, compute_rocking_spectrum, simulate_many
 from rocksteady.measures import compute_suite_spectrum
 from rocksteady.results.rendering import as_text
-from rocksteady.seismic.spectra.describe import _course, _severity, describe, shortened
+from rocksteady.words.spectra import _course, _severity, describe, shortened
 from tests.every import every
 from tests.seismic.grounds import ground
 
