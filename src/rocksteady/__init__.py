@@ -105,7 +105,13 @@ use_plots(
 )
 use_words(
     {
+        "rocksteady.words.basin_measures": (
+            *("BasinEntropies", "BasinEntropy", "BoundaryCheck", "UncertaintyExponent"),
+        ),
+        "rocksteady.words.basin_shares": ("BasinFamily", "BasinShares"),
+        "rocksteady.words.basins": ("BasinAttractor", "BasinShare", "Basins"),
         "rocksteady.words.motions": ("DescribedMotion",),
+        "rocksteady.words.safe_basins": ("Erosion", "FateBasins", "FateShare", "IntegrityDrop"),
         "rocksteady.words.steady": (
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
         ),
