@@ -110,7 +110,11 @@ use_words(
         ),
         "rocksteady.words.basin_shares": ("BasinFamily", "BasinShares"),
         "rocksteady.words.basins": ("BasinAttractor", "BasinShare", "Basins"),
+        "rocksteady.words.bifurcation_curves": ("BifurcationCurve", "BifurcationCurves"),
+        "rocksteady.words.branches": ("Branch", "BranchPoint", "Cascade"),
+        "rocksteady.words.diagrams": ("Bifurcation", "BifurcationDiagram"),
         "rocksteady.words.motions": ("DescribedMotion",),
+        "rocksteady.words.resting": ("RestingBranch", "RestingBranches", "RestingPoint"),
         "rocksteady.words.safe_basins": ("Erosion", "FateBasins", "FateShare", "IntegrityDrop"),
         "rocksteady.words.steady": (
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
