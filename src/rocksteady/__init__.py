@@ -113,7 +113,9 @@ use_words(
         "rocksteady.words.bifurcation_curves": ("BifurcationCurve", "BifurcationCurves"),
         "rocksteady.words.branches": ("Branch", "BranchPoint", "Cascade"),
         "rocksteady.words.diagrams": ("Bifurcation", "BifurcationDiagram"),
+        "rocksteady.words.edges": ("EdgeState", "HilltopSaddle", "Manifold"),
         "rocksteady.words.motions": ("DescribedMotion",),
+        "rocksteady.words.noise_fates": ("NoiseFates",),
         "rocksteady.words.resting": ("RestingBranch", "RestingBranches", "RestingPoint"),
         "rocksteady.words.safe_basins": ("Erosion", "FateBasins", "FateShare", "IntegrityDrop"),
         "rocksteady.words.steady": (
@@ -123,8 +125,8 @@ use_words(
 )
 use_describers(
     {
-        "attractor map": ({"kind", "period", "after"}, "rocksteady.dynamics.maps.map_facts"),
-        "fate map": ({"fate", "cycles"}, "rocksteady.dynamics.maps.map_facts"),
+        "attractor map": ({"kind", "period", "after"}, "rocksteady.words.maps"),
+        "fate map": ({"fate", "cycles"}, "rocksteady.words.maps"),
         "rocking ensemble": (
             {"status", "peak_angle", "uplift_time_s"},
             "rocksteady.risk.ensemble._ensemble_facts",
