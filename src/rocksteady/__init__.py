@@ -108,12 +108,22 @@ use_words(
         "rocksteady.words.assessment": ("Assessment",),
         "rocksteady.words.attractors": ("Attractor", "AttractorSweep", "Attractors"),
         "rocksteady.words.back_analysis": ("BackAnalysis", "Survey"),
+        "rocksteady.words.basin_measures": (
+            *("BasinEntropies", "BasinEntropy", "BoundaryCheck", "UncertaintyExponent"),
+        ),
+        "rocksteady.words.basin_shares": ("BasinFamily", "BasinShares"),
+        "rocksteady.words.basins": ("BasinAttractor", "BasinShare", "Basins"),
+        "rocksteady.words.bifurcation_curves": ("BifurcationCurve", "BifurcationCurves"),
+        "rocksteady.words.branches": ("Branch", "BranchPoint", "Cascade"),
         "rocksteady.words.calibration": ("Calibration", "Posterior", "StoredPosterior"),
+        "rocksteady.words.diagrams": ("Bifurcation", "BifurcationDiagram"),
+        "rocksteady.words.edges": ("EdgeState", "HilltopSaddle", "Manifold"),
         "rocksteady.words.fragility": ("Fragility", "FragilityCurve", "StateFragility"),
         "rocksteady.words.hazard": ("HazardBranchCheck", "HazardCurve", "Risk"),
         "rocksteady.words.kicks": ("FatalKicks",),
         "rocksteady.words.motions": ("DescribedMotion",),
         "rocksteady.words.neighbours": ("Neighbours",),
+        "rocksteady.words.noise_fates": ("NoiseFates",),
         "rocksteady.words.objects": ("DescribedObject", "FormulaAssessment", "ObjectFacts"),
         "rocksteady.words.objects_table": ("ObjectsTable",),
         "rocksteady.words.observations": ("ObjectPrior", "Observations", "Prior"),
@@ -122,7 +132,9 @@ use_words(
         "rocksteady.words.overturning_scales": ("OverturningScales",),
         "rocksteady.words.predictions": ("Predictions", "Scores", "Validation"),
         "rocksteady.words.records": ("IntegratedRecord", "Measures", "ResponseSpectrum"),
+        "rocksteady.words.resting": ("RestingBranch", "RestingBranches", "RestingPoint"),
         "rocksteady.words.restitution": ("RestitutionFit",),
+        "rocksteady.words.safe_basins": ("Erosion", "FateBasins", "FateShare", "IntegrityDrop"),
         "rocksteady.words.screens": ("Screen", "Screens"),
         "rocksteady.words.steady": (
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
@@ -133,8 +145,8 @@ use_words(
 )
 use_describers(
     {
-        "attractor map": ({"kind", "period", "after"}, "rocksteady.dynamics.maps.map_facts"),
-        "fate map": ({"fate", "cycles"}, "rocksteady.dynamics.maps.map_facts"),
+        "attractor map": ({"kind", "period", "after"}, "rocksteady.words.maps"),
+        "fate map": ({"fate", "cycles"}, "rocksteady.words.maps"),
         "rocking ensemble": (
             {"status", "peak_angle", "uplift_time_s"},
             "rocksteady.words.ensembles",

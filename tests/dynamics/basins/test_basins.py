@@ -13,10 +13,13 @@ from rocksteady import (
     DimensionlessBlock,
     Execution,
     Harmonic,
+    Rest,
     State,
+    Status,
     Still,
     compute_basins,
     find_attractor,
+    simulate,
 )
 from rocksteady.basins import BasinAttractor, Basins
 from rocksteady.errors import InputError, ModelError
@@ -30,6 +33,8 @@ Floats = NDArray[np.float64]
 # Amplitude, frequency ratio, restitution: two mirrored orbits, a subharmonic one beside the
 # harmonic, rest beside an orbit, and motions that do not repeat.
 POINTS = [(2.0, 1.9, 0.8), (1.5, 4.0, 0.9), (0.5, 2.0, 0.8), (0.5, 2.0, 0.95), (6.0, 6.0, 0.25)]
+MOTION = Harmonic(amplitude=0.5, frequency_ratio=2.0)
+FEW: dict[str, Any] = {"angles": [-0.9, -0.3, 0.3, 0.9], "velocities": [-0.4, 0.0, 0.4]}
 
 
 def window(half_width: float, count: int) -> Floats:
@@ -277,3 +282,38 @@ def test_what_makes_no_window_is_refused(arguments: dict[str, Any], valid: str) 
 def test_only_periodic_shaking_has_basins() -> None:
     with pytest.raises(ModelError, match="orbits and attractors are those of periodic shaking"):
         compute_basins(DimensionlessBlock(restitution=0.8), Still())  # type: ignore[arg-type]
+
+
+def test_there_is_a_row_a_state_with_the_name_of_its_attractor() -> None:
+    found = compute_basins(DimensionlessBlock(restitution=0.8), MOTION, **FEW, max_cycles=200)
+    rows = list(found.to_dataframe().itertuples(index=False, name=None))
+    assert len(rows) == 12
+    names = {one.label: one.name for one in found.attractors}
+    assert all(name == names[label] for _, _, label, name in rows)
+    assert {angle for angle, *_ in rows} == set(FEW["angles"])
+
+
+def test_an_attractor_and_a_cell_are_starts() -> None:
+    block = DimensionlessBlock(restitution=0.95)
+    found = compute_basins(block, MOTION, **FEW)
+    kinds = set()
+    for attractor in found.attractors:
+        kinds.add(attractor.kind.value)
+        if attractor.orbit is not None:
+            period = attractor.orbit.period
+            run = simulate(block, found.motion, start=attractor.start, cycles=3 * period)
+            back = run([0.0, *(np.arange(1, 3) * period * np.pi)])  # 2 pi/Omega is pi
+            np.testing.assert_allclose(back.angle, back.angle[0], atol=1e-8)
+            np.testing.assert_allclose(
+                run.peak, max(attractor.orbit.highest, -attractor.orbit.lowest), rtol=1e-6
+            )
+        elif attractor.kind.value == "rest":
+            assert attractor.start == Rest()
+        else:
+            with pytest.raises(ModelError, match="only an orbit and the rest"):
+                _ = attractor.start
+    assert {"overturned", "symmetric"} <= kinds
+    falls = next(one.label for one in found.attractors if one.kind.value == "overturned")
+    for row, column in np.ndindex(found.label.shape):
+        run = simulate(block, found.motion, start=found.state(row, column), cycles=200)
+        assert (run.status is Status.OVERTURNED) == (found.label[row, column] == falls)

@@ -1,9 +1,8 @@
-"""Bifurcation diagrams: points, branches, sweeps and cascades, and how they describe themselves."""
+"""Bifurcation diagrams: points, branches, sweeps and cascades."""
 
 import json
 from dataclasses import replace
 from functools import cache
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,6 @@ import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, find_attractor, find_bifurcations
 from rocksteady.branches import BifurcationDiagram, BranchOptions
-from rocksteady.dynamics.continuation.branch_answers import counts_of, diagram_answer
 from rocksteady.dynamics.continuation.find_bifurcations import _range_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import symmetry_breaking_frequencies
@@ -31,10 +29,6 @@ def diagram_of(block: Block | DimensionlessBlock, parameter: str) -> Bifurcation
     return find_bifurcations(
         block, MOTION, parameter, within=ends[parameter], values=0, search=SMALL, model="linear"
     )
-
-
-def width(text: str) -> int:
-    return max(len(line) for line in text.splitlines())
 
 
 @pytest.mark.slow
@@ -80,55 +74,6 @@ def test_a_block_with_a_size_has_points_in_si() -> None:
     )
     assert motion.frequency_ratio == pytest.approx(point["frequency_ratio"])
     assert point["peaks_rad"] == [SIZED.alpha * peak for peak in point["peaks"]]
-
-
-def test_an_answer_has_amplitudes_in_standard_gravity() -> None:
-    block = Block.rectangle(width=0.4, height=1.2, restitution=0.8, gravity=6.5)
-    diagram = diagram_of(block, "amplitude")
-    answer = diagram.describe().answer
-    assert answer is not None
-    (point,) = diagram.to_dict()["points"]
-    words = f"{point['accel_g']:.5g} (symmetry breaks)"
-    assert any(words in str(fact[1]) for fact in answer.facts)
-    assert str(answer.facts).count("(symmetry breaks)") == 1, "not at the ends of the range"
-
-
-def test_answer_and_description_count_the_same_branches() -> None:
-    diagram = diagram_of(BARE, "frequency_ratio")
-    parts = {"branches": diagram.branches, "points": diagram.points}
-    assert counts_of(diagram) == "2 branches, 1 bifurcation"
-    assert (
-        counts_of(SimpleNamespace(**parts, resting=diagram.branches))
-        == "2 branches, 2 of orbits that come to rest, 1 bifurcation"
-    )
-    words = "2 branches up to 1 period and 2 impacts, 1 bifurcation"
-    assert words in " ".join(diagram.summary(more=True).split())
-
-
-@every(
-    ("ranges", "sentence"),
-    [
-        ([], "No steady motion was found to be stable for W = 1.9 to 2."),
-        ([(1.9, 2.0)], "A steady motion is stable throughout, for W = 1.9 to 2."),
-        ([(1.9, 1.95), (1.94, 2.0)], "A steady motion is stable throughout, for W = 1.9 to 2."),
-        ([(1.95, 2.0)], "No steady motion was found to be stable below W = 1.95."),
-        ([(1.9, 1.95)], "No steady motion was found to be stable above W = 1.95."),
-        ([(1.92, 1.95)], "A steady motion is stable for W = 1.92 to 1.95."),
-        (
-            [(1.92, 1.95), (1.97, 2.0)],
-            "A steady motion is stable for W = 1.92 to 1.95 and in 1 other range.",
-        ),
-    ],
-)
-def test_an_answer_joins_the_ranges_of_branches_that_come_to_rest(
-    ranges: list[tuple[float, float]], sentence: str
-) -> None:
-    diagram = diagram_of(BARE, "frequency_ratio")
-    names = ("block", "parameter", "within", "model", "search", "complete", "points", "sweeps")
-    resting = tuple(SimpleNamespace(within=within) for within in ranges)
-    parts = {name: getattr(diagram, name) for name in names}
-    found = SimpleNamespace(**parts, branches=(), cascade=None, resting=resting)
-    assert diagram_answer(found).sentence == sentence
 
 
 def test_of_mirror_images_the_one_that_leans_to_the_positive_side_is_listed() -> None:
@@ -183,28 +128,6 @@ def test_there_is_a_row_a_point(block: Block | DimensionlessBlock) -> None:
     regular = (frame["type"] == "regular").to_numpy()
     assert regular.sum() > 10
     assert (inside == frame["stable"].to_numpy())[regular].all()
-
-
-@every("parameter", ["frequency_ratio", "amplitude", "restitution"])
-@every("block", [BARE, SIZED])
-def test_the_summary_has_a_row_a_bifurcation_in_the_units_of_the_block(
-    block: Block | DimensionlessBlock, parameter: str
-) -> None:
-    diagram = diagram_of(block, parameter)
-    text = diagram.summary(more=True)
-    assert width(text) <= 80
-    assert "…" not in text
-    assert "2 branches up to 1 period and 2 impacts, 1 bifurcation" in text
-    (point,) = diagram.to_dict()["points"]
-    (row,) = (line for line in text.splitlines() if "symmetry breaking" in line)
-    assert f"{point[parameter]:.8f}" in row, "with the digits that are known"
-    unit = {"frequency_ratio": "freq_hz", "amplitude": "accel_g"}.get(parameter)
-    sized = block is SIZED and unit is not None
-    assert ("symmetric" in row) == (not sized), "the unit takes the place of the kind"
-    if sized:
-        assert f"{point[unit]:.6g}" in row
-    assert ("°" in row) == (block is SIZED)
-    assert len(repr(diagram)) < 160
 
 
 def test_sweeps_go_both_ways_and_keep_what_single_motions_settle_to() -> None:

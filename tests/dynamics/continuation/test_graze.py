@@ -11,9 +11,9 @@ from scipy.optimize import brentq
 from rocksteady import DimensionlessBlock, Harmonic, Steady, find_orbits, plots, simulate
 from rocksteady.basins import compute_manifold
 from rocksteady.branches import Branch, BranchPoint, find_branches, follow_branch
-from rocksteady.dynamics.continuation.branch_facts import point_row
 from rocksteady.errors import ModelError
 from rocksteady.formulas import steady_states
+from rocksteady.words.branches import point_row
 
 RESTITUTION, AMPLITUDE = 0.87, 5.0
 BLOCK = DimensionlessBlock(restitution=RESTITUTION)

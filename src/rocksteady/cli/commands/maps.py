@@ -102,8 +102,8 @@ def maps(
     from rocksteady.dynamics.maps.attractor_map import ATTRACTORS
     from rocksteady.dynamics.maps.fate_map import FATES
     from rocksteady.dynamics.maps.grid_map import map_of
-    from rocksteady.dynamics.maps.map_facts import FEW, describe
     from rocksteady.sweep.cases.labelled import as_dataset
+    from rocksteady.words.maps import FEW, describe
 
     with (
         sweep.running(context, run, "following motions", case.cells) as (shown, meter),

@@ -11,8 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.basins._basin_facts import basins_described
-from rocksteady.dynamics.basins._fractions import counted, fraction_described
 from rocksteady.dynamics.basins.cells import (
     CELL_OUTPUTS,
     SEED,
@@ -27,14 +25,14 @@ from rocksteady.dynamics.basins.measures.uncertainty import (
     compute_uncertainty_exponent,
 )
 from rocksteady.dynamics.basins.window import (
-    coordinates_of,
+    counted,
     moment,
     spacing,
     window_axes,
     window_of,
 )
 from rocksteady.dynamics.batch.attractors import batch_size
-from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.orbits.return_map import periodic_motion
@@ -46,10 +44,9 @@ from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion, largest_amplitude
 from rocksteady.model.units import in_units
-from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
-from rocksteady.results.description import Description, Fact
+from rocksteady.outcomes import AttractorKind
 from rocksteady.results.numbers import CONFIDENCE
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Execution
@@ -85,10 +82,6 @@ class BasinShare(Result):
     share: float
     low: float
     high: float
-
-    def describe(self) -> Description:
-        """Return the share with its interval."""
-        return fraction_described(self, f"basin {self.label}", Fact("label", self.label, "label"))
 
 
 @checked_result
@@ -195,38 +188,8 @@ class Basins(Result):
         >>> print(data.label.dims, data.label.attrs["flag_meanings"])
         ('velocity', 'angle') overturned symmetric-1
         """
-        import xarray
-
-        names = [attractor.name for attractor in self.attractors]
-        flags = {"flag_values": list(range(len(names))), "flag_meanings": " ".join(names)}
-        plane, along = ("velocity", "angle"), ("attractor",)
-        fractions = self.fractions()
-        counts = (attractor.impacts for attractor in self.attractors)
-        impacts = [INFINITELY_MANY if count is None else count for count in counts]
-        return xarray.Dataset(
-            {
-                "label": (plane, self.label, {"long_name": "attractor", "units": "1", **flags}),
-                "start_angle": (plane, self.start_angle, {"units": "1"}),
-                "start_velocity": (plane, self.start_velocity, {"units": "1"}),
-                "kind": (along, [str(attractor.kind.value) for attractor in self.attractors]),
-                "period": (along, [attractor.period or 0 for attractor in self.attractors]),
-                "impacts": (along, impacts, {"infinitely_many": INFINITELY_MANY}),
-                "states": (along, self.states),
-                "share": (along, [fraction.share for fraction in fractions], {"units": "1"}),
-            },
-            coords={
-                **coordinates_of(self, "angle", "velocity", units="1"),
-                "attractor": ("attractor", names),
-            },
-            attrs={
-                "amplitude": self.motion.amplitude,
-                "frequency_ratio": self.motion.frequency_ratio,
-                "phase": self.motion.phase,
-                **attributes_of(self.block, self.model),
-                "max_cycles": self.max_cycles,
-                "seed": "none" if self.seed is None else str(self.seed),
-            },
-        )
+        dataset: xarray.Dataset = words_of(Basins).basins_dataset(self)
+        return dataset
 
     def state(self, row: int, column: int) -> State:
         """Return the initial state of a cell, for `simulate` with `block` and `motion`.
@@ -282,10 +245,6 @@ class Basins(Result):
             if attractor.kind is AttractorKind.UNDECIDED
         ]
         return float(self.states[of].sum() / self.label.size)
-
-    def describe(self) -> Description:
-        """Return the shares of the basins, their attractors, and the window."""
-        return basins_described(self)
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per state: angle, velocity, label and name of its attractor."""

@@ -11,18 +11,16 @@ from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.arrays import validated_grid
-from rocksteady.dynamics.basins._basin_facts import erosion_described, erosion_headline
 from rocksteady.dynamics.basins._safe import measured, safe_states
 from rocksteady.dynamics.basins.window import (
     POINTS,
     against_wall,
     centred,
-    coordinates_of,
     moment,
     window_axes,
 )
 from rocksteady.dynamics.history.lowering import only_side
-from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
@@ -35,9 +33,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, positive
 from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion, harmonics_of
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.run import Execution
 
@@ -76,20 +72,6 @@ class IntegrityDrop(Result):
     high: float
     above: float
     below: float
-
-    def describe(self) -> Description:
-        """Return the two amplitudes and the measure at them."""
-        words = self.measure.replace("_", " ")
-        between = f"{number(self.low, 4)} to {number(self.high, 4)}"
-        facts = [
-            Fact("measure", self.measure, "measure", words),
-            Fact("level", self.level, "level"),
-            Fact("low", self.low, "amplitude A", between),
-            Fact("high", self.high),
-            Fact("above", self.above, "measure at these", f"{self.above:.4f}, {self.below:.4f}"),
-            Fact("below", self.below),
-        ]
-        return Description(f"{words} falls below {self.level:g} at A = {between}", facts)
 
 
 @checked_result
@@ -269,38 +251,12 @@ class Erosion(Result):
             velocity (du/d(pt)) and angle; the heteroclinic amplitude, where there is a closed form
             of it, among the attributes.
         """
-        import xarray
-
-        tangency = self.heteroclinic
-        along = ("amplitude",)
-        return xarray.Dataset(
-            {
-                "global_integrity": (along, self.global_integrity, {"units": "1"}),
-                "integrity_factor": (along, self.integrity_factor, {"units": "1"}),
-                "safe": (("amplitude", "velocity", "angle"), self.safe, {"units": "1"}),
-            },
-            coords={
-                "amplitude": (along, self.amplitude, {"long_name": "a_max/(alpha g)"}),
-                **coordinates_of(self, "velocity", "angle"),
-            },
-            attrs={
-                "frequency_ratio": self.motion.frequency_ratio,
-                "phase": self.motion.phase,
-                **attributes_of(self.block, self.model),
-                "cycles": self.cycles,
-                **({} if tangency is None else {"heteroclinic_amplitude": tangency}),
-                "still_share": self.still_share,
-                "still_radius": self.still_radius,
-            },
-        )
-
-    def describe(self) -> Description:
-        """Return the measures by amplitude, and where they drop, which is computed here."""
-        return erosion_described(self)
+        dataset: xarray.Dataset = words_of(Erosion).erosion_dataset(self)
+        return dataset
 
     def __repr__(self) -> str:
         """Return one line, without the drops."""
-        return f"<Erosion: {erosion_headline(self)}>"
+        return f"<Erosion: {words_of(Erosion).erosion_headline(self)}>"
 
 
 @checked

@@ -10,12 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.arrays import Bools, Floats
-from rocksteady.dynamics.basins._fate_facts import fates_described, fates_headline
-from rocksteady.dynamics.basins._fractions import counted, fraction_described
 from rocksteady.dynamics.basins._safe import measured
-from rocksteady.dynamics.basins.window import coordinates_of, window_axes
+from rocksteady.dynamics.basins.window import counted, window_axes
 from rocksteady.dynamics.batch.finite import BATCH, OUTPUTS, fates_of, finite_table, thrust
-from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import State
 from rocksteady.kernels.core.tables import JUMP, LEAN, RATE
 from rocksteady.model.blocks.block import Block
@@ -29,9 +27,8 @@ from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import Status
-from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import CONFIDENCE
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import compute_cells
@@ -89,16 +86,6 @@ class FateShare(Result):
     share: float
     low: float
     high: float
-
-    def describe(self) -> Description:
-        """Return the share with its interval."""
-        return fraction_described(
-            self,
-            self.name,
-            Fact("fate", self.fate.label),
-            Fact("side", self.side),
-            Fact("name", self.name, "fate"),
-        )
 
 
 @checked_result
@@ -242,30 +229,8 @@ class FateBasins(Result):
             ``fate`` with flags, ``side``, ``impacts``, ``peak`` and ``still_safe`` over velocity
             (du/d(pt)) and angle; the measures of integrity among the attributes.
         """
-        import xarray
-
-        plane = ("velocity", "angle")
-        measures = {
-            name: float(getattr(self, name)) for name in ("global_integrity", "integrity_factor")
-        }
-        return xarray.Dataset(
-            {
-                **{
-                    each.name: (plane, getattr(self, each.name), each.attributes)
-                    for each in OUTPUTS
-                },
-                "still_safe": (plane, self.still_safe, {"units": "1"}),
-            },
-            coords=coordinates_of(self, "velocity", "angle"),
-            attrs={
-                "title": fates_headline(self),
-                "time_pt": self.time_pt,
-                **attributes_of(self.block, self.model),
-                "safe_share": self.safe_share,
-                "still_share": self.still_share,
-                **{name: value for name, value in measures.items() if not math.isnan(value)},
-            },
-        )
+        dataset: xarray.Dataset = words_of(FateBasins).fates_dataset(self)
+        return dataset
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per state: angle, velocity, fate, side, impacts and peak."""
@@ -283,13 +248,9 @@ class FateBasins(Result):
         }
         return pd.DataFrame(in_units(columns, self.block))
 
-    def describe(self) -> Description:
-        """Return the shares of the fates, the integrity, and the window."""
-        return fates_described(self)
-
     def __repr__(self) -> str:
         """Return one line, without the shares."""
-        return f"<FateBasins: {fates_headline(self)}>"
+        return f"<FateBasins: {words_of(FateBasins).fates_headline(self)}>"
 
 
 @checked

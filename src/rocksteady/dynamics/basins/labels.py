@@ -23,11 +23,8 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Model
-from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import AttractorKind
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 
 Cells = Mapping[str, NDArray[Any]]
@@ -97,32 +94,6 @@ class BasinAttractor(Result):
             "only an orbit and the rest have a state to start from",
             "start from a cell of the basin, as basins.state(row, column)",
         )
-
-    def describe(self) -> Description:
-        """Return the kind, the period and the extrema of the attractor."""
-        if self.orbit is None:
-            return Description(str(self.kind.value), self._facts())
-        periods = plural(self.orbit.period, "period")
-        extent = f"{number(self.orbit.lowest)} to {number(self.orbit.highest)} alpha"
-        return Description(f"{self.kind.value}, {periods}, {extent}", self._facts())
-
-    def _facts(self) -> list[Fact]:
-        facts = [
-            Fact("label", self.label, "label"),
-            Fact("name", self.name, "name"),
-            Fact("kind", str(self.kind.value), "kind"),
-            Fact("period", self.period, "forcing periods"),
-            Fact("impacts", self.impacts, "impacts in a period"),
-            Fact("lowest", None if self.orbit is None else self.orbit.lowest),
-            Fact("highest", None if self.orbit is None else self.orbit.highest),
-        ]
-        if self.orbit is not None:
-            least, most = (
-                lean_text(self.orbit.block, lean)
-                for lean in (self.orbit.lowest, self.orbit.highest)
-            )
-            facts.append(Fact("", label="extrema", text=f"{least} to {most}"))
-        return facts
 
 
 def labelled(

@@ -13,11 +13,9 @@ from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.checks.confidence import share_interval
 from rocksteady.model.checks.validation import in_range
-from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.fourier import PeriodicMotion
-from rocksteady.results.description import Fact
-from rocksteady.results.numbers import number
 from rocksteady.sweep.cases.axes import Axis
 
 POINTS = 200
@@ -154,27 +152,21 @@ def spacing(axis: Axis) -> float:
     return float(axis.points[-1] - axis.points[0]) / (len(axis) - 1)
 
 
-def window_text(result: Any) -> str:
-    """Return the window of the states of a result in words."""
-    least, most = (lean_text(result.block, float(end)) for end in result.angle[[0, -1]])
-    slow, fast = (number(float(end)) for end in result.velocity[[0, -1]])
-    return f"u from {least} to {most}, du/d(pt) from {slow} to {fast}"
+def counted(states: int, window: int, confidence: float) -> dict[str, Any]:
+    """Return the fields of a fraction: states, share and Wilson's interval.
 
-
-def axis_facts(result: Any) -> list[Fact]:
-    """Return first, last and number of the points along both axes of a window."""
-    return [
-        Fact(key, {"start": float(axis[0]), "stop": float(axis[-1]), "count": len(axis)})
-        for key, axis in (("angles", result.angle), ("velocities", result.velocity))
-    ]
-
-
-def coordinates_of(result: Any, *names: str, **attributes: str) -> dict[str, Any]:
-    """Return axes of a window, in the order given, as coordinates of a dataset."""
-    return {
-        name: (name, getattr(result, name), {"long_name": LONG_NAMES[name], **attributes})
-        for name in names
-    }
+    Parameters
+    ----------
+    states
+        Number of states that the fraction counts.
+    window
+        Number of all states of the window.
+    confidence
+        Confidence of the interval, in (0, 1).
+    """
+    share = states / window
+    low, high = share_interval(share, window, confidence)
+    return {"states": states, "share": share, "low": float(low), "high": float(high)}
 
 
 def moment(shaking: PeriodicMotion) -> tuple[int, float]:

@@ -8,31 +8,19 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.continuation._datasets import cascade_dataset
 from rocksteady.dynamics.continuation.branch import follow_branch
-from rocksteady.dynamics.continuation.branch_facts import (
-    cascade_notes,
-    cascade_table,
-    model_facts,
-    model_text,
-    orders_text,
-    series_facts,
-)
 from rocksteady.dynamics.continuation.chains.family import LARGEST_STEP
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.continuation.from_orbit import chain_at
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.equations import Model
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import plural
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 
 if TYPE_CHECKING:
     import xarray
@@ -129,25 +117,8 @@ class Cascade(Result):
         >>> print(data.period.values, data.ratio.values.round(3))
         [1 2 4] [  nan 6.107   nan]
         """
-        return cascade_dataset(self)
-
-    def describe(self) -> Description:
-        """Return the doublings, the distances between them, and their ratios."""
-        values, symbol = self.values_by_name(), SYMBOLS[self.parameter]
-        waves = self.points[0].chain.harmonics
-        return Description(
-            f"Cascade of {plural(len(self.points), 'period doubling')}: {symbol} from "
-            f"{self.values[0]:.6g} to {self.values[-1]:.6g}{orders_text(waves)}, "
-            f"{model_text(self.block, self.model)}",
-            [
-                Fact("parameter", self.parameter),
-                *(Fact(key, value) for key, value in values.items()),
-                *series_facts(waves),
-                *model_facts(self.block, self.model),
-            ],
-            [cascade_table(values, self.parameter)],
-            cascade_notes(values),
-        )
+        dataset: xarray.Dataset = words_of(Cascade).cascade_dataset(self)
+        return dataset
 
 
 @checked

@@ -5,39 +5,18 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.dynamics.continuation._datasets import bifurcation_variables, branches_dataset
-from rocksteady.dynamics.continuation.branch_answers import counts_of, diagram_answer
-from rocksteady.dynamics.continuation.branch_facts import (
-    bifurcations_table,
-    branch_values,
-    branches_table,
-    cascade_notes,
-    cascade_table,
-    case_facts,
-    case_text,
-    extremes,
-    model_text,
-    point_row,
-    point_values,
-)
 from rocksteady.dynamics.continuation.branches import SAME_PLACE, BranchOptions
 from rocksteady.dynamics.continuation.cascade import Cascade
-from rocksteady.dynamics.continuation.chains.point_types import PointType
-from rocksteady.dynamics.continuation.points import Branch, BranchPoint
+from rocksteady.dynamics.continuation.points import Branch, BranchPoint, extremes
 from rocksteady.dynamics.continuation.resting.resting_branch import RestingBranch
-from rocksteady.dynamics.continuation.resting.resting_facts import diagram_row, resting_table
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
-from rocksteady.dynamics.orbits.return_map import has_mirror_images
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
-from rocksteady.model.facts import tilt_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import framed
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import plural
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -77,21 +56,6 @@ class Bifurcation(Result):
     def model(self) -> Model:
         """Which equations of motion hold: `Linear` or `Nonlinear`."""
         return self.point.model
-
-    def describe(self) -> Description:
-        """Return the point, on which branches it lies, and how far its orbit tilts."""
-        point = self.point.describe()
-        numbers = ", ".join(map(str, self.branches))
-        return Description(
-            headline=f"{point.headline}; branches {numbers}",
-            facts=[
-                *point.facts,
-                Fact("branches", list(self.branches), "branches", numbers),
-                Fact("highest", self.highest, "highest", tilt_text(self.point.block, self.highest)),
-                Fact("lowest", self.lowest, "lowest", tilt_text(self.point.block, self.lowest)),
-            ],
-            notes=point.notes,
-        )
 
     def plot(self, *arguments: Any, **options: Any) -> Any:
         """Plot the orbit there, as `BranchPoint.plot`."""
@@ -166,13 +130,7 @@ class BifurcationDiagram(Result):
 
     def rows(self) -> Iterator[dict[str, Any]]:
         """Yield one row per point of each branch, in SI too where the block has a size."""
-        for place, branch in enumerate(self.branches, start=1):
-            for point in branch.points:
-                row = point_row(place, point, branch.lean, self.block)
-                yield {**row, "rest_phases": 0}
-        for place, resting in enumerate(self.resting, start=len(self.branches) + 1):
-            for rests in resting.points:
-                yield {**diagram_row(place, rests), "rest_phases": resting.rest_phases}
+        yield from words_of(BifurcationDiagram).diagram_rows(self)
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point of each branch, in SI too where the block has a size."""
@@ -200,83 +158,9 @@ class BifurcationDiagram(Result):
         >>> print(data.sizes["bifurcation"], longest.frequency_ratio.values.max())
         1 2.4
         """
-        types = list(PointType)
-        data = branches_dataset(self.branches, types, self.block)
-        return data.assign(bifurcation_variables(self.points, types)).assign_attrs(
-            parameter=self.parameter, within=list(self.within), model=self.model.name
-        )
-
-    def describe(self) -> Description:
-        """Return the bifurcations, the branches, what the sweeps met, and the cascade."""
-        search, parameter = self.search, self.parameter
-        points = [
-            {
-                "branch": each.branches[0],
-                "branches": list(each.branches),
-                **point_values(each.point, self.branches[each.branches[0] - 1].lean, self.block),
-            }
-            for each in self.points
-        ]
-        branches = [
-            {"branch": place, **branch_values(branch)}
-            for place, branch in enumerate(self.branches, start=1)
-        ]
-        sweeps = [
-            {
-                "direction": sweep.direction,
-                "start": sweep.start_text,
-                "values": len(sweep.values),
-                "counts": sweep.values_by_kind(),
-                "runs": sweep.run_rows(),
-            }
-            for sweep in self.sweeps
-        ]
-        reach = f" up to {plural(search.longest, 'period')}"
-        reach += f" and {plural(search.max_impacts, 'impact')}"
-        facts = [
-            *case_facts(self.block, self.motion, parameter, self.within, self.model),
-            Fact("orders", list(search.orders)),
-            Fact("max_period", search.longest),
-            Fact("max_impacts", search.max_impacts),
-            Fact("max_branches", search.max_branches),
-            Fact("complete", self.complete),
-            Fact("", label="found", text=counts_of(self, reach)),
-        ]
-        tables = [
-            bifurcations_table(points, parameter, self.block, key="points"),
-            branches_table(branches, parameter),
-            resting_table(self.resting, key="resting"),
-            *(sweep.table() for sweep in self.sweeps),
-        ]
-        facts.append(Fact("sweeps", sweeps))
-        notes = []
-        if search.doublings:
-            cascade = None if self.cascade is None else self.cascade.values_by_name()
-            facts.append(Fact("cascade", cascade))
-            if cascade is None:
-                notes.append("no cascade: no branch has a period doubling in this range")
-            else:
-                tables.append(cascade_table(cascade, parameter))
-                notes += cascade_notes(cascade)
-        unit = "" if isinstance(self.block, Block) else "Angles are in units of alpha. "
-        images = (
-            "One of each pair of mirror images is followed. "
-            if has_mirror_images(self.block, self.motion)
-            else ""
-        )
-        notes.append(
-            f"{unit}{images}Branches that hang together with none of the "
-            "starts are missed: a search everywhere starts from more."
-        )
-        return Description(self._headline, facts, tables, notes, diagram_answer(self))
-
-    @property
-    def _headline(self) -> str:
-        case = case_text(self.block, self.motion, self.parameter, self.within)
-        return f"Periodic motions: {case}, {model_text(self.block, self.model)}"
+        dataset: xarray.Dataset = words_of(BifurcationDiagram).diagram_dataset(self)
+        return dataset
 
     def __repr__(self) -> str:
         """Return one line, with the numbers of branches and bifurcations."""
-        branches = "1 branch" if len(self.branches) == 1 else f"{len(self.branches)} branches"
-        summary = f"{branches}, {plural(len(self.points), 'bifurcation')}"
-        return f"<{type(self).__name__}: {self._headline}, {summary}>"
+        return f"<{type(self).__name__}: {words_of(BifurcationDiagram).diagram_line(self)}>"

@@ -10,20 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.continuation._datasets import branches_dataset
-from rocksteady.dynamics.continuation.branch_facts import (
-    BARE,
-    bifurcations_table,
-    branch_values,
-    model_facts,
-    model_text,
-    orders_text,
-    point_case,
-    point_row,
-    point_values,
-    series_facts,
-    stable_text,
-)
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.continuation.chains.point_types import (
     BIFURCATIONS,
@@ -35,8 +21,7 @@ from rocksteady.dynamics.continuation.chains.point_types import (
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.orbit import Orbit, modulus, orbit_from
 from rocksteady.dynamics.orbits.return_map import make_system, state_of
-from rocksteady.dynamics.parameters import SYMBOLS
-from rocksteady.dynamics.steady.verdicts import MULTIPLIERS, NO_MULTIPLIERS, multipliers_text
+from rocksteady.dynamics.steady.verdicts import NO_MULTIPLIERS
 from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic
 from rocksteady.kernels.orbits.systems import for_system
@@ -45,9 +30,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Model
 from rocksteady.model.units import framed
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number, plural
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -158,34 +141,6 @@ class BranchPoint(Result):
         """Extreme u = theta/alpha of each flight of the whole orbit, with its side."""
         return self.chain.peaks
 
-    def describe(self) -> Description:
-        """Return where the point is, what is special about it, and its orbit."""
-        values = point_values(self, 1.0, BARE)
-        kind = f"{self.type.value.replace('-', ' ')} point"
-        place = f"A = {self.amplitude:.8g}, Ω = {self.frequency_ratio:.8g}"
-        words = {
-            "amplitude": ("A", f"{self.amplitude:.8g}"),
-            "frequency_ratio": ("Ω", f"{self.frequency_ratio:.8g}"),
-            "restitution": ("restitution", f"{self.restitution:.8g}"),
-            "period": ("period", plural(self.period, "forcing period")),
-            "impacts": ("impacts", f"{self.impacts} in a period"),
-            "symmetric": ("kind", self.kind),
-            "peaks": ("highest, lowest", ", ".join(map(number, values["peaks"])) + " alpha"),
-            "multipliers": (MULTIPLIERS, multipliers_text(self.multipliers)),
-        }
-        return Description(
-            f"{kind.capitalize()}: {place}, {point_case(self)}",
-            [
-                *(Fact(key, value, *words.get(key, ())) for key, value in values.items()),
-                Fact("stable", self.stable, "stable"),
-                Fact("admissible", self.admissible),
-                Fact("arclength", self.arclength),
-                *series_facts(self.chain.harmonics),
-                *model_facts(self.block, self.model),
-            ],
-            notes=[self.reason] if self.reason else [],
-        )
-
     def plot(self, *arguments: Any, **options: Any) -> Any:
         """Plot the orbit there; arguments are those of `rocksteady.plots.poincare_section`.
 
@@ -248,6 +203,12 @@ class BranchPoint(Result):
             residual=math.nan,
             model=model,
         )
+
+
+def extremes(point: BranchPoint, lean: float) -> list[float]:
+    """Return the highest and the lowest u of an orbit, or of its mirror image for a lean of -1."""
+    peaks = lean * point.peaks
+    return [float(peaks.max()), float(peaks.min())]
 
 
 @checked_result
@@ -354,7 +315,8 @@ class Branch(Result):
 
     def rows(self) -> list[dict[str, Any]]:
         """Return one row per point."""
-        return [point_row(1, point, self.lean, BARE) for point in self.points]
+        rows: list[dict[str, Any]] = words_of(Branch).branch_rows(self)
+        return rows
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point."""
@@ -381,35 +343,8 @@ class Branch(Result):
         >>> print(data.peaks.dims, data.amplitude.values[[0, -1]], data.stable.values.all())
         ('point', 'flight') [1.8 2.2] True
         """
-        data = branches_dataset([self], list(PointType), BARE).drop_vars("branch")
-        return data.assign_attrs(parameter=self.parameter, model=self.model.name)
-
-    def describe(self) -> Description:
-        """Return what the branch is, its ends, where it is stable, and its bifurcations."""
-        values, symbol = branch_values(self), SYMBOLS[self.parameter]
-        low, high = values["within"]
-        special = [
-            {"branch": 1, **point_values(point, self.lean, BARE)} for point in self.bifurcations
-        ]
-        kind = "Symmetric" if self.symmetric else "Unsymmetric"
-        words = {
-            "begin": ("from", values["begin"]["type"].replace("-", " ")),
-            "end": ("to", values["end"]["type"].replace("-", " ")),
-            "stable_ranges": ("stable", stable_text(values["stable_ranges"])),
-            "points": ("points", str(len(self.points))),
-        }
-        return Description(
-            f"{kind} branch, {plural(self.period, 'period')}, {plural(self.impacts, 'impact')}: "
-            f"{symbol} from {low:.6g} to {high:.6g}{orders_text(self.points[0].chain.harmonics)}, "
-            f"{model_text(self.block, self.model)}",
-            [
-                Fact("parameter", self.parameter),
-                *(Fact(key, value, *words.get(key, ())) for key, value in values.items()),
-                *series_facts(self.points[0].chain.harmonics),
-                *model_facts(self.block, self.model),
-            ],
-            [bifurcations_table(special, self.parameter, BARE, key="bifurcations")],
-        )
+        dataset: xarray.Dataset = words_of(Branch).branch_dataset(self)
+        return dataset
 
     @cached_property
     def stretches(self) -> tuple[Stretch, ...]:

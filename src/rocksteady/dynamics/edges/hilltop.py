@@ -17,7 +17,6 @@ from rocksteady.dynamics.edges._courses import (
     nonlinear_course,
     valued,
 )
-from rocksteady.dynamics.edges._edge_facts import case_of, place
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.history.start import State
@@ -32,11 +31,8 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import LARGEST, finite
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
-from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import Status
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 
 LONGEST_ROW = 1.0
@@ -173,36 +169,6 @@ class HilltopSaddle(Result):
             rows=rows,
             model=self.model,
             start=self.start,
-        )
-
-    def describe(self) -> Description:
-        """Return the side, extrema and multipliers of the motion."""
-        begin = self.start
-        first, second = self.multipliers.tolist()
-        towards = "positive" if self.side > 0 else "negative"
-        facts = [
-            Fact("side", self.side, "side", towards),
-            Fact("period", self.period, "period", "1 forcing period"),
-            Fact("impacts_per_period", 0, "impacts", "none"),
-            Fact("peaks", [self.highest, self.lowest]),
-            Fact("", label="highest", text=lean_text(self.block, self.highest)),
-            Fact("", label="lowest", text=lean_text(self.block, self.lowest)),
-            Fact(
-                "multipliers",
-                [complex(first), complex(second)],
-                "multipliers",
-                f"{first:.6g}, {second:.6g}",
-            ),
-            Fact("lyapunov", self.lyapunov, "exponent", f"{number(self.lyapunov)} a period"),
-            Fact("angle", begin.angle, "angle at the phase"),
-            Fact("velocity", begin.velocity, "velocity there"),
-            Fact("phase", self.motion.phase, "phase", f"{number(self.motion.phase)} rad"),
-            Fact("residual", self.residual),
-            *case_of(self.block, self.motion, self.model),
-        ]
-        return Description(
-            f"Hilltop saddle on the {towards} side: {place(self.block, self.motion, self.model)}",
-            facts,
         )
 
 

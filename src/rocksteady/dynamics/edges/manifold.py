@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from rocksteady.arrays import Floats, Integers
-from rocksteady.dynamics.edges._edge_facts import case_of, place
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import harmonic
-from rocksteady.dynamics.steady.verdicts import multipliers_text, multipliers_value
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -21,8 +19,6 @@ from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import in_units
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
@@ -236,50 +232,3 @@ class Manifold(Result):
         columns += ["label", "arclength"]
         frame = pd.concat(frames, ignore_index=True) if frames else pd.DataFrame(columns=columns)
         return pd.DataFrame(in_units(dict(frame.items()), self.block))
-
-    def describe(self) -> Description:
-        """Return the saddle, and the branches with their lengths and ends."""
-        rows = [
-            {
-                "branch": index,
-                "sign": branch.sign,
-                "place": branch.place,
-                "points": len(branch.first),
-                "length": branch.length,
-                "jumps": len(branch.breaks),
-                "ended": branch.ended,
-            }
-            for index, branch in enumerate(self.branches)
-        ]
-        columns = [
-            Column("branch", "#"),
-            Column("sign", "begins", lambda value: "+" if value > 0 else "-"),
-            Column("place", "at"),
-            Column("points", "points"),
-            Column("length", "length", lambda value: number(value, 4)),
-            Column("jumps", "jumps"),
-            Column("ended", "ends by", left=True),
-        ]
-        hilltop = isinstance(self.saddle, HilltopSaddle)
-        of = "hilltop saddle" if hilltop else f"orbit of {plural(self.saddle.period, 'period')}"
-        where = "over impacts"
-        if self.over == "phase":
-            where = f"at phase {number(self.phase)} rad"
-        multipliers = multipliers_value(self.saddle.multipliers)
-        facts = [
-            Fact("kind", self.kind, "kind"),
-            Fact("over", self.over, "over", where),
-            Fact("phase", self.phase),
-            Fact("saddle", "hilltop" if hilltop else "orbit", "saddle", of),
-            Fact("multipliers", multipliers, "multipliers", multipliers_text(multipliers)),
-            Fact("points", self.points, "points"),
-            Fact("window", list(self.window)),
-            Fact("spacing", self.spacing),
-            *case_of(self.block, self.motion, self.model),
-        ]
-        return Description(
-            f"{self.kind.capitalize()} manifold of a {of} {where}: "
-            + place(self.block, self.motion, self.model),
-            facts,
-            [Table("branches", rows, columns)],
-        )

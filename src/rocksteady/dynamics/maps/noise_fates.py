@@ -1,7 +1,6 @@
 """Fates of a block under a base motion with noise on top, over levels of both and realisations."""
 
 import functools
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -13,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.batch.finite import OUTPUTS, Fate, collected, fate_of, finite_table
 from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import attributes_of, lifted_table, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
 from rocksteady.dynamics.history.start import (
     HasStart,
     Rest,
@@ -28,22 +27,18 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.confidence import (
-    CONFIDENCE_TEXT,
     Confidence,
     share_interval,
 )
 from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
 from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
-from rocksteady.model.facts import block_text, case_text
-from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.model.motions.band_noise import BandNoise, finite, with_lines
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
 from rocksteady.outcomes import Status
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import CONFIDENCE, number, quantity
-from rocksteady.results.result import Result
+from rocksteady.results.numbers import CONFIDENCE
+from rocksteady.results.result import Result, words_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
@@ -171,102 +166,8 @@ class NoiseFates(Result):
             ``share_low`` and ``share_high`` of the 90 % interval over scale and level; ``rms`` over
             level [alpha g].
         """
-        import xarray
-
-        cells, plane = ("scale", "level", "draw"), ("scale", "level")
-        low, high = self.interval()
-        return xarray.Dataset(
-            {
-                **{
-                    each.name: (cells, getattr(self, each.name), each.attributes)
-                    for each in OUTPUTS
-                },
-                "share": (plane, self.share, {"long_name": "share that overturns", "units": "1"}),
-                "share_low": (plane, low, {"units": "1"}),
-                "share_high": (plane, high, {"units": "1"}),
-            },
-            coords={
-                "scale": ("scale", self.scale, {"long_name": AXES["scale"], "units": "1"}),
-                "level": ("level", self.level, {"long_name": AXES["level"], "units": "1"}),
-                "rms": ("level", self.rms, {"long_name": "rms over alpha g", "units": "1"}),
-                "draw": ("draw", np.arange(self.draws), {"long_name": "realisation of the noise"}),
-            },
-            attrs={
-                "title": self._headline,
-                **attributes_of(self.block, self.model),
-                "noise_rms": self.noise.rms,
-                "noise_low": self.noise.band[0],
-                "noise_high": self.noise.band[1],
-                "noise_duration": self.noise.duration,
-                "seed": str(self.noise.seed),
-            },
-        )
-
-    def describe(self) -> Description:
-        """Return the shares that overturn, with their intervals, and the case."""
-        block, noise = self.block, self.noise
-        low, high = noise.band
-        band, lasting = f"Omega {number(low)} to {number(high)}", f"pt {number(noise.duration)}"
-        if isinstance(block, Block):
-            hertz = [ratio * block.p / (2.0 * math.pi) for ratio in noise.band]
-            band = f"{number(hertz[0])} to {quantity(hertz[1], 'Hz')} ({band})"
-            lasting = f"{quantity(noise.duration / block.p, 's')} ({lasting})"
-        facts = [
-            Fact("block", block.to_dict(), "block", block_text(block)),
-            Fact("motion", motion_text(self.block, self.motion), "base motion"),
-            *motion_facts(block, self.motion),
-            Fact("noise_band", list(noise.band), "noise", f"{band}, {lasting}"),
-            Fact("noise_rms", noise.rms),
-            Fact("noise_duration_pt", noise.duration),
-            Fact("seed", noise.seed, "seed", str(noise.seed)),
-            Fact("draws", self.draws, "realisations", f"{self.draws:,} at each level"),
-            Fact("model", self.model.name, "model"),
-            Fact("confidence", CONFIDENCE),
-        ]
-        ends = self.interval()
-        rows = []
-        for (i, j), count in np.ndenumerate(self.overturned):
-            row = {
-                "scale": float(self.scale[i]),
-                "level": float(self.level[j]),
-                "rms": float(self.rms[j]),
-                "overturned": int(count),
-                "share": float(self.share[i, j]),
-                "low": float(ends[0][i, j]),
-                "high": float(ends[1][i, j]),
-                "median_peak": float(np.median(self.peak[i, j])),
-                "undecided": int(np.count_nonzero(self.fate[i, j] == Status.UNDECIDED)),
-                "lost_contact": int(np.count_nonzero(self.fate[i, j] == Status.LOST_CONTACT)),
-            }
-            if isinstance(block, Block):
-                row["rms_m_s2"] = row["rms"] * block.uplift_acceleration
-            rows.append(row)
-        shown = [
-            *([Column("scale", "scale")] if len(self.scale) > 1 else []),
-            Column("rms", "rms [alpha g]"),
-            *([Column("rms_m_s2", "rms [m/s²]")] if isinstance(block, Block) else []),
-            Column("overturned", "overturned"),
-            Column("share", "share", lambda share: f"{100.0 * share:.1f} %"),
-            Column("between", CONFIDENCE_TEXT),
-            Column("median_peak", "median peak"),
-        ]
-        read = [
-            {**row, "between": f"{100.0 * row['low']:.1f} to {100.0 * row['high']:.1f} %"}
-            for row in rows
-        ]
-        notes = [
-            status.advice
-            for status in (Status.LOST_CONTACT, Status.UNDECIDED)
-            if (self.fate == status).any()
-        ]
-        tables = [Table("shares", rows), Table("", read, shown, severity=lambda row: row["share"])]
-        return Description(self._headline, facts, tables, notes)
-
-    @property
-    def _headline(self) -> str:
-        """What the fates are of, in a line."""
-        words = f"{motion_text(self.block, self.motion)} with noise"
-        return f"Overturning under {words}: {case_text(self.block)}, {self.model.name} model"
+        dataset: xarray.Dataset = words_of(NoiseFates).fates_dataset(self)
+        return dataset
 
 
 @checked

@@ -53,20 +53,6 @@ def test_a_seed_gives_the_same_twice() -> None:
     assert one != check_boundary(disc(300), 8, seed=6)
 
 
-def test_what_a_smooth_boundary_would_have_is_told() -> None:
-    found = check_boundary(disc(300), 8, seed=5)
-    told = {fact.label: fact.text for fact in found.describe().facts}["smooth boundaries"]
-    low, high = map(float, told.split(" to "))
-    assert low == pytest.approx(found.smooth_entropy - found.standard_error, abs=6e-5)
-    assert high == pytest.approx(found.smooth_entropy + found.standard_error + found.bias, abs=6e-5)
-
-
-def test_a_coarse_window_is_said() -> None:
-    found = check_boundary(disc(200), 20)
-    assert not found.fine
-    assert "narrower than 50 radii" in found.summary()
-
-
 def test_what_cannot_be_tested_is_refused() -> None:
     with pytest.raises(ModelError, match="boundary in 0 of"):
         check_boundary(np.zeros((60, 60), dtype=np.int64), 8)

@@ -63,10 +63,10 @@ def leave_fates(
     """Compute the fates under a motion that ends, and write the output that the flags request."""
     moment, chosen = window.moment(body), window.axes
     equations = equations_for(model, body)
-    from rocksteady.dynamics.basins.basin_answers import FEW
     from rocksteady.dynamics.basins.fate_basins import compute_fate_basins
     from rocksteady.dynamics.basins.window import POINTS
     from rocksteady.show.figures.single import fate_basins_figure
+    from rocksteady.words.windows import FEW
 
     states = len(chosen.get("angles", range(POINTS))) * len(chosen.get("velocities", range(POINTS)))
     how = sweep.run(force=output.force)

@@ -260,8 +260,8 @@ def _leave_basins(
     exponent: bool,
 ) -> None:
     """Write the output of basins that the flags request."""
-    from rocksteady.dynamics.basins.basin_answers import FEW
     from rocksteady.show.figures.single import basins_figure
+    from rocksteady.words.windows import FEW
 
     description = result.describe()
     entropies = [] if entropy is None else [result.entropy(entropy)]
@@ -301,8 +301,8 @@ def _leave_shares(
     further: str,
 ) -> None:
     """Write the output of shares over a parameter that the flags request."""
-    from rocksteady.dynamics.basins.basin_answers import FEW
     from rocksteady.show.figures.single import shares_figure
+    from rocksteady.words.windows import FEW
 
     description = shares.describe()
     sweep.write_netcdf(shares.to_dataset)

@@ -12,7 +12,6 @@ from rocksteady.dynamics.basins.measures.entropy import label_array
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
 
 RADIUS = 20
@@ -66,33 +65,6 @@ class BoundaryCheck(Result):
     balls: int
     seed: int
     fine: bool
-
-    def describe(self) -> Description:
-        """Return the verdict with the entropy of the balls and that of a smooth boundary."""
-        low = self.smooth_entropy - self.standard_error
-        high = self.smooth_entropy + self.standard_error + self.bias
-        text = f"{self.boundary_entropy:.4f} ± {self.standard_error:.4f}"
-        smooth = f"{low:.4f} to {high:.4f}"
-        facts = [
-            Fact("verdict", self.verdict, "boundary", f"{self.verdict} at this scale"),
-            Fact("boundary_entropy", self.boundary_entropy, "boundary entropy S_bb", text),
-            Fact("standard_error", self.standard_error),
-            Fact("smooth_entropy", self.smooth_entropy, "smooth boundaries", smooth),
-            Fact("bias", self.bias),
-            Fact("radius", self.radius, "radius", f"{self.radius} cells"),
-            Fact("balls", self.balls, "balls"),
-            Fact("seed", self.seed, "seed"),
-            Fact("fine", self.fine),
-        ]
-        notes = []
-        if not self.fine:
-            notes.append(
-                f"The window is narrower than {FINE} radii: a fold of a smooth boundary may look "
-                "fractal. Take more states, or a smaller radius."
-            )
-        return Description(
-            f"{self.verdict} boundary: S_bb {text}, smooth {smooth}", facts, [], notes
-        )
 
 
 @checked

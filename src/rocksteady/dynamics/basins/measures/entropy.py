@@ -13,8 +13,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.doubts import FEWEST_BOXES, NOT_IDENTIFIED, TOO_FEW
+from rocksteady.results.doubts import FEWEST_BOXES
 from rocksteady.results.result import Result
 
 BOX = 20
@@ -71,41 +70,6 @@ class BasinEntropy(Result):
         """Whether S_bb > ln 2 in 20 boxes or more, of a fractal boundary; False decides nothing."""
         return self.boundary_boxes >= FEWEST_BOXES and self.boundary_entropy > math.log(2.0)
 
-    def describe(self) -> Description:
-        """Return both entropies, what they are over, and the criterion."""
-        sides = " x ".join(map(str, self.box))
-        few = self.boundary_boxes < FEWEST_BOXES
-        criterion = f"S_bb is {'above' if self.fractal else 'not above'} ln 2 = 0.6931"
-        if few:
-            criterion = f"{NOT_IDENTIFIED}: {TOO_FEW} boundary boxes"
-        bound = "—" if math.isnan(self.boundary_entropy) else f"{self.boundary_entropy:.4f}"
-        facts = [
-            Fact("entropy", self.entropy, "basin entropy S_b", f"{self.entropy:.4f}"),
-            Fact("boundary_entropy", self.boundary_entropy, "boundary entropy S_bb", bound),
-            Fact("fractal", self.fractal, "ln 2 criterion", criterion),
-            Fact("box", list(self.box), "box", f"{sides} states"),
-            Fact("boxes", self.boxes),
-            Fact("boundary_boxes", self.boundary_boxes),
-            Fact(
-                "",
-                label="boundary boxes",
-                text=f"{self.boundary_boxes:,} of {self.boxes:,}",
-            ),
-            Fact("basins", self.basins, "basins"),
-        ]
-        notes = []
-        if self.boundary_boxes == 0:
-            notes.append("No box has two basins: there is no boundary to measure at this size.")
-        elif few:
-            notes.append("Few boxes lie on a boundary: take more states, or smaller boxes.")
-        if not few and not self.fractal:
-            notes.append("S_bb above ln 2 means a fractal boundary; below it, either is possible.")
-        return Description(
-            f"basin entropy {self.entropy:.4f}, on the boundary {bound}, boxes of {sides} states",
-            facts,
-            notes=notes,
-        )
-
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -135,37 +99,6 @@ class BasinEntropies(Result):
     def boundary_entropy(self) -> Floats:
         """Boundary basin entropy S_bb at each value [nats], shape (values,); nan without any."""
         return np.array([entropy.boundary_entropy for entropy in self.entropies])
-
-    def describe(self) -> Description:
-        """Return both entropies at each value."""
-        rows = [
-            {
-                self.parameter: value,
-                "entropy": entropy.entropy,
-                "boundary_entropy": entropy.boundary_entropy,
-                "fractal": entropy.fractal,
-                "boundary_boxes": entropy.boundary_boxes,
-                "basins": entropy.basins,
-            }
-            for value, entropy in zip(self.values.tolist(), self.entropies, strict=True)
-        ]
-        first = self.entropies[0]
-        sides = " x ".join(map(str, first.box))
-        facts = [
-            Fact("box", list(first.box), "box", f"{sides} states"),
-            Fact("boxes", first.boxes, "boxes"),
-        ]
-        columns = [
-            Column(self.parameter, self.parameter.replace("_", " "), lambda value: f"{value:.6g}"),
-            Column("entropy", "S_b", lambda value: f"{value:.4f}"),
-            Column("boundary_entropy", "S_bb", lambda value: f"{value:.4f}".replace("nan", "—")),
-            Column("fractal", "above ln 2"),
-            Column("boundary_boxes", "boundary boxes"),
-        ]
-        low, high = float(self.entropy.min()), float(self.entropy.max())
-        headline = f"basin entropy from {low:.4f} to {high:.4f}, boxes of {sides} states"
-        note = "S_bb above ln 2 means a fractal boundary; below it, either is possible."
-        return Description(headline, facts, [Table("entropies", rows, columns)], [note])
 
 
 @checked

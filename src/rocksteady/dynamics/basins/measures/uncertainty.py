@@ -13,21 +13,16 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.basins.measures.entropy import label_array
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.confidence import CONFIDENCE_TEXT, Confidence
+from rocksteady.model.checks.confidence import Confidence
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.doubts import FEWEST_SIZES, NOT_IDENTIFIED, TOO_FEW
-from rocksteady.results.numbers import CONFIDENCE, plural
+from rocksteady.results.doubts import FEWEST_SIZES
+from rocksteady.results.numbers import CONFIDENCE
 from rocksteady.results.result import Result
 
 Probe = Literal["states", "boxes"]
 
 PARTS = 20
 """The largest default size is the longer side of the window over this."""
-ROUGH = 0.05
-"""Standard error from which on a description calls the fit poor."""
-FEW = 20
-"""Uncertain states or boxes below which a scale is of little use."""
 
 
 @checked_result
@@ -128,61 +123,6 @@ class UncertaintyExponent(Result):
             return math.nan, math.nan
         half = float(t.ppf(0.5 + 0.5 * confidence, left)) * self.standard_error
         return self.exponent - half, self.exponent + half
-
-    def describe(self) -> Description:
-        """Return the exponent with its interval, the dimension, and the counts."""
-        low, high = self.interval()
-        rows = [
-            {"size": size, "uncertain": uncertain, "total": total, "share": uncertain / total}
-            for size, uncertain, total in zip(
-                self.size.tolist(), self.uncertain.tolist(), self.total.tolist(), strict=True
-            )
-        ]
-        known = not math.isnan(self.exponent)
-        error = f" ± {self.standard_error:.3f}"
-        value = f"{self.exponent:.3f}{error}" if known else NOT_IDENTIFIED
-        facts = [
-            Fact("by", self.by, "counted", self.by),
-            Fact("exponent", self.exponent, "uncertainty exponent", value),
-            Fact("standard_error", self.standard_error),
-            Fact("interval", [low, high]),
-            Fact(
-                "",
-                label=CONFIDENCE_TEXT,
-                text="—" if math.isnan(low) else f"{low:.3f} to {high:.3f}",
-            ),
-            Fact(
-                "dimension",
-                self.dimension,
-                "dimension of the boundary",
-                f"{self.dimension:.3f}{error}" if known else "—",
-            ),
-            Fact("r_squared", self.r_squared, "r²", f"{self.r_squared:.4f}" if known else "—"),
-            Fact("dimensions", self.dimensions),
-        ]
-        columns = [
-            Column("size", "cells"),
-            Column("uncertain", f"uncertain {self.by}"),
-            Column("share", "share", lambda share: f"{100.0 * share:.2f} %"),
-        ]
-        notes = []
-        if not known:
-            notes.append(
-                f"Fewer than {FEWEST_SIZES} sizes meet a boundary, {TOO_FEW} for an exponent."
-            )
-        elif self.standard_error > ROUGH or self.uncertain[self.uncertain > 0].min() < FEW:
-            notes.append("The fit is poor, or counts are small: take more states in the window.")
-        if known and self.by == "boxes" and int(self.size.min()) < 5:
-            notes.append(
-                "A box of few states misses boundaries near its edge, which raises the exponent."
-            )
-        sizes = plural(len(self.size), "size")
-        return Description(
-            f"uncertainty exponent {value} by {self.by}, {sizes}",
-            facts,
-            [Table("scales", rows, columns)],
-            notes,
-        )
 
 
 @checked

@@ -13,7 +13,6 @@ from rocksteady.dynamics.basins.over.matching import MatchingOptions, courses, m
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.outcomes import AttractorKind
-from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
 
 
@@ -57,21 +56,6 @@ class BasinFamily(Result):
     def periods(self) -> tuple[int, ...]:
         """The forcing periods that its orbit has, each once; empty without one."""
         return tuple(sorted({orbit.period for orbit in self.orbits if orbit is not None}))
-
-    def describe(self) -> Description:
-        """Return the name, the kinds and the periods, and the number of values where it exists."""
-        count = int(self.present.sum())
-        kinds = sorted(
-            {str(attractor.kind.value) for attractor in self.attractors if attractor is not None}
-        )
-        facts = [
-            Fact("label", self.label, "label"),
-            Fact("name", self.name, "name"),
-            Fact("kinds", kinds, "kinds"),
-            Fact("periods", list(self.periods), "forcing periods"),
-            Fact("values", count, "values", f"{count} of {len(self.attractors)}"),
-        ]
-        return Description(f"{self.name}, at {count} of {len(self.attractors)} values", facts)
 
 
 def families_of(

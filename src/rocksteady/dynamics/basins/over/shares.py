@@ -20,7 +20,6 @@ from rocksteady.dynamics.basins.cells import (
 )
 from rocksteady.dynamics.basins.measures.entropy import BOX, BasinEntropies, compute_basin_entropy
 from rocksteady.dynamics.basins.over._seeding import Here, seed_neighbours
-from rocksteady.dynamics.basins.over._share_facts import shares_dataset, shares_described
 from rocksteady.dynamics.basins.over.families import BasinFamily, families_of
 from rocksteady.dynamics.basins.over.matching import MatchingOptions
 from rocksteady.dynamics.basins.window import moment, spacing, window_axes, window_of
@@ -47,9 +46,8 @@ from rocksteady.model.motions.fourier import (
 )
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import AttractorKind
-from rocksteady.results.description import Description
 from rocksteady.results.numbers import CONFIDENCE
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
@@ -211,10 +209,6 @@ class BasinShares(Result):
         ]
         return float(self.states[of].sum() / self.label.size)
 
-    def describe(self) -> Description:
-        """Return the families with their shares over the parameter."""
-        return shares_described(self)
-
     def to_dataset(self) -> "xarray.Dataset":
         """Return the shares as an xarray Dataset with dimensions family and the parameter.
 
@@ -225,7 +219,8 @@ class BasinShares(Result):
             orbit), ``highest`` and ``lowest`` (theta/alpha) and ``present`` over family and
             parameter; ``label`` over parameter, velocity and angle.
         """
-        return shares_dataset(self)
+        dataset: xarray.Dataset = words_of(BasinShares).shares_dataset(self)
+        return dataset
 
 
 @checked

@@ -9,21 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.continuation.branch_answers import curves_answer
-from rocksteady.dynamics.continuation.branch_facts import (
-    SHORT,
-    block_fact,
-    fixed_values,
-    kept_text,
-    model_facts,
-    model_facts_over,
-    model_text,
-    multiplier_columns,
-    orbit_values,
-)
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.continuation.points import BranchPoint
-from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -32,9 +19,7 @@ from rocksteady.model.checks.validation import odd_order, whole_number
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import framed
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -195,36 +180,12 @@ class BifurcationCurve(Result):
 
     def rows(self) -> list[dict[str, Any]]:
         """Return one row per point."""
-        return [_row(1, self.type, point) for point in self.points]
+        rows: list[dict[str, Any]] = words_of(BifurcationCurve).curve_rows(self)
+        return rows
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point."""
         return framed(self.rows(), self.block)
-
-    def describe(self) -> Description:
-        """Return what the curve is, where it begins and ends, and why."""
-        values = curve_values(self)
-        low, high = self.values.min(axis=0), self.values.max(axis=0)
-        over = [
-            f"{SYMBOLS[name]} {number(float(a), 5)} to {number(float(b), 5)}"
-            for name, a, b in zip(self.parameters, low, high, strict=True)
-        ]
-        words = {
-            "begin": ("from", values["begin"]["type"].replace("-", " ")),
-            "end": ("to", values["end"]["type"].replace("-", " ")),
-            "points": ("points", str(len(self.points))),
-        }
-        kind = self.type.value.replace("-", " ").capitalize()
-        return Description(
-            f"{kind} curve of {self.kind} motions, {plural(self.period, 'period')}, "
-            f"{plural(self.impacts, 'impact')}: {', '.join(over)}, "
-            f"{model_text(self.block, self.model)}",
-            [
-                Fact("parameters", list(self.parameters)),
-                *(Fact(key, value, *words.get(key, ())) for key, value in values.items()),
-                *model_facts(self.block, self.model),
-            ],
-        )
 
 
 @checked_result
@@ -304,150 +265,8 @@ class BifurcationCurves(Result):
     def rows(self) -> Iterator[dict[str, Any]]:
         """Yield one row per point of each curve."""
         for place, curve in enumerate(self.curves, start=1):
-            for point in curve.points:
-                yield _row(place, curve.type, point)
+            yield from words_of(BifurcationCurves).curve_rows(curve, place)
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point of each curve."""
         return framed(self.rows(), self.block, "curve")
-
-    def describe(self) -> Description:
-        """Return the points of codimension two, the curves, and the regions that are known."""
-        fixed = fixed_values(self.block, self.motion, self.parameters)
-        ranges = [
-            f"{SYMBOLS[name]} from {number(low, 6)} to {number(high, 6)}"
-            for name, (low, high) in zip(self.parameters, self.within, strict=True)
-        ]
-        constant = [
-            f"restitution {kept_text(self.block)}"
-            if name == "restitution"
-            else f"{SYMBOLS[name]} = {value:.6g}"
-            for name, value in fixed.items()
-            if value is not None
-        ]
-        points = [{**orbit_values(each.point), "curves": list(each.curves)} for each in self.points]
-        curves = [
-            {"curve": place, "type": curve.type.value, **curve_values(curve)}
-            for place, curve in enumerate(self.curves, start=1)
-        ]
-        regions = [
-            {
-                **dict(zip(self.parameters, each.place, strict=True)),
-                "stable": list(each.motions),
-            }
-            for each in self.regions
-        ]
-        facts = [
-            Fact("parameters", list(self.parameters), "over", ", ".join(ranges)),
-            Fact("within", [list(ends) for ends in self.within]),
-            *(Fact(name, value) for name, value in fixed.items()),
-        ]
-        if isinstance(self.block, Block):
-            facts.append(block_fact(self.block, self.parameters))
-        summary = (
-            f"{plural(len(curves), 'curve')}, {plural(len(points), 'point')} of codimension two"
-        )
-        facts += [
-            *model_facts_over(self.block, self.model, self.parameters),
-            Fact("orders", list(self.search.orders)),
-            Fact("lines", list(self.search.lines)),
-            Fact("max_period", self.search.longest),
-            Fact("max_impacts", self.search.max_impacts),
-            Fact("max_branches", self.search.max_branches),
-            Fact("max_curves", self.search.max_curves),
-            Fact("complete", self.complete),
-            Fact("", label="found", text=summary),
-        ]
-        images = "One of each pair of mirror images is followed. " if self.block.symmetric else ""
-        note = (
-            f"{images}Curves that hang together with no bifurcation on "
-            "the lines across the plane are missed: more lines find more."
-        )
-        return Description(
-            f"Bifurcation curves: {', '.join([*ranges, *constant])}, "
-            f"{model_text(self.block, self.model)}",
-            facts,
-            [
-                _points_table(points, self.parameters),
-                _curves_table(curves, self.parameters, {each["type"] for each in points}),
-                Table("regions", regions),
-            ],
-            [note],
-            curves_answer(self),
-        )
-
-
-def curve_values(curve: BifurcationCurve) -> dict[str, Any]:
-    """Return what motions a curve is of, where it begins and ends, and why."""
-    begin, end = (
-        {"type": point.type.value, **dict(zip(curve.parameters, place, strict=True))}
-        for point, place in (
-            (curve.points[0], curve.values[0].tolist()),
-            (curve.points[-1], curve.values[-1].tolist()),
-        )
-    )
-    return {
-        "period": curve.period,
-        "impacts": curve.impacts,
-        "symmetric": curve.symmetric,
-        "begin": begin,
-        "end": end,
-        "points": len(curve.points),
-    }
-
-
-def _row(number_: int, kind: PointType, point: BranchPoint) -> dict[str, Any]:
-    """Return the row of a point of a curve in a file."""
-    return {
-        "curve": number_,
-        "bifurcation": kind.value,
-        **orbit_values(point),
-        **multiplier_columns(point.multipliers),
-        "highest": float(np.nanmax(point.peaks)),
-        "lowest": float(np.nanmin(point.peaks)),
-        "arclength": point.arclength,
-    }
-
-
-def _kind(symmetric: object) -> str:
-    return "symmetric" if symmetric else "unsymmetric"
-
-
-def _word(kind: object) -> str:
-    return str(kind).replace("-", " ")
-
-
-def _points_table(points: list[dict[str, Any]], parameters: tuple[str, str]) -> Table:
-    columns = [
-        Column("type", "point", _word, left=True),
-        *(Column(name, SHORT[name], lambda value: f"{value:.8f}") for name in parameters),
-        Column("symmetric", "kind", _kind, left=True),
-        Column("period", "period"),
-        Column("impacts", "impacts"),
-        Column("curves", "curves", left=True),
-    ]
-    return Table("points", points, columns, most=100, kind=lambda row: _word(row["type"]))
-
-
-def _curves_table(
-    curves: list[dict[str, Any]], parameters: tuple[str, str], named: set[str]
-) -> Table:
-    """Return one row per curve; an end listed elsewhere has its place alone."""
-
-    def place(end: dict[str, Any]) -> str:
-        values = ", ".join(f"{end[name]:.4g}" for name in parameters)
-        kind = str(end["type"])
-        return values if kind in {*named, PointType.RANGE_END.value} else f"{_word(kind)} {values}"
-
-    over = ", ".join(SHORT[name] for name in parameters)
-
-    columns = [
-        Column("curve", "curve"),
-        Column("type", "bifurcation", _word, left=True),
-        Column("symmetric", "kind", _kind, left=True),
-        Column("period", "period"),
-        Column("impacts", "impacts"),
-        Column("begin", f"from {over}", place, left=True),
-        Column("end", f"to {over}", place, left=True),
-    ]
-    return Table("curves", curves, columns, most=100, kind=lambda row: _word(row["type"]))

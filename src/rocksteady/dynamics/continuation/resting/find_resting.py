@@ -9,19 +9,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 from rocksteady.dynamics.continuation.resting._legs import Uplifts
 from rocksteady.dynamics.continuation.resting._tracing import Span, Tracer
 from rocksteady.dynamics.continuation.resting.resting_branch import RestingBranch, RestingPoint
-from rocksteady.dynamics.continuation.resting.resting_facts import (
-    STABLE_NOTE,
-    events_table,
-    fixed_facts,
-    fixed_text,
-    model_facts,
-    resting_row,
-    resting_table,
-)
 from rocksteady.dynamics.continuation.resting.resting_types import NoRest, RestingPointType
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import harmonic
-from rocksteady.dynamics.parameters import PARAMETERS, SYMBOLS, range_of
+from rocksteady.dynamics.parameters import PARAMETERS, range_of
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -31,9 +22,7 @@ from rocksteady.model.checks.validation import positive
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import framed
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import plural
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -96,44 +85,11 @@ class RestingBranches(Result):
     def rows(self) -> Iterator[dict[str, Any]]:
         """Yield one row per point of each branch, in SI too where the block has a size."""
         for place, branch in enumerate(self.branches, start=1):
-            for point in branch.points:
-                yield resting_row(place, point)
+            yield from words_of(RestingBranches).resting_rows(branch, place)
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point of each branch, in SI too where the block has a size."""
         return framed(self.rows(), self.block)
-
-    def describe(self) -> Description:
-        """Return the branches, the events on them, and the gaps."""
-        low, high = self.within
-        count = plural(len(self.branches), "branch").replace("branchs", "branches")
-        gaps = [
-            {"from": gap.low, "to": gap.high, "reasons": [each.value for each in gap.reasons]}
-            for gap in self.gaps
-        ]
-        columns = [
-            Column("from", f"from {SYMBOLS[self.parameter]}", lambda value: f"{value:.8f}"),
-            Column("to", "to", lambda value: f"{value:.8f}"),
-            Column("reasons", "why", ", ".join, left=True),
-        ]
-        return Description(
-            f"Orbits with rest: {SYMBOLS[self.parameter]} from {low:.6g} to {high:.6g}, "
-            f"{fixed_text(self)}: {count}",
-            [
-                Fact("parameter", self.parameter),
-                Fact("within", list(self.within)),
-                *fixed_facts(self),
-                Fact("max_period", self.max_period, "longest", f"{self.max_period} periods"),
-                Fact("resolution", self.resolution, "step", f"{self.resolution:.4g}"),
-                *model_facts(self.block, self.model),
-            ],
-            [
-                resting_table(self.branches),
-                events_table(self.branches, key="events"),
-                Table("gaps", gaps, columns, "none of them" if gaps else ""),
-            ],
-            [f"{STABLE_NOTE} Branches and gaps narrower than a step may be missed."],
-        )
 
 
 @checked

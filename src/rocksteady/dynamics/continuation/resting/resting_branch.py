@@ -11,11 +11,6 @@ from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.resting._legs import Leg, Uplifts
-from rocksteady.dynamics.continuation.resting.resting_facts import (
-    branch_description,
-    point_description,
-    resting_row,
-)
 from rocksteady.dynamics.continuation.resting.resting_types import RestingPointType
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
@@ -31,8 +26,7 @@ from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import framed
-from rocksteady.results.description import Description
-from rocksteady.results.result import Result
+from rocksteady.results.result import Result, words_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -193,10 +187,6 @@ class RestingPoint(Result):
         begin = self.legs[0].states[0]
         orbit = periodic.polish(system, begin, passages, self.period, table)
         return orbit_from(self.block, self.motion, table, self.period, orbit.residual, self.model)
-
-    def describe(self) -> Description:
-        """Return where the point is, what is special about it, and its orbit."""
-        return point_description(self)
 
     def plot(self, *arguments: Any, **options: Any) -> Any:
         """Plot the orbit there; arguments are those of `rocksteady.plots.poincare_section`."""
@@ -390,12 +380,9 @@ class RestingBranch(Result):
 
     def rows(self) -> list[dict[str, Any]]:
         """Return one row per point, in SI too where the block has a size."""
-        return [resting_row(1, point) for point in self.points]
+        rows: list[dict[str, Any]] = words_of(RestingBranch).resting_rows(self)
+        return rows
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point, in SI too where the block has a size."""
         return framed(self.rows(), self.block)
-
-    def describe(self) -> Description:
-        """Return what the branch is, its ends, and the events on it."""
-        return branch_description(self)

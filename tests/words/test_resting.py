@@ -1,4 +1,4 @@
-"""Facts of orbits with rest: rows of files, SI units, and what is said of branches and points."""
+"""Words of orbits with rest: rows of files, SI units, branches and points."""
 
 import math
 from functools import cache
@@ -8,9 +8,9 @@ import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic
 from rocksteady.branches import find_resting_branches
-from rocksteady.dynamics.continuation.resting import resting_facts
 from rocksteady.dynamics.continuation.resting.resting_branch import RestingBranch
 from rocksteady.results.numbers import number
+from rocksteady.words import resting
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
@@ -33,7 +33,7 @@ def test_rows_of_a_point_have_its_peaks_and_place_in_si_too(
     branch = branch_of(block)
     point = branch.points[len(branch.points) // 2]
     first, second = point.excursions
-    row, beside = resting_facts.resting_row(3, point), resting_facts.diagram_row(3, point)
+    row, beside = resting.resting_row(3, point), resting.diagram_row(3, point)
     for each in (row, beside):
         assert (each["branch"], each["amplitude"]) == (3, point.amplitude)
         assert (each["frequency_ratio"], each["restitution"], each["period"]) == (2.0, 0.8, 1)
@@ -102,7 +102,7 @@ def test_a_branch_and_its_ends_are_described_in_words(
 
 def test_tables_list_branches_and_their_events_from_one_on() -> None:
     branch = branch_of(BARE)
-    table = resting_facts.resting_table([branch, branch])
+    table = resting.resting_table([branch, branch])
     rows = [[column.words(row) for column in table.columns] for row in table.rows]
     low, high = branch.within
     highest = float(np.nanmax(np.abs(branch.peaks)))
@@ -111,8 +111,8 @@ def test_tables_list_branches_and_their_events_from_one_on() -> None:
     assert table.title == "orbits that come to rest, all stable"
     lefts = [column.heading for column in table.columns if column.left]
     assert lefts == ["kind", "begin", "end"]
-    assert resting_facts.resting_table([branch]).columns[4].heading == "from A"
-    events = resting_facts.events_table([branch, branch], key="events")
+    assert resting.resting_table([branch]).columns[4].heading == "from A"
+    events = resting.events_table([branch, branch], key="events")
     assert [column.heading for column in events.columns if column.left] == ["event"]
     assert [row["branch"] for row in events.rows] == [1] * len(branch.events) + [2] * len(
         branch.events
@@ -121,11 +121,11 @@ def test_tables_list_branches_and_their_events_from_one_on() -> None:
     end = branch.events[-1]
     assert last == [
         "2",
-        resting_facts.ENDS[end.type.value],
+        resting.ENDS[end.type.value],
         f"{end.amplitude:.10f}",
         f"{end.highest:.5g}",
         f"{end.lowest:.5g}",
         f"{min(end.rests):.4g} rad",
     ]
-    for empty in (resting_facts.resting_table([]), resting_facts.events_table([], key="events")):
+    for empty in (resting.resting_table([]), resting.events_table([], key="events")):
         assert (list(empty.rows), empty.title) == ([], "")

@@ -1,4 +1,4 @@
-"""Descriptions of maps: counts, titles, and what a store knows of itself."""
+"""Words of maps: counts, titles, and what a store knows of itself."""
 
 from pathlib import Path
 from typing import Any

@@ -1,4 +1,4 @@
-"""Facts of branches of orbits with rest, for texts, JSON and tables."""
+"""Words of branches of orbits that come to rest."""
 
 import math
 from collections.abc import Sequence
@@ -6,16 +6,25 @@ from typing import Any
 
 import numpy as np
 
-from rocksteady.dynamics.continuation.branch_facts import SHORT, multiplier_columns, place_values
+from rocksteady.dynamics.continuation.resting.find_resting import RestingBranches
+from rocksteady.dynamics.continuation.resting.resting_branch import (
+    Excursion,
+    RestingBranch,
+    RestingPoint,
+)
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.gravity import in_g
+from rocksteady.model.equations import Model
 from rocksteady.model.facts import AnyBlock, block_text, block_values, case_text
-from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
-
-# The classes that use this module are named Any: to import them would close a circle.
+from rocksteady.results.result import describes
+from rocksteady.words._branch_cases import (
+    SHORT,
+    in_si,
+    multiplier_columns,
+    place_values,
+)
 
 ENDS = {
     "end-of-rest": "rest end",
@@ -27,144 +36,8 @@ ENDS = {
 STABLE_NOTE = "Both multipliers of an orbit with rest are 0: it is stable wherever it exists."
 
 
-def in_si(block: AnyBlock, motion: Harmonic) -> dict[str, float]:
-    """Return harmonic motion in g and Hz where the block has a size, else nothing."""
-    if not isinstance(block, Block):
-        return {}
-    accel_g = in_g(motion.acceleration_m_s2(block))
-    return {"accel_g": accel_g, "freq_hz": motion.frequency_hz(block)}
-
-
-def excursion_values(each: Any) -> dict[str, Any]:
-    """Return an excursion in plain values."""
-    return {
-        "side": each.side,
-        "uplift_phase": each.uplift_phase,
-        "impact_phases": each.impact_phases.tolist(),
-        "peaks": each.peaks.tolist(),
-        "chatter_end": each.chatter_end,
-        "chatter_error": each.chatter_error,
-        "half_cycles": each.half_cycles,
-        "rest": each.rest,
-    }
-
-
-def point_values(point: Any) -> dict[str, Any]:
-    """Return a point of a branch in plain values, in SI too where the block has a size."""
-    values: dict[str, Any] = {
-        **place_values(point),
-        "rest_phases": point.rest_phases,
-        "symmetric": point.symmetric,
-        "peaks": [point.highest, point.lowest],
-        "rests": point.rests.tolist(),
-        "gains": point.gains,
-        **in_si(point.block, point.motion),
-    }
-    if isinstance(point.block, Block):
-        values["peaks_rad"] = [peak * point.block.alpha for peak in values["peaks"]]
-    return values
-
-
-def resting_row(branch: int, point: Any) -> dict[str, Any]:
-    """Return the row of a point of a branch in a file."""
-    values = point_values(point)
-    high, low = values.pop("peaks")
-    rests = values.pop("rests")
-    radians = values.pop("peaks_rad", None)
-    first = point.excursions[0]
-    row = {
-        "branch": branch,
-        **values,
-        "stable": True,
-        "highest": high,
-        "lowest": low,
-        "side": first.side,
-        "uplift_phase_rad": first.uplift_phase,
-        "impacts_followed": sum(len(each.impacts) for each in point.excursions),
-        "chatter_end_rad": first.chatter_end,
-        "shortest_rest_rad": min(rests),
-    }
-    if radians is not None:
-        row |= {"highest_rad": radians[0], "lowest_rad": radians[1]}
-    return row
-
-
-def diagram_row(branch: int, point: Any) -> dict[str, Any]:
-    """Return the row of a point in the file of a diagram, with the columns of other branches."""
-    row: dict[str, Any] = {
-        "branch": branch,
-        **place_values(point),
-        "impacts": None,  # infinitely many
-        "symmetric": point.symmetric,
-        "stable": True,
-        "admissible": True,
-        **multiplier_columns((0.0, 0.0)),
-        "highest": point.highest,
-        "lowest": point.lowest,
-        "arclength": math.nan,
-        **in_si(point.block, point.motion),
-    }
-    if isinstance(point.block, Block):
-        alpha = point.block.alpha
-        row |= {"highest_rad": point.highest * alpha, "lowest_rad": point.lowest * alpha}
-    return row
-
-
-def resting_values(branch: Any) -> dict[str, Any]:
-    """Return what a branch is, and its ends."""
-    name = branch.parameter
-    begin, end = (
-        {"type": point.type.value, name: branch.value(point)}
-        for point in (branch.begin, branch.end)
-    )
-    return {
-        "period": branch.period,
-        "rest_phases": branch.rest_phases,
-        "symmetric": branch.symmetric,
-        "begin": begin,
-        "end": end,
-        "within": list(branch.within),
-        "highest": float(np.nanmax(np.abs(branch.peaks))),
-        "grazes": sum(point.type.value == "grazing" for point in branch.points),
-        "points": len(branch.points),
-    }
-
-
-def model_facts(block: AnyBlock, model: Any) -> list[Fact]:
-    """Return the facts of what moves, and in which model."""
-    values = {"block": block_values(block)} if isinstance(block, Block) else {}
-    return [
-        Fact("block" if values else "", values.get("block"), "block", block_text(block)),
-        Fact("model", model.name, "model"),
-    ]
-
-
-def fixed_facts(result: Any) -> list[Fact]:
-    """Return the three parameters of a branch; None for the varied parameter."""
-    fixed = {
-        "amplitude": result.motion.amplitude,
-        "frequency_ratio": result.motion.frequency_ratio,
-        "restitution": result.block.dimensionless().restitution,
-        result.parameter: None,
-    }
-    return [Fact(name, value) for name, value in fixed.items()]
-
-
-def fixed_text(result: Any) -> str:
-    """Return what stays fixed along a branch, for a headline."""
-    parts = []
-    for name, value in (
-        ("amplitude", result.motion.amplitude),
-        ("frequency_ratio", result.motion.frequency_ratio),
-    ):
-        if name != result.parameter:
-            parts.append(f"{SYMBOLS[name]} = {number(value, 6)}")
-    if result.parameter != "restitution":
-        parts.append(case_text(result.block))
-    return ", ".join([*parts, f"{result.model.name} model"])
-
-
-def point_description(point: Any) -> Description:
+@describes(RestingPoint)
+def describe_point(point: RestingPoint) -> Description:
     """Describe a point of a branch."""
     values = point_values(point)
     kind = f"{ENDS.get(point.type.value, point.type.value)} point"
@@ -190,7 +63,88 @@ def point_description(point: Any) -> Description:
     )
 
 
-def branch_description(branch: Any) -> Description:
+def point_values(point: RestingPoint) -> dict[str, Any]:
+    """Return a point as plain values, in SI too where the block has a size."""
+    values: dict[str, Any] = {
+        **place_values(point),
+        "rest_phases": point.rest_phases,
+        "symmetric": point.symmetric,
+        "peaks": [point.highest, point.lowest],
+        "rests": point.rests.tolist(),
+        "gains": point.gains,
+        **in_si(point.block, point.amplitude, point.frequency_ratio),
+    }
+    if isinstance(point.block, Block):
+        values["peaks_rad"] = [peak * point.block.alpha for peak in values["peaks"]]
+    return values
+
+
+def excursion_values(each: Excursion) -> dict[str, Any]:
+    """Return an excursion in plain values."""
+    return {
+        "side": each.side,
+        "uplift_phase": each.uplift_phase,
+        "impact_phases": each.impact_phases.tolist(),
+        "peaks": each.peaks.tolist(),
+        "chatter_end": each.chatter_end,
+        "chatter_error": each.chatter_error,
+        "half_cycles": each.half_cycles,
+        "rest": each.rest,
+    }
+
+
+def resting_row(branch: int, point: RestingPoint) -> dict[str, Any]:
+    """Return the row of a point of a branch in a file."""
+    values = point_values(point)
+    high, low = values.pop("peaks")
+    rests = values.pop("rests")
+    radians = values.pop("peaks_rad", None)
+    first = point.excursions[0]
+    row = {
+        "branch": branch,
+        **values,
+        "stable": True,
+        "highest": high,
+        "lowest": low,
+        "side": first.side,
+        "uplift_phase_rad": first.uplift_phase,
+        "impacts_followed": sum(len(each.impacts) for each in point.excursions),
+        "chatter_end_rad": first.chatter_end,
+        "shortest_rest_rad": min(rests),
+    }
+    if radians is not None:
+        row |= {"highest_rad": radians[0], "lowest_rad": radians[1]}
+    return row
+
+
+def resting_rows(branch: RestingBranch, place: int = 1) -> list[dict[str, Any]]:
+    """Return one row per point of a branch, with the number of the branch."""
+    return [resting_row(place, point) for point in branch.points]
+
+
+def diagram_row(branch: int, point: RestingPoint) -> dict[str, Any]:
+    """Return the row of a point in the file of a diagram."""
+    row: dict[str, Any] = {
+        "branch": branch,
+        **place_values(point),
+        "impacts": None,  # infinitely many
+        "symmetric": point.symmetric,
+        "stable": True,
+        "admissible": True,
+        **multiplier_columns((0.0, 0.0)),
+        "highest": point.highest,
+        "lowest": point.lowest,
+        "arclength": math.nan,
+        **in_si(point.block, point.amplitude, point.frequency_ratio),
+    }
+    if isinstance(point.block, Block):
+        alpha = point.block.alpha
+        row |= {"highest_rad": point.highest * alpha, "lowest_rad": point.lowest * alpha}
+    return row
+
+
+@describes(RestingBranch)
+def describe_branch(branch: RestingBranch) -> Description:
     """Describe a branch."""
     values, symbol = resting_values(branch), SYMBOLS[branch.parameter]
     low, high = branch.within
@@ -214,7 +168,95 @@ def branch_description(branch: Any) -> Description:
     )
 
 
-def events_table(branches: Sequence[Any], *, key: str) -> Table:
+def resting_values(branch: RestingBranch) -> dict[str, Any]:
+    """Return what a branch is, and its ends."""
+    name = branch.parameter
+    begin, end = (
+        {"type": point.type.value, name: branch.value(point)}
+        for point in (branch.begin, branch.end)
+    )
+    return {
+        "period": branch.period,
+        "rest_phases": branch.rest_phases,
+        "symmetric": branch.symmetric,
+        "begin": begin,
+        "end": end,
+        "within": list(branch.within),
+        "highest": float(np.nanmax(np.abs(branch.peaks))),
+        "grazes": sum(point.type.value == "grazing" for point in branch.points),
+        "points": len(branch.points),
+    }
+
+
+@describes(RestingBranches)
+def describe_branches(branches: RestingBranches) -> Description:
+    """Return the branches, the events on them, and the gaps."""
+    low, high = branches.within
+    count = plural(len(branches.branches), "branch").replace("branchs", "branches")
+    gaps = [
+        {"from": gap.low, "to": gap.high, "reasons": [each.value for each in gap.reasons]}
+        for gap in branches.gaps
+    ]
+    columns = [
+        Column("from", f"from {SYMBOLS[branches.parameter]}", lambda value: f"{value:.8f}"),
+        Column("to", "to", lambda value: f"{value:.8f}"),
+        Column("reasons", "why", ", ".join, left=True),
+    ]
+    return Description(
+        f"Orbits with rest: {SYMBOLS[branches.parameter]} from {low:.6g} to {high:.6g}, "
+        f"{fixed_text(branches)}: {count}",
+        [
+            Fact("parameter", branches.parameter),
+            Fact("within", list(branches.within)),
+            *fixed_facts(branches),
+            Fact("max_period", branches.max_period, "longest", f"{branches.max_period} periods"),
+            Fact("resolution", branches.resolution, "step", f"{branches.resolution:.4g}"),
+            *model_facts(branches.block, branches.model),
+        ],
+        [
+            resting_table(branches.branches),
+            events_table(branches.branches, key="events"),
+            Table("gaps", gaps, columns, "none of them" if gaps else ""),
+        ],
+        [f"{STABLE_NOTE} Branches and gaps narrower than a step may be missed."],
+    )
+
+
+def model_facts(block: AnyBlock, model: Model) -> list[Fact]:
+    """Return the facts of what moves, and in which model."""
+    values = {"block": block_values(block)} if isinstance(block, Block) else {}
+    return [
+        Fact("block" if values else "", values.get("block"), "block", block_text(block)),
+        Fact("model", model.name, "model"),
+    ]
+
+
+def fixed_facts(result: RestingBranch | RestingBranches) -> list[Fact]:
+    """Return the three parameters of a branch; None for the varied parameter."""
+    fixed = {
+        "amplitude": result.motion.amplitude,
+        "frequency_ratio": result.motion.frequency_ratio,
+        "restitution": result.block.dimensionless().restitution,
+        result.parameter: None,
+    }
+    return [Fact(name, value) for name, value in fixed.items()]
+
+
+def fixed_text(result: RestingBranch | RestingBranches) -> str:
+    """Return what stays fixed along a branch, for a headline."""
+    parts = []
+    for name, value in (
+        ("amplitude", result.motion.amplitude),
+        ("frequency_ratio", result.motion.frequency_ratio),
+    ):
+        if name != result.parameter:
+            parts.append(f"{SYMBOLS[name]} = {number(value, 6)}")
+    if result.parameter != "restitution":
+        parts.append(case_text(result.block))
+    return ", ".join([*parts, f"{result.model.name} model"])
+
+
+def events_table(branches: Sequence[RestingBranch], *, key: str) -> Table:
     """Return the events on branches."""
     rows = [
         {"branch": place, **point_values(point)}
@@ -239,7 +281,7 @@ def events_table(branches: Sequence[Any], *, key: str) -> Table:
     )
 
 
-def resting_table(branches: Sequence[Any], *, key: str = "branches") -> Table:
+def resting_table(branches: Sequence[RestingBranch], *, key: str = "branches") -> Table:
     """Return branches for people and for JSON."""
     rows = [{"branch": place, **resting_values(branch)} for place, branch in enumerate(branches, 1)]
 

@@ -1,4 +1,4 @@
-"""Facts of attractor and fate maps, from their attributes and cells."""
+"""Words of maps of attractors and of fates, from their attributes and cells."""
 
 import math
 from typing import TYPE_CHECKING, Any
@@ -14,6 +14,7 @@ from rocksteady.sweep.cases.facts import cell_count, count_table, grid_facts
 
 if TYPE_CHECKING:
     from rocksteady.sweep.cases.cells import Labelled
+
 
 WORDS = {"alpha": angle, "radius": length, "width": length, "height": length}
 """How engineers write a parameter."""

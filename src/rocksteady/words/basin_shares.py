@@ -1,11 +1,12 @@
-"""Facts, tables, notes and dataset of shares of basins over a parameter."""
+"""Words of shares of basins over a parameter, and of their families."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rocksteady.dynamics.basins.basin_answers import over_answer
-from rocksteady.dynamics.basins.window import axis_facts, coordinates_of, window_text
+from rocksteady.dynamics.basins.over.families import BasinFamily
+from rocksteady.dynamics.basins.over.shares import BasinShares
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of
 from rocksteady.dynamics.parameters import AXES, SYMBOLS
 from rocksteady.model.blocks.block import Block
@@ -14,21 +15,34 @@ from rocksteady.model.facts import (
     block_text,
     frequency_text,
     harmonic_values,
+    solved_text,
 )
 from rocksteady.model.units import CONVERSIONS
 from rocksteady.outcomes import AttractorKind
+from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import CONFIDENCE, number, plural
+from rocksteady.results.numbers import CONFIDENCE, chance, number, plural
+from rocksteady.results.result import describes
+from rocksteady.words.windows import (
+    FEW,
+    MOST_BASINS,
+    axis_facts,
+    coordinates_of,
+    ends_text,
+    window_text,
+)
 
 if TYPE_CHECKING:
     import xarray
+
 
 PHASE = "phase"
 SI = {name: CONVERSIONS[name][0] for name in ("amplitude", "frequency_ratio")}
 """The same parameters of a block with a size."""
 
 
-def shares_described(shares: Any) -> Description:
+@describes(BasinShares)
+def describe_shares(shares: BasinShares) -> Description:
     """Return the facts of shares: families, their shares by value, window and case."""
     block, motion, name = shares.block, shares.motion, shares.parameter
     symbol = SYMBOLS.get(name, name)
@@ -86,14 +100,14 @@ def shares_described(shares: Any) -> Description:
     )
 
 
-def _block_words(shares: Any) -> str:
+def _block_words(shares: BasinShares) -> str:
     """Return the block in words, without a restitution that is the parameter."""
     parts = block_text(shares.block).split(", ")
     moved = shares.parameter == "restitution"
     return ", ".join(part for part in parts if not (moved and part.startswith("restitution")))
 
 
-def _motion_words(shares: Any) -> list[str]:
+def _motion_words(shares: BasinShares) -> list[str]:
     """Return amplitude, frequency and phase in words, except the parameter."""
     motion = shares.motion
     words = {
@@ -104,7 +118,7 @@ def _motion_words(shares: Any) -> list[str]:
     return [text for key, text in words.items() if key != shares.parameter]
 
 
-def _case(shares: Any) -> str:
+def _case(shares: BasinShares) -> str:
     """Return what stays the same in a few words: amplitude, frequency, restitution, model."""
     motion, bare = shares.motion, shares.block.dimensionless()
     left, right = bare.restitution, getattr(bare, "negative_restitution", None)
@@ -118,7 +132,7 @@ def _case(shares: Any) -> str:
     return ", ".join([*phrases, f"{shares.model.name} model"])
 
 
-def _rows(shares: Any) -> list[dict[str, Any]]:
+def _rows(shares: BasinShares) -> list[dict[str, Any]]:
     """Return one row per family and value at which it exists."""
     low, high = shares.intervals()
     rows = []
@@ -147,7 +161,7 @@ def _rows(shares: Any) -> list[dict[str, Any]]:
     return rows
 
 
-def _family_rows(basin_shares: Any) -> list[dict[str, Any]]:
+def _family_rows(basin_shares: BasinShares) -> list[dict[str, Any]]:
     """Return one row per family: where it exists, and its least and largest share."""
     rows = []
     for family in basin_shares.families:
@@ -168,7 +182,7 @@ def _family_rows(basin_shares: Any) -> list[dict[str, Any]]:
     return rows
 
 
-def _notes(shares: Any) -> list[str]:
+def _notes(shares: BasinShares) -> list[str]:
     """Return what a reader should know of these shares."""
     notes = []
     if any((shares.states[family.label][family.present] == 0).any() for family in shares.families):
@@ -185,7 +199,58 @@ def _notes(shares: Any) -> list[str]:
     return notes
 
 
-def shares_dataset(shares: Any) -> "xarray.Dataset":
+def over_answer(shares: BasinShares, families: Sequence[dict[str, Any]]) -> Answer:
+    """Return how the shares of basins change over a parameter.
+
+    Parameters
+    ----------
+    shares
+        The shares.
+    families
+        Its basins, as in JSON.
+    """
+    symbol = SYMBOLS.get(shares.parameter, shares.parameter).replace("Ω", "W")
+    over = f"{symbol} {number(float(shares.values[0]))} to {number(float(shares.values[-1]))}"
+    falls = [each for each in families if each["name"] == AttractorKind.OVERTURNED.value]
+    sentence = f"None of these starts falls over {over}"
+    if falls:
+        values = len(shares.values)
+        at = "" if falls[0]["values"] == values else f" at {falls[0]['values']} of {values} values"
+        sentence = f"Over {over}, {_range(falls[0])} of these starts fall{at}"
+    if shares.undecided > FEW:
+        sentence = f"Undecided: {sentence[0].lower()}{sentence[1:]}"
+    ranked = sorted(
+        (each for each in families if each not in falls), key=lambda each: -each["most"]
+    )
+    rows = []
+    for each in ranked[:MOST_BASINS]:
+        where = "" if each["values"] == len(shares.values) else _where(each, symbol)
+        rows.append(("rests" if each["name"] == "rest" else each["name"], _range(each) + where))
+    left = len(ranked) - len(rows)
+    facts = [
+        *rows,
+        left_out(left, "smaller basins"),
+        ("starts", f"{shares.label[0].size:,} at each: {ends_text(shares)}"),
+        ("computed", f"{shares.model.name}; at most {shares.max_cycles} periods"),
+    ]
+    return Answer(f"{solved_text(sentence, shares.block)}.", facts)
+
+
+def _where(family: dict[str, Any], symbol: str) -> str:
+    """Return between which values a family is met."""
+    first, last = number(family["from"], 4), number(family["to"], 4)
+    return f", at {symbol} {first}" + ("" if first == last else f" to {last}")
+
+
+def _range(family: dict[str, Any]) -> str:
+    """Return the least and the largest share of a family."""
+    least, most = chance(family["least"]), chance(family["most"])
+    if not family["least"] and family["most"]:
+        return f"none to {most}"
+    return most if least == most else f"{least.removesuffix(' %')} to {most}"
+
+
+def shares_dataset(shares: BasinShares) -> "xarray.Dataset":
     """Return shares as a labelled dataset."""
     import xarray
 
@@ -235,3 +300,20 @@ def shares_dataset(shares: Any) -> "xarray.Dataset":
             "threshold": shares.matching.threshold,
         },
     )
+
+
+@describes(BasinFamily)
+def describe_family(family: BasinFamily) -> Description:
+    """Return the name, the kinds and the periods, and the number of values where it exists."""
+    count = int(family.present.sum())
+    kinds = sorted(
+        {str(attractor.kind.value) for attractor in family.attractors if attractor is not None}
+    )
+    facts = [
+        Fact("label", family.label, "label"),
+        Fact("name", family.name, "name"),
+        Fact("kinds", kinds, "kinds"),
+        Fact("periods", list(family.periods), "forcing periods"),
+        Fact("values", count, "values", f"{count} of {len(family.attractors)}"),
+    ]
+    return Description(f"{family.name}, at {count} of {len(family.attractors)} values", facts)
