@@ -2,6 +2,7 @@
 
 import dataclasses
 import enum
+import functools
 import inspect
 import itertools
 import json
@@ -10,6 +11,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from pathlib import Path
+from types import FunctionType
 from typing import Any
 
 import numpy as np
@@ -128,6 +130,7 @@ def plain(value: Any) -> str:
 
 _TEXTS: tuple[tuple[Any, Callable[[Any], str]], ...] = (
     (enum.Enum, str),
+    (FunctionType | functools.partial, lambda _: "function"),  # its name answers nothing
     (Path, lambda value: value.name if value.is_absolute() else value.as_posix()),
     (float | np.floating, lambda value: float(value).hex()),
     (complex | np.complexfloating, lambda value: f"({plain(value.real)}, {plain(value.imag)})"),
