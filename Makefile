@@ -28,7 +28,7 @@ PEERS := heyoka mujoco
 FLOOR_TESTS := $(addprefix tests/,certify cli/console cli/flags cli/test_app.py dynamics/basins \
 	dynamics/continuation/chains facades/checks kernels/machine_code model public records results risk/assess/described \
 	risk/back_analysis risk/calibration risk/ensemble risk/fits risk/fragility risk/free_rocking \
-	risk/hazard risk/observations risk/screens seismic show/export show/figures show/film show/plots show/style sweep)
+	risk/hazard risk/observations risk/screens seismic show/export show/figures show/film show/plots show/style sweep words)
 CHECKS := lint types layers library tests
 # What mutants runs: the tests in the folder of each module, or TESTS=.
 TESTS ?= $(sort $(foreach path,$(PATHS:src/rocksteady/%=%),tests/$(if $(filter %.py,$(path)),$(dir $(path)),$(path))))

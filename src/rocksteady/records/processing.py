@@ -268,7 +268,7 @@ def _sample(recording: Recording, name: str, given: str, time_s: float) -> int:
 
 def _ends(name: str, given: str | None) -> tuple[float, float]:
     """Return the ends of a span; an open one is 0 or infinite."""
-    with suppress(ValueError):
+    with suppress(AttributeError, TypeError, ValueError):
         first, second = ("0:inf" if given is None else given).split(":")
         low, high = float(first or 0.0), float(second or math.inf)
         if 0.0 <= low < high and given != ":":
@@ -287,7 +287,7 @@ def _span(given: str | None, unit: str) -> str:
 
 def _level(baseline: str) -> tuple[int, float]:
     """Return the order of a baseline, and the seconds of which it is the mean: 0 of all."""
-    word, _, number = baseline.partition(":")
+    word, _, number = str(baseline).partition(":")
     plain = {"none": 0, "mean": 0, "linear": 1}
     if word in plain and not number:
         return plain[word], 0.0
