@@ -10,6 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import rocksteady as rs
+from rocksteady.results.result import Result
 from tests.public.dynamics_calls import dynamics_calls
 from tests.public.facade_calls import facade_calls
 from tests.public.observation_calls import observation_calls
@@ -547,10 +548,12 @@ def public_callables() -> set[str]:
         found.add(label_of(thing))
         if inspect.isclass(thing) and not issubclass(thing, tuple):
             # A base class of a private module is a part of the class.
-            # So is what results with windows share.
-            shared = ("._", "window_lists")
+            # So is what results with windows share, and motions.
+            shared = ("._", "window_lists", "described_motion")
             bases = [b for b in thing.__mro__[1:] if any(part in b.__module__ for part in shared)]
             members = {method: vars(base)[method] for base in bases for method in vars(base)}
+            if issubclass(thing, Result):
+                members["describe"] = Result.describe  # by the words of each class
             for method, member in (members | dict(vars(thing))).items():
                 routine = isinstance(member, classmethod | staticmethod) or inspect.isfunction(
                     member

@@ -11,7 +11,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from pathlib import Path
-from types import FunctionType
+from types import FunctionType, MethodType
 from typing import Any
 
 import numpy as np
@@ -130,7 +130,8 @@ def plain(value: Any) -> str:
 
 _TEXTS: tuple[tuple[Any, Callable[[Any], str]], ...] = (
     (enum.Enum, str),
-    (FunctionType | functools.partial, lambda _: "function"),  # its name answers nothing
+    # A sentence that is computed when it is printed: its name answers nothing.
+    (FunctionType | MethodType | functools.partial, lambda _: "function"),
     (Path, lambda value: value.name if value.is_absolute() else value.as_posix()),
     (float | np.floating, lambda value: float(value).hex()),
     (complex | np.complexfloating, lambda value: f"({plain(value.real)}, {plain(value.imag)})"),

@@ -26,6 +26,7 @@ R = TypeVar("R")
 class Result:
     """A result; what it says stands in a module of words, and all else follows from it."""
 
+    @with_call_errors
     def describe(self) -> Description:
         """Return the facts, tables and notes of the result."""
         words_of(type(self))
