@@ -140,7 +140,6 @@ use_words(
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
         ),
         "rocksteady.words.trajectory": ("Trajectory",),
-        "rocksteady.words.window_lists": ("WindowLists",),
     }
 )
 use_describers(

@@ -10,6 +10,8 @@ from types import ModuleType
 from typing import Final
 
 LEAVES: Final = ("certify", "explorer", "facades", "gpu", "studies")
+NO_GPU: Final = "this installation has no part for GPUs"
+"""What is wrong where the leaf `gpu` is missing."""
 
 
 def import_if_present(name: str) -> ModuleType | None:

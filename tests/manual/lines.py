@@ -186,7 +186,7 @@ def fit() -> Path:
     return folder
 
 
-def words_of(line: str) -> list[str]:
+def words_module(line: str) -> list[str]:
     """Return the words of a command line as a shell passes them on, in the present folder."""
     return [
         found

@@ -20,7 +20,7 @@ from tests.manual.lines import (
     shortened,
     shown,
     typed_lines,
-    words_of,
+    words_module,
     write_files,
 )
 from tests.outputs import unrendered
@@ -96,7 +96,9 @@ def run(line: str) -> None:
             return run(
                 re.sub(r"--executor tcp:\S+", f"--executor={cluster.scheduler_address}", line)
             )
-    words = words_of(line) + ["--no-browser"] * (line.startswith("explore") and "-b" not in line)
+    words = words_module(line) + ["--no-browser"] * (
+        line.startswith("explore") and "-b" not in line
+    )
     with unrendered():  # tests/show looks at pictures
         ran = rocksteady("", *words)
     if "--executor gpu" in line and ran.code == 2:  # or one line says that there is none

@@ -312,7 +312,7 @@ def test_a_legend_stays_inside_its_axes(draw: Callable[[Axes | None], Axes]) -> 
     assert box.y0 <= frame.y0 < frame.y1 <= box.y1
 
 
-def words_of(axes: Axes) -> list[str]:
+def words_module(axes: Axes) -> list[str]:
     return [text.get_text() for text in axes.texts]
 
 
@@ -330,9 +330,9 @@ def test_regions_are_fills_of_their_role_and_every_boundary_is_a_named_limit(dar
     assert {line.get_color() for line in axes.lines} == {inks.limit}
     assert len({str(line._unscaled_dash_pattern) for line in axes.lines}) == 5  # type: ignore[attr-defined]
     legend = axes.get_legend()
-    named = set(words_of(axes)) | set([] if legend is None else legend_of(axes))
+    named = set(words_module(axes)) | set([] if legend is None else legend_of(axes))
     assert named >= BOUNDARIES
-    assert {"1", "2", "3", "4", "5"} <= set(words_of(axes))
+    assert {"1", "2", "3", "4", "5"} <= set(words_module(axes))
 
 
 def test_names_of_boundaries_without_room_are_in_a_legend_beside_the_axes() -> None:
@@ -342,7 +342,7 @@ def test_names_of_boundaries_without_room_are_in_a_legend_beside_the_axes() -> N
     figure.draw_without_rendering()
     legend = axes.get_legend()
     assert legend is not None
-    assert set(legend_of(axes)) | set(words_of(axes)) >= BOUNDARIES
+    assert set(legend_of(axes)) | set(words_module(axes)) >= BOUNDARIES
     frame, box = legend.get_window_extent(), axes.get_window_extent()
     assert box.x1 < frame.x0 < frame.x1 <= figure.bbox.x1
 
@@ -403,7 +403,7 @@ def test_a_point_of_a_block_of_known_size_is_drawn_in_its_units() -> None:
     assert np.ravel(mark.get_xydata()) == pytest.approx(
         [6.0, 2.0 * BLOCK.uplift_acceleration / BLOCK.gravity]
     )
-    assert "0.4 g, 6 Hz" in words_of(plane)
+    assert "0.4 g, 6 Hz" in words_module(plane)
 
 
 def test_small_rocking_fills_the_picture() -> None:
@@ -439,8 +439,8 @@ def test_peaks_of_very_different_size_are_drawn_over_a_logarithmic_axis() -> Non
         for low, high in ((0.5, 12.0), (5.0, 8.0))
     )
     assert (wide.get_yscale(), narrow.get_yscale()) == ("log", "linear")
-    assert "tipping angle" in words_of(wide)
-    assert "tipping angle" not in words_of(narrow), "peaks far below do not make room for it"
+    assert "tipping angle" in words_module(wide)
+    assert "tipping angle" not in words_module(narrow), "peaks far below do not make room for it"
 
 
 def test_frequencies_spaced_by_ratio_are_drawn_so() -> None:
@@ -461,7 +461,7 @@ def test_curves_of_several_orders_and_branches_are_told_apart() -> None:
         compute_response_curve(BARE, 2.0, frequency_ratio=w, order=3),
     ]
     axes = plots.response(mixed, Figure().add_subplot())
-    labels = {*legend_of(axes), *words_of(axes)}
+    labels = {*legend_of(axes), *words_module(axes)}
     assert {
         "A = 2, n = 1, branch 1",
         "A = 2, n = 3, branch 1",
@@ -502,7 +502,7 @@ def test_peaks_of_a_block_of_known_size_are_in_degrees_over_hertz() -> None:
     assert across.get_xlabel() == palette.LABELS["frequency_ratio"]
     assert up.get_ylabel() == palette.LABELS["peak"]
     g = BLOCK.uplift_acceleration / BLOCK.gravity
-    assert [word for word in words_of(axes) if word.endswith(" g")] == [
+    assert [word for word in words_module(axes) if word.endswith(" g")] == [
         f"{a * g:.3g} g" for a in (1.0, 2.0, 3.0)
     ]
     other = Block.from_p(alpha=0.2, p=math.pi, restitution=0.8)
@@ -521,7 +521,7 @@ def test_the_peak_axis_ends_where_the_caller_says(top: float, balance: bool) -> 
     axes = plots.response([curve], Figure().add_subplot(), top=top)
     assert axes.get_yscale() == "linear", "however much the peaks span"
     assert axes.get_ylim() == (0.0, top)
-    assert ("tipping angle" in words_of(axes)) == balance
+    assert ("tipping angle" in words_module(axes)) == balance
 
 
 def test_the_numbers_of_the_regions_stand_in_their_regions() -> None:

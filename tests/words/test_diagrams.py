@@ -24,7 +24,7 @@ LINEAR, NONLINEAR = Linear(), Nonlinear()
 SHAKEN = Harmonic(amplitude=2.0, frequency_ratio=4.0)
 
 
-def words_of(facts: list[Fact]) -> dict[str, str]:
+def words_module(facts: list[Fact]) -> dict[str, str]:
     return {fact.label: fact.words for fact in facts if fact.label}
 
 
@@ -50,7 +50,7 @@ def test_a_diagram_has_its_range_and_what_is_fixed_in_the_units_of_its_block(
     for block in (BARE, SIZED):
         facts = diagrams.case_facts(block, SHAKEN, parameter, within, LINEAR)
         values = {fact.key: fact.value for fact in facts}
-        shown = words_of(facts)
+        shown = words_module(facts)
         over = f"{symbol} from 0.5 to 1"
         if block is SIZED and parameter in units:
             scale, unit = units[parameter]

@@ -21,7 +21,7 @@ from rocksteady import (
 from rocksteady.formulas import overturning_amplitude
 from rocksteady.model.equations import Model
 from rocksteady.overturning import OverturningWindows
-from rocksteady.words.window_lists import verdict
+from rocksteady.words._window_lists import verdict
 from tests.descriptions import as_json, fits
 from tests.every import every
 

@@ -2,7 +2,8 @@
 
 import inspect
 
-from rocksteady.results.result import Result, words_of
+from rocksteady.results import result
+from rocksteady.results.result import Result, words_module
 from tests.every import every
 from tools.namespace import THINGS
 
@@ -17,4 +18,5 @@ KINDS = {
 def test_each_public_result_is_described(name: str) -> None:
     kind = KINDS[name]
     if kind.describe is Result.describe:
-        words_of(kind)
+        words_module(kind)
+        assert any(base in result._describers for base in kind.__mro__)

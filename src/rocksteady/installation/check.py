@@ -14,7 +14,7 @@ import numpy as np
 from rocksteady.errors import InputError, with_call_errors
 from rocksteady.installation._recorded import Call, Difference, differences, loaded, replayed
 from rocksteady.kernels.machine_code.types import signature_of
-from rocksteady.leaves import import_if_present
+from rocksteady.leaves import NO_GPU, import_if_present
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact, Table
 from rocksteady.results.numbers import plural
@@ -303,7 +303,7 @@ def _gpu() -> tuple[str | None, str | None]:
     """Return the GPU that can run the kernels, or why there is none."""
     leaf = import_if_present("gpu.executor")
     if leaf is None:
-        return None, "this installation has no part for GPUs"
+        return None, NO_GPU
     try:
         return str(leaf.find_gpu()), None
     except InputError as error:

@@ -29,7 +29,7 @@ class Result:
     @with_call_errors
     def describe(self) -> Description:
         """Return the facts, tables and notes of the result."""
-        words_of(type(self))
+        words_module(type(self))
         return next(_describers[kind] for kind in type(self).__mro__ if kind in _describers)(self)
 
     @with_call_errors
@@ -101,7 +101,7 @@ def use_words(modules: Mapping[str, Sequence[str]]) -> None:
         _words.update(dict.fromkeys(kinds, module))
 
 
-def words_of(kind: type) -> Any:
+def words_module(kind: type) -> Any:
     """Return the module that has the words of a class, or of one that it is derived from."""
     names = (base.__name__ for base in kind.__mro__)
     return importlib.import_module(next(_words[name] for name in names if name in _words))

@@ -9,7 +9,6 @@ from rocksteady.dynamics.history.start import ImpactState, Rest, Start, Steady
 from rocksteady.dynamics.orbits.attractor import KINDS, ROUNDED, Attractor
 from rocksteady.dynamics.orbits.attractor_sweep import EXTREMES, AttractorSweep
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.orbits.orbit_answers import beyond_alpha
 from rocksteady.dynamics.orbits.return_map import has_mirror_images
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.dynamics.steady.verdicts import BEYOND
@@ -21,7 +20,7 @@ from rocksteady.results.datasets import ColumnWords, padded, variables_of
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, number, number_or_none, plural, quantity
 from rocksteady.results.result import describes
-from rocksteady.words.orbits import case_facts, kind_text, orbit_facts, where
+from rocksteady.words.orbits import beyond_alpha, case_facts, kind_text, orbit_facts, where
 
 if TYPE_CHECKING:
     import xarray

@@ -6,8 +6,6 @@ from rocksteady.dynamics.basins.basins import Basins, BasinShare
 from rocksteady.dynamics.basins.labels import BasinAttractor
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.orbits.orbit_answers import beyond_alpha
-from rocksteady.dynamics.orbits.orbit_facts import plain_orbit
 from rocksteady.dynamics.steady.verdicts import BEYOND
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import (
@@ -25,6 +23,7 @@ from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import CONFIDENCE, number, plural
 from rocksteady.results.result import describes
+from rocksteady.words.orbits import beyond_alpha, plain_orbit
 from rocksteady.words.windows import (
     BETWEEN,
     MOST_BASINS,

@@ -7,7 +7,6 @@ from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.edges.manifold import Manifold
 from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.overturning.window_lists import OTHER_WAY
 from rocksteady.dynamics.steady.verdicts import multipliers_text, multipliers_value
 from rocksteady.model.facts import (
     case_text,
@@ -22,6 +21,7 @@ from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import DIGITS, number, number_or_none, plural
 from rocksteady.results.result import describes
+from rocksteady.words._window_lists import OTHER_WAY
 
 MORE_DIGITS = 6
 """Significant digits of a kick below an answer."""

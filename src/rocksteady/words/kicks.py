@@ -9,7 +9,6 @@ import numpy as np
 
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.overturning.kicks import SIGNS, FatalKicks
-from rocksteady.dynamics.overturning.window_lists import OTHER_WAY
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import case_text, kick_text, kicks_text, other_kick_text, solved_text
 from rocksteady.outcomes import BALANCED
@@ -17,8 +16,9 @@ from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import describes
-from rocksteady.words.window_lists import (
+from rocksteady.words._window_lists import (
     LEFT,
+    OTHER_WAY,
     SHOWN,
     UNLISTED,
     block_fact,

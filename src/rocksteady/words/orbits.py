@@ -1,4 +1,4 @@
-"""Words of periodic orbits: of one, and of those that a search has found."""
+"""Words of periodic orbits, single or found by a search."""
 
 import math
 from collections import Counter
@@ -6,10 +6,14 @@ from collections.abc import Sequence
 from typing import Any
 
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.orbits.orbit_answers import beyond_alpha
-from rocksteady.dynamics.orbits.orbit_facts import plain_orbit
 from rocksteady.dynamics.orbits.return_map import has_mirror_images
-from rocksteady.dynamics.steady.verdicts import BEYOND, MULTIPLIERS, multipliers_text, verdict
+from rocksteady.dynamics.steady.verdicts import (
+    BEYOND,
+    MULTIPLIERS,
+    multipliers_text,
+    multipliers_value,
+    verdict,
+)
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.gravity import in_g
@@ -313,3 +317,30 @@ def _row(number_of: int, orbit: Orbit) -> tuple[str, ...]:
         tilt(orbit.lowest),
         multipliers_text(orbit.multipliers),
     )
+
+
+def beyond_alpha(orbit: Orbit) -> bool:
+    """Return whether a motion tilts beyond alpha."""
+    return bool(max(orbit.highest, -orbit.lowest) > 1.0)
+
+
+def plain_orbit(orbit: Orbit, block: AnyBlock, motion: PeriodicMotion) -> dict[str, Any]:
+    """Return an orbit of a block in plain values, in SI too where the block has a size."""
+    peaks = [orbit.highest, orbit.lowest] if orbit.admissible else None
+    values: dict[str, Any] = {
+        "kind": orbit.kind,
+        "period": orbit.period,
+        "impacts_per_period": orbit.impacts,
+        "rest_phases": orbit.rest_phases,
+        "peaks": peaks,
+        "multipliers": multipliers_value(orbit.multipliers),
+        "lyapunov": orbit.lyapunov,
+        "residual": orbit.residual,
+        "states": [
+            {"side": each.side, "phase": each.phase, "speed": each.speed} for each in orbit.states
+        ],
+    }
+    if isinstance(block, Block):
+        values["peaks_rad"] = None if peaks is None else [peak * block.alpha for peak in peaks]
+        values["period_s"] = orbit.period / motion.frequency_hz(block)
+    return values

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
-from rocksteady.dynamics.overturning.window_lists import NO_WINDOW, OTHER_WAY, floor_digits
 from rocksteady.dynamics.overturning.windows import OverturningWindows, threshold_without_impact
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import in_g
@@ -18,10 +17,13 @@ from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import describes
-from rocksteady.words.window_lists import (
+from rocksteady.words._window_lists import (
+    NO_WINDOW,
+    OTHER_WAY,
     block_fact,
     computed_fact,
     first_text,
+    floor_digits,
     governing_text,
     governing_verdict,
     left_values,

@@ -7,13 +7,34 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rocksteady.dynamics.overturning.window_lists import NO_WINDOW, OTHER_WAY, floor_digits
 from rocksteady.model.facts import case_text, solved_text
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import describes
 from rocksteady.seismic.spectra.overturning_scales import OverturningScales
+from rocksteady.words._window_lists import (
+    NO_WINDOW,
+    OTHER_WAY,
+    block_fact,
+    computed_fact,
+    first_text,
+    floor_digits,
+    governing_text,
+    governing_verdict,
+    left_values,
+    missing_text,
+    narrower_text,
+    other_rows_fact,
+    searched_attributes,
+    shown_rows,
+    undecided_fact,
+    verdict,
+    widest_text,
+    window_values,
+    window_variables,
+    with_other_way,
+)
 from rocksteady.words.spectra import shortened
 
 if TYPE_CHECKING:
@@ -30,14 +51,14 @@ def scales_dataset(scales: OverturningScales) -> "xarray.Dataset":
 
     along, scale = "record", {"units": "1", "long_name": "factor of the accelerations"}
     return xarray.Dataset(
-        scales._variables(along, scale, "top", "share"),
+        window_variables(scales, along, scale, "top", "share"),
         coords={
             "record": list(scales.names),
             "window": np.arange(scales.low.shape[1]),
             "pga_g": (along, scales.pga_g, {"units": "g", "long_name": "PGA at scale 1"}),
             "pgv_m_s": (along, scales.pgv_m_s, {"units": "m/s", "long_name": "PGV at scale 1"}),
         },
-        attrs=scales._searched,
+        attrs=searched_attributes(scales),
     )
 
 
@@ -46,7 +67,7 @@ def describe_overturning_scales(scales: OverturningScales) -> Description:
     """Return the windows by record, in scale, PGA and PGV."""
     low, high = (number(end) for end in scales.within)
     facts = [
-        scales._block_fact,
+        block_fact(scales),
         Fact("model", scales.model.name, "model"),
         Fact("scales", list(scales.within), "searched", f"scales {low} to {high}"),
         Fact("resolution", scales.resolution),
@@ -105,12 +126,16 @@ def describe_overturning_scales(scales: OverturningScales) -> Description:
 def _answer(scales: OverturningScales) -> Answer:
     """Return at which scales it falls in the one record, or in each."""
     names, count = [shortened(name) for name in scales.names], len(scales.names)
-    shown, falls = scales._by_first, int((~np.isnan(scales.governing)).sum())
+    shown, falls = shown_rows(scales), int((~np.isnan(scales.governing)).sum())
     low, high = (number(end) for end in scales.within)
-    searched = f"{low} to {high} x{scales._missing}"
+    searched = f"{low} to {high} x{missing_text(scales)}"
     if short := int((scales.top < scales.within[1]).sum()):
         searched += f"; {plural(short, 'record')} up to -g, from {number(scales.top.min())} x on"
-    facts = [scales._undecided, ("searched", solved_text(searched, scales.block)), scales._computed]
+    facts = [
+        undecided_fact(scales),
+        ("searched", solved_text(searched, scales.block)),
+        computed_fact(scales),
+    ]
 
     def write(row: int, scale: float) -> str:
         pga = quantity(scale * scales.pga_g[row], "g")
@@ -124,17 +149,17 @@ def _answer(scales: OverturningScales) -> Answer:
     if count == 1:
         single, name = functools.partial(write, 0), names[0]
         if math.isnan(scales.first[0]):
-            return scales._with_other_way(single, stand)
-        windows = scales._widest(0)
-        facts[1:1] = [("falls", windows and f"{windows} x{scales._narrower(0)}")]
-        sentence = f"It falls {scales._verdict(0, single)}.".replace(" x (", f" x {name} (", 1)
-        return scales._with_other_way(single, Answer(sentence, facts))
+            return with_other_way(scales, single, stand)
+        windows = widest_text(scales, 0)
+        facts[1:1] = [("falls", windows and f"{windows} x{narrower_text(scales, 0)}")]
+        sentence = f"It falls {verdict(scales, 0, single)}.".replace(" x (", f" x {name} (", 1)
+        return with_other_way(scales, single, Answer(sentence, facts))
     rows = [
-        (names[row], scales._governing_verdict(row, functools.partial(write, row))) for row in shown
+        (names[row], governing_verdict(scales, row, functools.partial(write, row))) for row in shown
     ]
-    facts[1:1] = [*rows, scales._rest]
+    facts[1:1] = [*rows, other_rows_fact(scales)]
     row = shown[0]
-    least = scales._first_at(float(scales.governing[row]), functools.partial(write, row))
+    least = first_text(scales, float(scales.governing[row]), functools.partial(write, row))
     way = f", {OTHER_WAY}" * bool(scales.opposite_governs[row])
     sentence = f"It falls in {falls} of {count} records, {least} in {names[row]}{way}."
     return Answer(sentence, facts)
@@ -175,16 +200,16 @@ def _row(scales: OverturningScales, index: int) -> dict[str, Any]:
         "intervals": [list(ends) for ends in intervals],
         "intervals_g": [[end * pga for end in ends] for ends in intervals],
         "intervals_m_s": [[end * pgv for end in ends] for ends in intervals],
-        "modes": scales._modes(index),
+        "modes": window_values(scales, index),
         "first": float(scales.first[index]),
         "first_g": float(scales.first[index]) * pga,
         "opposite": float(scales.opposite[index]),
         "governing": float(scales.governing[index]),
         "governing_g": float(scales.governing[index]) * pga,
-        "governs": scales._governs(index),
+        "governs": governing_text(scales, index),
         "top": float(scales.top[index]),
         "share": float(scales.share[index]),
-        **scales._left(index),
+        **left_values(scales, index),
     }
     return floor_digits(row) if scales._floors[index] else row
 

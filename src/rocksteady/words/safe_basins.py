@@ -284,7 +284,7 @@ def _text(value: float) -> str:
 
 
 def fates_answer(fates: FateBasins) -> Answer:
-    """Return the shares of the fates and what is left of the safe states."""
+    """Return the share of each fate, and the safe states that remain."""
     parts = fates.fractions()
     words = {
         Status.OVERTURNED: "fall",

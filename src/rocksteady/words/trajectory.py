@@ -110,13 +110,13 @@ def _peaks(run: Trajectory) -> Iterator[Fact]:
         yield Fact("peak", run.peak, "peak", words + until)
     else:
         yield Fact("peak", run.peak)
-        words_of = [
+        words_module = [
             peak_words(peak, None if alphas is None else alphas[side])
             for side, peak in enumerate(run.side_peaks)
         ]
         yield Fact("side_peaks", list(run.side_peaks))
-        yield Fact("", label="peak, left edge", text=words_of[0] + until)
-        yield Fact("", label="peak, right edge", text=words_of[1] + until)
+        yield Fact("", label="peak, left edge", text=words_module[0] + until)
+        yield Fact("", label="peak, right edge", text=words_module[1] + until)
     if alphas is not None:
         # The larger angle may be the smaller part of its alpha.
         pairs = zip(run.side_peaks, alphas, strict=True)
@@ -256,7 +256,7 @@ def sliding_or(
     ended
         How it ends by rocking alone, without a stop.
     facts
-        What else is said of it.
+        Further facts of the motion.
     friction
         As for `answer_of`.
     """

@@ -13,7 +13,7 @@ from rocksteady.show.style.page import Page
 from tests.facades.page.checked_facades import alone, thin, tied
 
 
-def words_of(axes: Axes) -> list[str]:
+def words_module(axes: Axes) -> list[str]:
     return [text.get_text() for text in axes.texts if text.get_text()]
 
 
@@ -39,7 +39,7 @@ def test_the_leaning_outline_is_the_body_turned_outwards_about_the_hinge() -> No
 
 def test_all_that_acts_is_named_with_its_force() -> None:
     facade = tied().facade
-    found = words_of(plot_facade_section(facade, Figure().add_subplot(), language="it"))
+    found = words_module(plot_facade_section(facade, Figure().add_subplot(), language="it"))
     for group in (facade.loads, facade.masses):
         for each in group:
             assert f"{each.name}\n{each.weight_kn:g}\N{NO-BREAK SPACE}kN" in found
@@ -54,7 +54,7 @@ def test_all_that_acts_is_named_with_its_force() -> None:
 
 def test_a_gable_weighs_half_and_has_its_centre_at_a_third() -> None:
     axes = plot_facade_section(alone().facade, Figure().add_subplot())
-    assert f"gable\n{0.5 * 18 * 0.4 * 3 * 8:.3g}\N{NO-BREAK SPACE}kN" in words_of(axes)
+    assert f"gable\n{0.5 * 18 * 0.4 * 3 * 8:.3g}\N{NO-BREAK SPACE}kN" in words_module(axes)
     assert any(np.asarray(line.get_ydata()).tolist() == [1.0] for line in axes.lines)
 
 

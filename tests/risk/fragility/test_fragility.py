@@ -31,7 +31,7 @@ def _found() -> Fragility:
     return made()
 
 
-def words_of(found: Fragility) -> tuple[str, dict[str, str]]:
+def words_module(found: Fragility) -> tuple[str, dict[str, str]]:
     answer = found.describe().answer
     assert answer is not None
     return answer.sentence, dict(answer.stated)
@@ -43,7 +43,7 @@ def test_the_first_line_is_the_level_at_which_half_fall(found: Fragility) -> Non
     middle, low, high = half
     assert low is not None
     assert high is not None
-    sentence, lines = words_of(found)
+    sentence, lines = words_module(found)
     assert sentence == f"Half fall at {middle:.3g} g of PGA (90 %: {low:.3g} to {high:.3g})."
     assert lines["lifts at"].startswith("0.25 g")
     shares = found.states[-1].curve.shares.tolist()
@@ -66,12 +66,12 @@ def test_without_a_half_the_nearest_count_is_the_answer(
 ) -> None:
     found = made(levels, **({} if states is None else {"states": states}))
     assert found.states[-1].half is None
-    assert words_of(found)[0].startswith(begins)
+    assert words_module(found)[0].startswith(begins)
 
 
 def test_fewer_than_11_records_are_no_answer() -> None:
     for records, few in ((1, True), (10, True), (11, False)):
-        sentence, lines = words_of(made([0.2, 0.5, 1.0, 2.0], records=records))
+        sentence, lines = words_module(made([0.2, 0.5, 1.0, 2.0], records=records))
         assert sentence.startswith("No answer: ") == few
         assert ("11 are the least" in sentence) == few
         assert ("lognormal" in lines) is not few
@@ -81,6 +81,6 @@ def test_large_factors_are_said_from_ten_on() -> None:
     pga = max(peaks_of(each)[0] for each in SUITE), min(peaks_of(each)[0] for each in SUITE)
     for factor, said in ((9.9, False), (10.1, True)):
         level = factor * pga[1]
-        _, lines = words_of(made([0.5 * level, level]))
+        _, lines = words_module(made([0.5 * level, level]))
         assert ("scaled" in lines) == said
         assert made([level]).scale_factor_max == pytest.approx(factor)

@@ -31,7 +31,7 @@ def axes_of(width: float = 360.0, height: float = 180.0) -> Axes:
     return axes
 
 
-def words_of(
+def words_module(
     codes: np.ndarray, words: dict[int, str], marks: object = ()
 ) -> dict[str, tuple[float, float]]:
     """Return where words stand on cells that fill the axes, in fractions of these."""
@@ -49,13 +49,13 @@ def words_of(
 def test_a_word_stands_in_the_middle_of_its_class() -> None:
     halves = np.zeros((10, 20), dtype=int)
     halves[:, 10:] = 1
-    found = words_of(halves, {0: "rests", 1: "falls"})
+    found = words_module(halves, {0: "rests", 1: "falls"})
     assert found["rests"] == pytest.approx((0.25, 0.5), abs=0.02)
     assert found["falls"] == pytest.approx((0.75, 0.5), abs=0.02)
     upper = np.zeros((10, 20), dtype=int)
     upper[7:] = 1
-    assert words_of(upper, {1: "falls"})["falls"] == pytest.approx((0.5, 0.85), abs=0.02)
-    assert words_of(upper, {2: "none"}) == {}
+    assert words_module(upper, {1: "falls"})["falls"] == pytest.approx((0.5, 0.85), abs=0.02)
+    assert words_module(upper, {2: "none"}) == {}
 
 
 @every(("letters", "fits"), [(4, True), (11, True), (14, False), (40, False)])
@@ -64,7 +64,7 @@ def test_a_word_that_is_wider_than_its_class_is_none(letters: int, fits: bool) -
     quarter = np.ones((10, 40), dtype=int)
     quarter[:, 10:] = 0
     assert 0.82 * 8.5 * (11 + 1.5) < 90.0 < 0.82 * 8.5 * (14 + 1.5)
-    assert bool(words_of(quarter, {1: "w" * letters})) is fits
+    assert bool(words_module(quarter, {1: "w" * letters})) is fits
 
 
 @every(("height", "fits"), [(0.08, False), (0.1, True)])
@@ -72,13 +72,13 @@ def test_a_word_needs_the_height_of_two_lines(height: float, fits: bool) -> None
     """1.9 of 8.5 points are 16.2 of 180."""
     band = np.zeros((100, 10), dtype=int)
     band[40 : 40 + round(100 * height)] = 1
-    assert bool(words_of(band, {1: "falls"})) is fits
+    assert bool(words_module(band, {1: "falls"})) is fits
 
 
 def test_words_keep_clear_of_marks_and_of_what_is_not_covered() -> None:
     whole = np.ones((10, 20), dtype=int)
-    assert words_of(whole, {1: "falls"})["falls"] == pytest.approx((0.5, 0.5), abs=0.02)
-    moved = words_of(whole, {1: "falls"}, [(5.0, 2.5)])["falls"]
+    assert words_module(whole, {1: "falls"})["falls"] == pytest.approx((0.5, 0.5), abs=0.02)
+    moved = words_module(whole, {1: "falls"}, [(5.0, 2.5)])["falls"]
     assert math.hypot(360.0 * (moved[0] - 0.5), 180.0 * (moved[1] - 0.5)) > 6.0
     axes = axes_of()
     left = np.linspace(0.0, 5.0, 11), np.linspace(0.0, 5.0, 11)

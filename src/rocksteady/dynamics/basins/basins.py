@@ -46,7 +46,7 @@ from rocksteady.model.motions.fourier import PeriodicMotion, largest_amplitude
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.numbers import CONFIDENCE
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Execution
@@ -188,7 +188,7 @@ class Basins(Result):
         >>> print(data.label.dims, data.label.attrs["flag_meanings"])
         ('velocity', 'angle') overturned symmetric-1
         """
-        dataset: xarray.Dataset = words_of(Basins).basins_dataset(self)
+        dataset: xarray.Dataset = words_module(Basins).basins_dataset(self)
         return dataset
 
     def state(self, row: int, column: int) -> State:

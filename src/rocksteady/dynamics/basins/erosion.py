@@ -33,7 +33,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, positive
 from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion, harmonics_of
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.run import Execution
 
@@ -251,12 +251,12 @@ class Erosion(Result):
             velocity (du/d(pt)) and angle; the heteroclinic amplitude, where there is a closed form
             of it, among the attributes.
         """
-        dataset: xarray.Dataset = words_of(Erosion).erosion_dataset(self)
+        dataset: xarray.Dataset = words_module(Erosion).erosion_dataset(self)
         return dataset
 
     def __repr__(self) -> str:
         """Return one line, without the drops."""
-        return f"<Erosion: {words_of(Erosion).erosion_headline(self)}>"
+        return f"<Erosion: {words_module(Erosion).erosion_headline(self)}>"
 
 
 @checked

@@ -28,7 +28,7 @@ from rocksteady.model.motions.segments import Motion
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import CONFIDENCE
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import compute_cells
@@ -229,7 +229,7 @@ class FateBasins(Result):
             ``fate`` with flags, ``side``, ``impacts``, ``peak`` and ``still_safe`` over velocity
             (du/d(pt)) and angle; the measures of integrity among the attributes.
         """
-        dataset: xarray.Dataset = words_of(FateBasins).fates_dataset(self)
+        dataset: xarray.Dataset = words_module(FateBasins).fates_dataset(self)
         return dataset
 
     def to_dataframe(self) -> "pd.DataFrame":
@@ -250,7 +250,7 @@ class FateBasins(Result):
 
     def __repr__(self) -> str:
         """Return one line, without the shares."""
-        return f"<FateBasins: {words_of(FateBasins).fates_headline(self)}>"
+        return f"<FateBasins: {words_module(FateBasins).fates_headline(self)}>"
 
 
 @checked

@@ -20,7 +20,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.equations import Model
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
     import xarray
@@ -117,7 +117,7 @@ class Cascade(Result):
         >>> print(data.period.values, data.ratio.values.round(3))
         [1 2 4] [  nan 6.107   nan]
         """
-        dataset: xarray.Dataset = words_of(Cascade).cascade_dataset(self)
+        dataset: xarray.Dataset = words_module(Cascade).cascade_dataset(self)
         return dataset
 
 

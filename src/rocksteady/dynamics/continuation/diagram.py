@@ -16,7 +16,7 @@ from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import framed
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -130,7 +130,7 @@ class BifurcationDiagram(Result):
 
     def rows(self) -> Iterator[dict[str, Any]]:
         """Yield one row per point of each branch, in SI too where the block has a size."""
-        yield from words_of(BifurcationDiagram).diagram_rows(self)
+        yield from words_module(BifurcationDiagram).diagram_rows(self)
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point of each branch, in SI too where the block has a size."""
@@ -158,9 +158,9 @@ class BifurcationDiagram(Result):
         >>> print(data.sizes["bifurcation"], longest.frequency_ratio.values.max())
         1 2.4
         """
-        dataset: xarray.Dataset = words_of(BifurcationDiagram).diagram_dataset(self)
+        dataset: xarray.Dataset = words_module(BifurcationDiagram).diagram_dataset(self)
         return dataset
 
     def __repr__(self) -> str:
         """Return one line, with the numbers of branches and bifurcations."""
-        return f"<{type(self).__name__}: {words_of(BifurcationDiagram).diagram_line(self)}>"
+        return f"<{type(self).__name__}: {words_module(BifurcationDiagram).diagram_line(self)}>"

@@ -30,7 +30,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Model
 from rocksteady.model.units import framed
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -315,7 +315,7 @@ class Branch(Result):
 
     def rows(self) -> list[dict[str, Any]]:
         """Return one row per point."""
-        rows: list[dict[str, Any]] = words_of(Branch).branch_rows(self)
+        rows: list[dict[str, Any]] = words_module(Branch).branch_rows(self)
         return rows
 
     def to_dataframe(self) -> "pd.DataFrame":
@@ -343,7 +343,7 @@ class Branch(Result):
         >>> print(data.peaks.dims, data.amplitude.values[[0, -1]], data.stable.values.all())
         ('point', 'flight') [1.8 2.2] True
         """
-        dataset: xarray.Dataset = words_of(Branch).branch_dataset(self)
+        dataset: xarray.Dataset = words_module(Branch).branch_dataset(self)
         return dataset
 
     @cached_property

@@ -31,7 +31,7 @@ from rocksteady.model.motions.segments import (
 from rocksteady.outcomes import Status
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Fact
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 SCALES = (0.95, 1.0, 1.05)
 """Of the horizontal motion."""
@@ -113,13 +113,13 @@ class Neighbours(Result):
     @property
     def fact(self) -> Fact:
         """Their numbers, as the command prints them beside the case."""
-        fact: Fact = words_of(Neighbours).neighbours_fact(self)
+        fact: Fact = words_module(Neighbours).neighbours_fact(self)
         return fact
 
     @property
     def notes(self) -> tuple[str, ...]:
         """A warning where neighbours end otherwise than the case."""
-        notes: tuple[str, ...] = words_of(Neighbours).neighbours_notes(self)
+        notes: tuple[str, ...] = words_module(Neighbours).neighbours_notes(self)
         return notes
 
     @cached_property
@@ -147,7 +147,7 @@ class Neighbours(Result):
 
     def answer_with(self, friction: float | None) -> Answer:
         """Return the same for a coefficient of friction, with which the case may slide."""
-        answer: Answer = words_of(Neighbours).neighbours_answer(self, friction)
+        answer: Answer = words_module(Neighbours).neighbours_answer(self, friction)
         return answer
 
 

@@ -32,7 +32,7 @@ from rocksteady.model.motions.segments import Motion
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
     import xarray
@@ -408,7 +408,7 @@ class Trajectory(Physical, Result):
 
     def to_dataset(self, samples: int = 100) -> "xarray.Dataset":
         """Return the time history as a Dataset: the columns of `to_columns` over pt."""
-        dataset: xarray.Dataset = words_of(Trajectory).trajectory_dataset(self, samples)
+        dataset: xarray.Dataset = words_module(Trajectory).trajectory_dataset(self, samples)
         return dataset
 
     def describe(
@@ -429,6 +429,6 @@ class Trajectory(Physical, Result):
         ModelError
             If there is a friction, and the block has no size or the base impulses.
         """
-        words = words_of(Trajectory)
+        words = words_module(Trajectory)
         description: Description = words.describe_trajectory(self, mass_kg, friction)
         return description

@@ -38,7 +38,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import CONFIDENCE
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
@@ -166,7 +166,7 @@ class NoiseFates(Result):
             ``share_low`` and ``share_high`` of the 90 % interval over scale and level; ``rms`` over
             level [alpha g].
         """
-        dataset: xarray.Dataset = words_of(NoiseFates).fates_dataset(self)
+        dataset: xarray.Dataset = words_module(NoiseFates).fates_dataset(self)
         return dataset
 
 

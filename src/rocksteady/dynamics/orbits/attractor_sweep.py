@@ -32,7 +32,7 @@ from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Table
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -100,7 +100,7 @@ class AttractorSweep(Result):
     @property
     def start_text(self) -> str:
         """The start in a word."""
-        text: str = words_of(AttractorSweep).start_text(self.start)
+        text: str = words_module(AttractorSweep).start_text(self.start)
         return text
 
     def run_rows(self) -> list[dict[str, Any]]:
@@ -152,7 +152,7 @@ class AttractorSweep(Result):
         >>> print(data.kind.values, data.period.sel(amplitude=2.0).item())
         [2 0 0] 1
         """
-        dataset: xarray.Dataset = words_of(AttractorSweep).sweep_dataset(self)
+        dataset: xarray.Dataset = words_module(AttractorSweep).sweep_dataset(self)
         return dataset
 
     def values_by_kind(self) -> dict[str, int]:
@@ -161,7 +161,7 @@ class AttractorSweep(Result):
 
     def table(self) -> Table:
         """Return the runs as people read them; of many the falls, then the longest."""
-        table: Table = words_of(AttractorSweep).sweep_table(self)
+        table: Table = words_module(AttractorSweep).sweep_table(self)
         return table
 
 

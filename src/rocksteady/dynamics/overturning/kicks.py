@@ -39,7 +39,7 @@ from rocksteady.model.facts import kick_m_s
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
-from rocksteady.results.result import words_of
+from rocksteady.results.result import words_module
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
@@ -135,7 +135,7 @@ class FatalKicks(WindowLists):
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the windows as an xarray Dataset over moment, direction and window."""
-        dataset: xarray.Dataset = words_of(FatalKicks).kicks_dataset(self)
+        dataset: xarray.Dataset = words_module(FatalKicks).kicks_dataset(self)
         return dataset
 
     @property

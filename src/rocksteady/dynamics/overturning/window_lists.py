@@ -1,9 +1,8 @@
 """Lists of windows over which a block overturns: what all results that have them share."""
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,17 +14,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Model
-from rocksteady.results.answer import Answer
-from rocksteady.results.result import Result, words_of
-
-ON_FLOOR = 4
-"""Digits of amplitudes on a floor, whose lines are within 1e-3 of the ground's peak."""
-EXACT = ("frequency_ratio", "freq_hz", "pga_g", "pgv_m_s", "top")
-"""Keys of a row whose values are given, not searched."""
-OTHER_WAY = "the other way"
-"""Mark of an amplitude of the reversed motion."""
-NO_WINDOW = {"interval": [math.nan, math.nan], "impacts": -1, "side": 0, "endless": False}
-"""Row of a table where only the reversed motion overturns the block."""
+from rocksteady.results.result import Result
 
 
 class OverturningWindow(NamedTuple):
@@ -40,15 +29,6 @@ class OverturningWindow(NamedTuple):
     """On which it falls, +1 or -1."""
     endless: bool
     """Whether the window reaches the end of the range, so that its own end is not known."""
-
-
-def _told(name: str) -> Any:
-    """Return a method that calls a function of `rocksteady.words.window_lists`."""
-
-    def method(lists: "WindowLists", *given: Any) -> Any:
-        return getattr(words_of(WindowLists), name)(lists, *given)
-
-    return method
 
 
 @checked
@@ -153,46 +133,3 @@ class WindowLists(Result):
         row = self._row_of(index)
         ends = zip(self.left_out_low[row].tolist(), self.left_out_high[row].tolist(), strict=True)
         return [(low, high) for low, high in ends if not math.isnan(low)]
-
-    # For the overturning scales alone, until their words stand in `rocksteady.words`.
-    _block_fact = property(_told("block_fact"))
-    _by_first = property(_told("shown_rows"))
-    _computed = property(_told("computed_fact"))
-    _undecided = property(_told("undecided_fact"))
-    _rest = property(_told("other_rows_fact"))
-    _missing = property(_told("missing_text"))
-    _first_at = _told("first_text")
-    _governing_verdict = _told("governing_verdict")
-    _verdict = _told("verdict")
-    _governs = _told("governing_text")
-    _widest = _told("widest_text")
-    _narrower = _told("narrower_text")
-    _modes = _told("window_values")
-    _left = _told("left_values")
-    _variables = _told("window_variables")
-    _searched = property(_told("searched_attributes"))
-
-    def _with_other_way(self, write: Callable[[float], str], answer: Answer) -> Answer:
-        """Return the answer of a single row with the least of the reversed motion."""
-        joined: Answer = words_of(WindowLists).with_other_way(self, write, answer)
-        return joined
-
-
-def floor_digits(row: Any) -> Any:
-    """Return a row, or a part of it, with the digits of amplitudes that are right on a floor."""
-    if isinstance(row, dict):
-        kept = {key: each if key in EXACT else floor_digits(each) for key, each in row.items()}
-        for unit in {"", "_g", "_m_s"} & {key.removeprefix("low") for key in row}:
-            kept["low" + unit], kept["high" + unit] = _ends(row["low" + unit], row["high" + unit])
-        return kept
-    if isinstance(row, list) and len(row) == 2 and {*map(type, row)} == {float}:
-        return list(_ends(*row))
-    if isinstance(row, list):
-        return [floor_digits(each) for each in row]
-    return float(f"{row:.{ON_FLOOR}g}") if isinstance(row, float) else row
-
-
-def _ends(low: float, high: float) -> tuple[float, float]:
-    """Return the ends of a window with the digits that are right, or more to tell them apart."""
-    rounded = ((float(f"{low:.{n}g}"), float(f"{high:.{n}g}")) for n in range(ON_FLOOR, 18))
-    return next((ends for ends in rounded if ends[0] != ends[1]), (low, high))

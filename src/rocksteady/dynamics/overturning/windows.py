@@ -27,7 +27,7 @@ from rocksteady.model.checks.validation import in_range, index_value, is_pair, r
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.pulses import Pulse
-from rocksteady.results.result import words_of
+from rocksteady.results.result import words_module
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
@@ -105,7 +105,7 @@ class OverturningWindows(WindowLists):
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the windows as an xarray Dataset over frequency ratio and window."""
-        dataset: xarray.Dataset = words_of(OverturningWindows).windows_dataset(self)
+        dataset: xarray.Dataset = words_module(OverturningWindows).windows_dataset(self)
         return dataset
 
     @property

@@ -41,7 +41,7 @@ from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import framed
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -229,7 +229,7 @@ class SteadyStates(Result):
 
     def rows(self) -> list[dict[str, Any]]:
         """Return one row per solution, in the order of the points."""
-        rows: list[dict[str, Any]] = words_of(SteadyStates).solution_rows(self)
+        rows: list[dict[str, Any]] = words_module(SteadyStates).solution_rows(self)
         return rows
 
     def to_dataframe(self) -> "pd.DataFrame":
@@ -251,7 +251,7 @@ class SteadyStates(Result):
         >>> print(data.phase.dims, data.phase.attrs["units"])
         ('branch', 'grid_0') rad
         """
-        dataset: xarray.Dataset = words_of(SteadyStates).steady_dataset(self)
+        dataset: xarray.Dataset = words_module(SteadyStates).steady_dataset(self)
         return dataset
 
 

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from rocksteady.errors import with_call_errors
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -20,5 +20,5 @@ class DescribedMotion(Result):
         per sample; of any other motion in units of alpha g, alpha g/p and alpha g/p^2 over pivot
         time pt, of an endless one for 3 periods.  A vertical component has columns of its own.
         """
-        frame: pd.DataFrame = words_of(DescribedMotion).to_dataframe(self)
+        frame: pd.DataFrame = words_module(DescribedMotion).to_dataframe(self)
         return frame

@@ -11,7 +11,7 @@ from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.record import Record
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 from rocksteady.results.stated import Stated
 from rocksteady.risk.assess._remedies import is_helped, remedies_of
 from rocksteady.risk.assess.described.building import Building
@@ -129,13 +129,13 @@ class Assessment(Result):
     @property
     def demand(self) -> str:
         """The demand in words."""
-        words: str = words_of(Assessment).demand_words(self)
+        words: str = words_module(Assessment).demand_words(self)
         return words
 
     @cached_property
     def screen(self) -> Any:
         """Sentence and lines, in the words of `rocksteady.words`."""
-        return words_of(Assessment).screen_of(self.described, self.judged, self.suite)
+        return words_module(Assessment).screen_of(self.described, self.judged, self.suite)
 
     @cached_property
     def qualification(self) -> Mapping[str, float | None]:
@@ -173,13 +173,13 @@ class Assessment(Result):
     @property
     def scope_words(self) -> str:
         """Which published formulas stand beside the answer, and a kind that chooses none."""
-        words: str = words_of(Assessment).scope_words(self)
+        words: str = words_module(Assessment).scope_words(self)
         return words
 
     @property
     def lines(self) -> list[Stated]:
         """The facts below the sentence."""
-        lines: list[Stated] = words_of(Assessment).lines_of(self)
+        lines: list[Stated] = words_module(Assessment).lines_of(self)
         return lines
 
 

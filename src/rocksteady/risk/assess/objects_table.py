@@ -11,7 +11,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 from rocksteady.risk.assess._remedies import is_helped, remedies_of
 from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.objects import DescribedObject
@@ -266,7 +266,7 @@ def assess_placed(
     ]
     heavy = {kind for each, kind in zip(objects, like, strict=True) if each.body.whole_mass_kg}
     forces = _forces_per_kg(alike, kinds, heavy, run)
-    words, rows = words_of(ObjectsTable), []
+    words, rows = words_module(ObjectsTable), []
     for each, kind in zip(objects, like, strict=True):
         row = words.row_of(each, kinds[kind], placed.suite) | {"like": kind}
         row |= dict.fromkeys((*OUTPUTS, *FORCES)) | moved[kind]

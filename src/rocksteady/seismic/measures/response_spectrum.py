@@ -16,7 +16,7 @@ from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
 from rocksteady.model.motions.record import Record
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 from rocksteady.seismic.measures._oscillators import peaks
 from rocksteady.seismic.measures.time_course import refuse_extreme
 
@@ -83,7 +83,7 @@ class ResponseSpectrum(Result):
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the ordinates as a Dataset over ``period_s``."""
-        dataset: xarray.Dataset = words_of(ResponseSpectrum).spectrum_dataset(self)
+        dataset: xarray.Dataset = words_module(ResponseSpectrum).spectrum_dataset(self)
         return dataset
 
 

@@ -18,7 +18,7 @@ from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -115,7 +115,7 @@ class IntegratedRecord(Result):
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the samples as a Dataset over ``t_s``."""
-        dataset: xarray.Dataset = words_of(IntegratedRecord).integrated_dataset(self)
+        dataset: xarray.Dataset = words_module(IntegratedRecord).integrated_dataset(self)
         return dataset
 
     def to_dataframe(self) -> "pd.DataFrame":

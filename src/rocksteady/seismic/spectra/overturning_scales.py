@@ -34,7 +34,7 @@ from rocksteady.model.checks.validation import in_range, index_value, rising
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.results.result import words_of
+from rocksteady.results.result import words_module
 from rocksteady.seismic.measures.time_course import integrate_record
 from rocksteady.seismic.spectra.batch import GroundShaking
 from rocksteady.seismic.spectra.grounds import check_grounds, grounds_of, names_of
@@ -164,7 +164,7 @@ class OverturningScales(WindowLists):
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the windows as an xarray Dataset over record and window."""
-        dataset: xarray.Dataset = words_of(OverturningScales).scales_dataset(self)
+        dataset: xarray.Dataset = words_module(OverturningScales).scales_dataset(self)
         return dataset
 
     @property

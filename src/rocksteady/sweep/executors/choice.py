@@ -7,7 +7,7 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING, TypeGuard
 
 from rocksteady.errors import InputError
-from rocksteady.leaves import import_if_present
+from rocksteady.leaves import NO_GPU, import_if_present
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.sweep.cases.queue import Pool
 from rocksteady.sweep.cases.task import Task
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
 WORKERS = Whole(1, 1024, "give a number, or leave it out")
 MOST_PORTS = 65535
-ABSENT = ("this installation has no part for GPUs", "leave the executor out for threads")
 
 
 def pool_for(
@@ -55,7 +54,7 @@ def _gpu_pool(task: Task, workers: int | None) -> AbstractContextManager[Pool]:
     """Return the workers that share the GPU of this machine."""
     leaf = import_if_present("gpu.executor")
     if leaf is None:
-        raise InputError("executor", "gpu", *ABSENT)
+        raise InputError("executor", "gpu", NO_GPU, "leave it out for threads")
     pool: AbstractContextManager[Pool] = leaf.gpu_pool(task, workers)
     return pool
 

@@ -119,7 +119,7 @@ def legend_of(axes: Axes) -> list[str]:
     return [title] * bool(title) + [text.get_text() for text in legend.get_texts()]
 
 
-def words_of(axes: Axes) -> dict[str, str]:
+def words_module(axes: Axes) -> dict[str, str]:
     """Return the words in the picture, with their colours."""
     return {text.get_text(): str(text.get_color()) for text in axes.texts}
 
@@ -219,7 +219,7 @@ def test_solutions_that_are_no_motion_are_dotted_and_faint() -> None:
 def test_kinds_have_the_colours_of_their_roles_and_their_names_on_their_lines(inks: Inks) -> None:
     figure = Figure(figsize=(8.0, 5.0), facecolor=inks.paper)
     axes = plots.bifurcations(over_frequency(), ax=figure.add_subplot(facecolor=inks.paper))
-    words = words_of(axes)
+    words = words_module(axes)
     kinds = ("symmetric", "unsymmetric", "period 2")
     colours = (inks.motion, inks.unsymmetric_line, inks.subharmonic_line)
     entries = legend_of(axes)
@@ -267,9 +267,9 @@ def test_the_tipping_angle_is_a_dashed_limit_with_its_name() -> None:
     (line,) = (line for line in axes.lines if line.get_color() == LIGHT.limit)
     assert data(line)[1].tolist() == [1.0, 1.0]
     assert line.get_linestyle() == "--"
-    assert words_of(axes)["tipping angle"] == LIGHT.limit
+    assert words_module(axes)["tipping angle"] == LIGHT.limit
     low = plots.bifurcations(over_frequency(), ax=Figure().add_subplot(), top=0.5)
-    assert "tipping angle" not in words_of(low)
+    assert "tipping angle" not in words_module(low)
 
 
 @pytest.mark.slow
@@ -546,4 +546,4 @@ def test_orbits_that_rest_have_a_colour_of_their_own() -> None:
     assert {x for line in lines for x in data(line)[0]} >= set(resting.branches[0].values)
     high = max(np.nanmax(np.abs(branch.peaks)) for branch in resting.branches)
     assert max(np.nanmax(data(line)[1]) for line in lines) == high
-    assert (LABEL in words_of(axes)) or (LABEL in legend_of(axes))
+    assert (LABEL in words_module(axes)) or (LABEL in legend_of(axes))

@@ -47,7 +47,7 @@ from rocksteady.model.motions.fourier import (
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.numbers import CONFIDENCE
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
@@ -219,7 +219,7 @@ class BasinShares(Result):
             orbit), ``highest`` and ``lowest`` (theta/alpha) and ``present`` over family and
             parameter; ``label`` over parameter, velocity and angle.
         """
-        dataset: xarray.Dataset = words_of(BasinShares).shares_dataset(self)
+        dataset: xarray.Dataset = words_module(BasinShares).shares_dataset(self)
         return dataset
 
 

@@ -19,7 +19,7 @@ from rocksteady.model.checks.validation import odd_order, whole_number
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import framed
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -180,7 +180,7 @@ class BifurcationCurve(Result):
 
     def rows(self) -> list[dict[str, Any]]:
         """Return one row per point."""
-        rows: list[dict[str, Any]] = words_of(BifurcationCurve).curve_rows(self)
+        rows: list[dict[str, Any]] = words_module(BifurcationCurve).curve_rows(self)
         return rows
 
     def to_dataframe(self) -> "pd.DataFrame":
@@ -265,7 +265,7 @@ class BifurcationCurves(Result):
     def rows(self) -> Iterator[dict[str, Any]]:
         """Yield one row per point of each curve."""
         for place, curve in enumerate(self.curves, start=1):
-            yield from words_of(BifurcationCurves).curve_rows(curve, place)
+            yield from words_module(BifurcationCurves).curve_rows(curve, place)
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point of each curve."""

@@ -22,7 +22,7 @@ from rocksteady.model.checks.validation import positive
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import framed
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -85,7 +85,7 @@ class RestingBranches(Result):
     def rows(self) -> Iterator[dict[str, Any]]:
         """Yield one row per point of each branch, in SI too where the block has a size."""
         for place, branch in enumerate(self.branches, start=1):
-            yield from words_of(RestingBranches).resting_rows(branch, place)
+            yield from words_module(RestingBranches).resting_rows(branch, place)
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point of each branch, in SI too where the block has a size."""

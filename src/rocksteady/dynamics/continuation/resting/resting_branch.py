@@ -26,7 +26,7 @@ from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import framed
-from rocksteady.results.result import Result, words_of
+from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -380,7 +380,7 @@ class RestingBranch(Result):
 
     def rows(self) -> list[dict[str, Any]]:
         """Return one row per point, in SI too where the block has a size."""
-        rows: list[dict[str, Any]] = words_of(RestingBranch).resting_rows(self)
+        rows: list[dict[str, Any]] = words_module(RestingBranch).resting_rows(self)
         return rows
 
     def to_dataframe(self) -> "pd.DataFrame":

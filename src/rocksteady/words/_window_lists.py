@@ -9,7 +9,7 @@ import numpy as np
 
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import side_attributes
-from rocksteady.dynamics.overturning.window_lists import OTHER_WAY, WindowLists
+from rocksteady.dynamics.overturning.window_lists import WindowLists
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.answer import Answer, left_out
@@ -26,6 +26,15 @@ UNLISTED = ("left_out_low", "left_out_high")
 """Fields on the stretches in which windows left out lie."""
 LEFT = ("left_out", "left_out_width", "undecided", "unsettled")
 """Fields on amplitudes that a search leaves out, undecided or unsettled."""
+
+ON_FLOOR = 4
+"""Digits of amplitudes on a floor, whose lines are within 1e-3 of the ground's peak."""
+EXACT = ("frequency_ratio", "freq_hz", "pga_g", "pgv_m_s", "top")
+"""Keys of a row whose values are given, not searched."""
+OTHER_WAY = "the other way"
+"""Mark of an amplitude of the reversed motion."""
+NO_WINDOW = {"interval": [math.nan, math.nan], "impacts": -1, "side": 0, "endless": False}
+"""Row of a table where only the reversed motion overturns the block."""
 
 
 def block_fact(lists: WindowLists) -> Fact:
@@ -208,3 +217,23 @@ def _span(low: float, high: float) -> str:
     pairs = ((number(low, digits), number(high, digits)) for digits in range(3, MOST_DIGITS))
     apart = next((ends for ends in pairs if ends[0] != ends[1]), None)
     return "-".join(apart or (number(low, MOST_DIGITS), number(high, MOST_DIGITS)))
+
+
+def floor_digits(row: Any) -> Any:
+    """Return a row, or a part of it, with the digits of amplitudes that are right on a floor."""
+    if isinstance(row, dict):
+        kept = {key: each if key in EXACT else floor_digits(each) for key, each in row.items()}
+        for unit in {"", "_g", "_m_s"} & {key.removeprefix("low") for key in row}:
+            kept["low" + unit], kept["high" + unit] = _ends(row["low" + unit], row["high" + unit])
+        return kept
+    if isinstance(row, list) and len(row) == 2 and {*map(type, row)} == {float}:
+        return list(_ends(*row))
+    if isinstance(row, list):
+        return [floor_digits(each) for each in row]
+    return float(f"{row:.{ON_FLOOR}g}") if isinstance(row, float) else row
+
+
+def _ends(low: float, high: float) -> tuple[float, float]:
+    """Return the ends of a window with the digits that are right, or more to tell them apart."""
+    rounded = ((float(f"{low:.{n}g}"), float(f"{high:.{n}g}")) for n in range(ON_FLOOR, 18))
+    return next((ends for ends in rounded if ends[0] != ends[1]), (low, high))
