@@ -61,6 +61,7 @@ def test_without_a_leaf_the_rest_answers_as_before(
     copy = tmp_path / PACKAGE.name
     shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.rmtree(copy / leaf)
+    (copy / leaf / "__pycache__").mkdir(parents=True)  # as git leaves it behind
     (shown, *others), (_, *expected) = answers(tmp_path), whole
     commands = {
         name.partition(" ")[0]

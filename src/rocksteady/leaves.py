@@ -28,6 +28,8 @@ def import_if_present(name: str) -> ModuleType | None:
         None if it is part of a leaf whose folder has been deleted.
     """
     leaf = name.partition(".")[0]
-    if leaf in LEAVES and find_spec(f"rocksteady.{leaf}") is None:
-        return None
+    if leaf in LEAVES:
+        spec = find_spec(f"rocksteady.{leaf}")
+        if spec is None or spec.origin is None:  # a folder of caches alone is no leaf
+            return None
     return import_module(f"rocksteady.{name}")
