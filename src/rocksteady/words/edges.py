@@ -98,6 +98,7 @@ def _edge_answer(edge: EdgeState) -> Answer:
         kind = sign * (edge.opposite is None) + "kick" + " found" * bool(edge.fractal)
         size = kick_text(edge.block, edge.kick)
         words = f"from {start} the least {kind} that makes it fall is {size}"
+    words = solved_text(words, edge.block)
     sentence, periods = f"{words[0].upper()}{words[1:]}.", plural(edge.periods, "period")
     if edge.saddle is None:
         ending = "could not be followed beyond" if edge.kind == "lost" else "does not repeat in"
@@ -111,7 +112,7 @@ def _edge_answer(edge: EdgeState) -> Answer:
         [
             _other_way(edge),
             _searched(edge),
-            ("on the edge", solved_text(meaning, edge.block)),
+            ("on the edge", meaning),
             ("leaves the edge", f"{leaves} (multipliers {pair})" if pair else leaves),
             ("between", f"{first} and {second}"),
             ("computed", f"{edge.model.name}; {edge.bisections} outcomes over {periods}"),

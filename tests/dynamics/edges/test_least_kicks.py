@@ -152,6 +152,7 @@ def check(case: Case, tried: int) -> EdgeState:
     return edge
 
 
+@pytest.mark.slow
 @every("seed", range(20))
 def test_asymmetric_blocks_fall_at_the_least_kick_of_both_directions(seed: int) -> None:
     check(drawn(seed), tried=200)

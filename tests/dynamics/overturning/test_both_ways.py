@@ -123,6 +123,7 @@ def test_every_record_has_the_scale_of_the_direction_that_governs() -> None:
     assert "falls the other way first at" in answer
 
 
+@pytest.mark.slow
 def test_the_doubts_of_both_directions_count() -> None:
     """Neither a search nor that of what is reversed knows more than the other."""
     block = DimensionlessBlock(restitution=1.0, negative_restitution=0.99, alpha_ratio=0.7)

@@ -234,6 +234,7 @@ def hash_of(found: Calibration) -> str:
     return digest.hexdigest()
 
 
+@pytest.mark.slow
 def test_another_seed_is_another_calibration_and_the_same_seed_is_not() -> None:
     first, again, other = (hash_of(few(FEW_TESTS, seed=seed)) for seed in (1, 1, 2))
     assert first == again != other

@@ -42,6 +42,7 @@ def _folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return place
 
 
+@pytest.mark.slow
 def test_every_way_in_has_the_same_answer(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A file of an object names its spectrum from its own folder."""
     monkeypatch.chdir(folder.parent)
