@@ -24,7 +24,6 @@ INNER = 4
 """Folds of the training groups in which the ridge is chosen."""
 SUREST = 5.3
 """Largest log odds of the logistic: of 200 to 1."""
-MOST_ODDS = 6.9
 STACKED = (0.0, 1.0, 0.0)
 """Intercept and slopes of block and logistic where tests say nothing: the block alone."""
 LEAST_SLOPE = 0.05
