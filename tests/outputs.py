@@ -14,6 +14,7 @@ import pytest
 import xarray
 from matplotlib.figure import Figure
 
+from rocksteady.results.description import Description
 from rocksteady.show.export.csv_files import save_cells
 from rocksteady.show.export.dataset import write_dataset
 from rocksteady.show.export.files import save_csv, save_figure, save_text, save_whole
@@ -77,3 +78,8 @@ WRITERS: dict[str, Writer] = {
     "a.nc": lambda file, value: write_dataset(_cells(value), file),
     "a.gif": _gif,
 }
+
+
+def lines_of(description: Description) -> dict[str, str]:
+    """Return the words of each fact of the first screen by its label, empty ones too."""
+    return {fact.label: fact.words for fact in description.facts if fact.first}

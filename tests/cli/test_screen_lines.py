@@ -9,8 +9,8 @@ import pytest
 
 from rocksteady.cli.flags import groups
 from rocksteady.results import rendering
-from rocksteady.results.answer import MOST_LINES, MOST_ROWS, Answer
-from rocksteady.results.rendering import WIDTH
+from rocksteady.results.description import Description
+from rocksteady.results.rendering import MOST_LINES, MOST_ROWS, WIDTH
 from tests.cli.program import rocksteady
 from tests.manual.lines import shortened
 from tests.outputs import unrendered
@@ -70,10 +70,10 @@ class Seen:
     """Prints answers, and keeps them."""
 
     def __init__(self) -> None:
-        self.answers: list[Answer] = []
+        self.answers: list[Description] = []
         self.printed = rendering.print_answer
 
-    def __call__(self, answer: Answer, console: object) -> None:
+    def __call__(self, answer: Description, console: object) -> None:
         """Print an answer."""
         self.answers.append(answer)
         self.printed(answer, console)  # type: ignore[arg-type]

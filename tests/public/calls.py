@@ -186,7 +186,6 @@ def calls() -> dict[str, Call]:
         block.positive.to_dict: {},
         rs.check_neighbours: {"trajectory": t["pushed"]},
         t["neighbours"].describe: {},
-        t["neighbours"].answer_with: {"friction": 0.5},
         rs.histories.Neighbour: fields(t["neighbours"].cases[0]),
         run.base_acceleration: {"pt": [0.1, 0.2]},
         run.base_displacement: {"pt": [0.1, 0.2]},

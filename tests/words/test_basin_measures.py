@@ -8,7 +8,7 @@ from tests.dynamics.basins.measures.labelled_sets import disc
 
 def test_what_a_smooth_boundary_would_have_is_told() -> None:
     found = check_boundary(disc(300), 8, seed=5)
-    told = {fact.label: fact.text for fact in found.describe().facts}["smooth boundaries"]
+    told = {fact.label: fact.words for fact in found.describe().facts}["smooth boundaries"]
     low, high = map(float, told.split(" to "))
     assert low == pytest.approx(found.smooth_entropy - found.standard_error, abs=6e-5)
     assert high == pytest.approx(found.smooth_entropy + found.standard_error + found.bias, abs=6e-5)

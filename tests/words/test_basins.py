@@ -92,6 +92,5 @@ def test_what_does_not_settle_is_explained() -> None:
 )
 def test_a_letter_distinguishes_mirror_images_alone(frequency: float, names: list[str]) -> None:
     motion, near = Harmonic(amplitude=2.0, frequency_ratio=frequency), [-0.05, 0.0, 0.05]
-    answer = compute_basins(BARE, motion, angles=near, velocities=near).describe().answer
-    assert answer is not None
-    assert [name for name, text in answer.facts if " %" in str(text)] == names
+    answer = compute_basins(BARE, motion, angles=near, velocities=near).describe()
+    assert [name for name, text in answer.screen if " %" in str(text)] == names

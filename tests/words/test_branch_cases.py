@@ -72,8 +72,8 @@ def test_a_restitution_that_moves_is_none_of_a_block() -> None:
     fixed, free = (_branch_cases.block_fact(SIDES, names) for names in ([], ["restitution"]))
     assert (fixed.value["restitution"], fixed.value["negative"]["restitution"]) == (0.85, 0.8)
     assert free.value["restitution"] is free.value["negative"]["restitution"] is None
-    assert fixed.text == free.text + ", restitution 0.85/0.8"
+    assert fixed.words == free.words + ", restitution 0.85/0.8"
     statue = _branch_cases.block_fact(Block.named("statue-on-plinth"), ["restitution"])
-    assert statue.text.endswith(" rad/s, statue and plinth as one body")
+    assert statue.words.endswith(" rad/s, statue and plinth as one body")
     assert "negative" not in _branch_cases.block_fact(SIZED, ["restitution"]).value
     assert [_branch_cases.kept_text(block) for block in (SIDES, SIZED)] == ["0.85/0.8", "0.8"]

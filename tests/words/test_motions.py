@@ -22,7 +22,7 @@ def test_what_is_told_of_a_motion_that_ends_and_of_one_that_does_not() -> None:
     assert told["peak_acceleration"].value == 1.5
     assert told["peak_velocity"].value == pytest.approx(1.5)
     assert told["peak_displacement"].value == pytest.approx(3.0)
-    assert "alpha g/p^2" in told["peak_displacement"].text
+    assert "alpha g/p^2" in told["peak_displacement"].words
     endless = {fact.key: fact for fact in describe_motion(HARMONIC).facts}
     assert endless["duration_pt"].value is None
     assert endless["duration_pt"].text == "endless"

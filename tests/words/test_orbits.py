@@ -10,6 +10,7 @@ import pytest
 from rocksteady import Block, DimensionlessBlock, Harmonic, Linear, find_orbits
 from rocksteady.words.orbits import describe_orbits, kind_text, orbit_facts, orbits_table, worth
 from tests.every import every
+from tests.outputs import lines_of
 
 BARE = DimensionlessBlock(restitution=0.8)
 SIZED = Block.rectangle(width=0.4, height=1.2, restitution=0.8)
@@ -105,8 +106,7 @@ def test_rows_of_an_answer_are_the_best_motions_by_their_numbers_in_the_table(
 ) -> None:
     limits: dict[str, Any] = {"max_period": 2, "max_impacts": 4, "seeds": 12}
     orbits = find_orbits(block, MOTION, model="linear", **limits)
-    answer = describe_orbits(orbits, block, MOTION, Linear(), **limits).answer
-    assert answer is not None
+    answer = describe_orbits(orbits, block, MOTION, Linear(), **limits)
     motions = [orbit for orbit in orbits if orbit.admissible]
     stable = [orbit for orbit in orbits if orbit.stable]
     assert stable
@@ -114,7 +114,7 @@ def test_rows_of_an_answer_are_the_best_motions_by_their_numbers_in_the_table(
     verb = "is" if len(stable) == 1 else "are"
     count = f"{len(stable)} of {len(motions)} steady motions {verb} stable"
     assert answer.sentence == f"{count}; found up to 2 periods and 4 impacts."
-    head, *rows = (f"{label} {words}".split() for label, words in answer.facts[:3])
+    head, *rows = (f"{label} {words}".split() for label, words in answer.screen[:3])
     assert head[-5:] == ["period", "impacts", "highest", "lowest", "multipliers"]
     listed = [orbits[int(row[0]) - 1] for row in rows]
     assert [row[1] for row in rows] == [worth(orbit) for orbit in listed] == ["stable", "unstable"]
@@ -126,5 +126,5 @@ def test_rows_of_an_answer_are_the_best_motions_by_their_numbers_in_the_table(
             else:
                 assert tilt == f"{end:.3f}"
     left = len(orbits) - len(listed)
-    words = str(dict(answer.facts)["not listed"])
+    words = str(lines_of(answer)["not listed"])
     assert words == f"{left} more with --more: {left} inadmissible"

@@ -133,10 +133,9 @@ def test_windows_of_any_kind_have_their_words() -> None:
 def test_an_answer_says_nothing_of_what_was_not_searched(highest: float) -> None:
     for block in (BARE, LEANING):
         found = windows_of(block, "one-sine", highest)
-        answer = found.describe().answer
-        assert answer is not None
+        answer = found.describe()
         end = found.within[1] * (LEANING.uplift_acceleration / 9.80665 if block is LEANING else 1.0)
-        for _, text in (("", answer.sentence), *answer.facts):
+        for _, text in (("", answer.sentence), *answer.screen):
             assert isinstance(text, str)
             assert "above" not in text
             if "always" in text or "it stands" in text:

@@ -16,6 +16,7 @@ from rocksteady import (
 from rocksteady.basins import Erosion
 from rocksteady.dynamics.basins.erosion import MEASURES
 from tests.descriptions import as_json, fits
+from tests.outputs import lines_of
 
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 BARE = DimensionlessBlock(restitution=0.8)
@@ -84,9 +85,8 @@ def test_the_answer_states_what_is_left_at_the_last_amplitude() -> None:
     motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
     given: dict[str, Any] = {"angles": window, "velocities": window, "cycles": 20}
     found = compute_erosion(BARE, motion, [0.3, 0.6, 1.0], **given)
-    answer = found.describe().answer
-    assert answer is not None
-    words = dict(answer.facts)["left at A = 1"]
+    answer = found.describe()
+    words = lines_of(answer)["left at A = 1"]
     assert isinstance(words, str)
     said = re.fullmatch(r"([\d.]+) % of the area, ([\d.]+) % of the radius", words)
     assert said is not None

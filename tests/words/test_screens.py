@@ -5,29 +5,27 @@ from typing import Any
 from rocksteady import Demand, screen_block
 from rocksteady.risk.screens.screen import Kind
 from tests.every import every
+from tests.outputs import lines_of
 from tests.risk.screens.test_screens import BLOCK, SPECTRUM, full
 from tests.risk.screens.test_vertical import CASK, FLAT
 
 
 def test_the_answer_shows_the_governing_row_then_what_is_not_passed() -> None:
     calm = screen_block(BLOCK, Demand(pga_g=0.17, pgv_m_s=0.2), friction=0.4, object_kind="wall")
-    answer = calm.describe().answer
-    assert answer is not None
+    answer = calm.describe()
     passes = [calm.row(name).passes for name, _ in answer.rows]
     assert passes == [False, None, None, None, True, True]
     assert "restitution" not in [name for name, _ in answer.rows]
     for kind in (None, "statue"):
-        worst = full(kind=kind).describe().answer
-        assert worst is not None
+        worst = full(kind=kind).describe()
         failed = [row.name for row in full(kind=kind).rows if row.passes is False]
         assert [name for name, _ in worst.rows][: len(failed)] == failed
-    bare = screen_block(BLOCK, Demand()).describe().answer
-    assert bare is not None
+    bare = screen_block(BLOCK, Demand()).describe()
     none = "No answer yet: none of the published screens for any block has a verdict."
     assert bare.sentence == none
-    (words,) = [text for name, text in bare.facts if name == "no verdict"]
+    (words,) = [text for name, text in bare.screen if name == "no verdict"]
     assert words == "uplift needs a PGA; friction to rock needs a PGA"
-    assert not dict(bare.facts)["give next"]
+    assert not lines_of(bare)["give next"]
 
 
 @every(
@@ -70,11 +68,10 @@ def test_the_first_line_has_the_vertical_peak_where_a_verdict_counts_it(
     kind: Kind, given: dict[str, Any], counts: bool
 ) -> None:
     found = screen_block(CASK, Demand(**given), object_kind=kind)
-    answer = found.describe().answer
-    assert answer is not None
+    answer = found.describe()
     assert ("with a vertical peak of 0.3 g" in answer.sentence) is counts, answer.sentence
     fact = "" if counts else "0.3 g enters no row that has a verdict"
-    assert dict(answer.facts)["vertical motion"] == fact
+    assert lines_of(answer)["vertical motion"] == fact
 
 
 def test_a_slide_under_vertical_motion_names_it() -> None:

@@ -100,8 +100,7 @@ def test_the_table_has_a_row_a_size_and_a_column_a_slenderness() -> None:
 def test_the_answer_has_the_size_of_the_largest_block_that_falls() -> None:
     spectrum = compute_rocking_spectrum(ground(1, 9.0), alpha=ALPHA, periods_s=PERIODS)
     fell = (spectrum.status == int(Status.OVERTURNED)).to_numpy()
-    said = describe(spectrum).answer
-    assert said is not None
+    said = describe(spectrum)
     words = r"of ([\d.]+)° fall .* 2 pi/p = ([\d.]+) s \(([\d.]+) x ([\d.]+) m\)"
     found = re.search(words, said.sentence)
     assert found is not None, said
@@ -160,11 +159,10 @@ def test_of_many_blocks_those_that_fall_are_shown_first() -> None:
 def test_blocks_of_given_sizes_have_an_answer_for_several_records(scale: float) -> None:
     blocks = [Block.rectangle(width=width, height=1.1) for width in (0.3, 0.45)]
     cells = simulate_many(blocks, [ground(1), ground(2, name="other")], scales=scale)
-    answer = describe(cells).answer
-    assert answer is not None
+    answer = describe(cells)
     fell = (cells["status"] == int(Status.OVERTURNED)).sum("record").values.ravel()
     shares = [f"falls in {count} of 2 records" if count else "stands" for count in fell]
-    rows = {fact[0]: str(fact[1]) for fact in answer.facts}
+    rows = {fact[0]: str(fact[1]) for fact in answer.screen}
     assert rows["0.3 x 1.1 m"].startswith(shares[0])
     assert rows["0.45 x 1.1 m"].startswith(shares[1])
 

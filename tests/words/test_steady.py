@@ -7,17 +7,17 @@ import numpy as np
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, find_steady_states
 from rocksteady.formulas import steady_states
-from rocksteady.results.answer import Answer
+from rocksteady.results.description import Description
 from rocksteady.results.numbers import number
 from tests.every import every
+from tests.outputs import lines_of
 
 BARE = DimensionlessBlock(restitution=0.8)
 SIZED = Block.rectangle(width=0.4, height=2.0)
 
 
-def answer_of(answer: Answer | None) -> tuple[str, dict[str, Any]]:
-    assert answer is not None
-    return answer.sentence, dict(answer.facts)
+def answer_of(answer: Description) -> tuple[str, dict[str, Any]]:
+    return answer.sentence, lines_of(answer)
 
 
 GRIDS = [
@@ -40,7 +40,7 @@ def test_an_answer_counts_the_motions_of_a_grid(
     states = steady_states(amplitude, ratio, restitution, order=order)
     assert states.peak is not None
     assert states.admissible is not None
-    sentence, facts = answer_of(states.describe().answer)
+    sentence, facts = answer_of(states.describe())
     points, motions = states.region.size, int(states.admissible.sum())
     stable, where = int(states.stable.sum()), int(states.stable.any(axis=0).sum())
     told = f"No stable symmetric motion is possible at any of {points} points."
@@ -66,7 +66,7 @@ def test_a_block_with_a_size_has_degrees_and_hertz() -> None:
     motion = Harmonic(amplitude=3.0, frequency_ratio=5.0)
     states = find_steady_states(SIZED, motion, order=[1, 3])
     assert states.peak is not None
-    sentence, facts = answer_of(states.describe().answer)
+    sentence, facts = answer_of(states.describe())
     assert sentence == "A stable symmetric motion is possible at 2 of 2 points."
     low, high = np.sort(np.degrees(SIZED.alpha * states.peak[states.stable]))
     assert facts["tilt"] == f"{number(float(low))} to {number(float(high))}°"
@@ -101,7 +101,7 @@ def test_an_answer_names_the_best_motion_at_a_point(
     motion = Harmonic(amplitude=amplitude, frequency_ratio=ratio)
     states = find_steady_states(BARE, motion, order=order)
     assert states.peak is not None
-    shown, facts = answer_of(states.describe().answer)
+    shown, facts = answer_of(states.describe())
     peak = number(float(states.peak[0]))
     assert shown == f"It can rock steadily {sentence.format(peak)}"
     assert {key: facts[key] for key in expected} == expected
@@ -111,20 +111,20 @@ def test_the_period_and_the_speed_of_a_block_with_a_size_are_its_own() -> None:
     motion = Harmonic(amplitude=3.0, frequency_ratio=6.0)
     states = find_steady_states(SIZED, motion, order=3)
     assert states.velocity is not None
-    sentence, facts = answer_of(states.describe().answer)
+    sentence, facts = answer_of(states.describe())
     seconds = 3 * 2.0 * math.pi / (6.0 * SIZED.p)
     speed = math.degrees(abs(float(states.velocity[0])) * SIZED.alpha * SIZED.p)
     assert facts["impacts"] == f"2 in 3 periods ({seconds:.3g} s), {speed:.3g}°/s after each"
     assert "in a period-3 motion at " in sentence
     assert facts["closed form"].endswith(", out of phase, stable (linear)")
-    _, facts = answer_of(find_steady_states(SIZED, motion, model="linear").describe().answer)
+    _, facts = answer_of(find_steady_states(SIZED, motion, model="linear").describe())
     assert facts["exists"].startswith("from 0.")
 
 
 @every(("order", "words"), [(1, ""), (3, " in a period-3 motion")])
 def test_below_existence_nothing_rocks_steadily(order: int, words: str) -> None:
     states = find_steady_states(BARE, Harmonic(amplitude=0.01, frequency_ratio=4.0), order=order)
-    sentence, facts = answer_of(states.describe().answer)
+    sentence, facts = answer_of(states.describe())
     least = float(states.existence)
     assert sentence == (f"It cannot rock steadily{words}: that needs A = {number(least)} or more.")
     assert facts == {"computed": "linear (exact)"}

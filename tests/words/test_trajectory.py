@@ -41,8 +41,7 @@ def shaken(accel_g: float, hz: float = 1.0) -> Trajectory:
 
 def first_line(run: Trajectory) -> str:
     """Return the sentence of a run."""
-    answer = run.describe().answer
-    assert answer is not None
+    answer = run.describe()
     return answer.sentence
 
 

@@ -24,8 +24,8 @@ from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.results.answer import MOST_FACTS, Answer, left_out
-from rocksteady.results.description import Column, Description, Table
+from rocksteady.results.answer import left_out
+from rocksteady.results.description import MOST_FACTS, Column, Description, Table, line
 from rocksteady.results.numbers import plural
 from rocksteady.show.export.files import check_apart, check_writable, save_text
 from rocksteady.small_files import content_of
@@ -378,7 +378,7 @@ def _leave(
     if not rows:
         sentence = f"There is no {what} to be proved here"
     shown = [
-        (f"{n}", f"{each.verdict}: {_short(each)}")
+        line(f"{n}", f"{each.verdict}: {_short(each)}")
         for n, each in enumerate(certificates[:MOST_FACTS], 1)
     ]
     if len(rows) > MOST_FACTS:
@@ -388,8 +388,9 @@ def _leave(
         "certify",
         Description(
             sentence,
+            shown,
             tables=[Table("certificates", rows, columns)],
-            answer=Answer(sentence, facts=shown),
+            sentence=sentence,
         ),
         values={"proved": 0 < proved == len(rows), "claim": sentence, "certificates": rows},
         after=after,

@@ -33,8 +33,7 @@ from rocksteady.errors import ModelError, OutputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.facts import peak_unit
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Description, Fact
+from rocksteady.results.description import Description, Fact, line
 from rocksteady.results.numbers import number, quantity
 from rocksteady.show.export.files import check_writable, refuse_read
 
@@ -273,6 +272,8 @@ def described(
     state = state_of(view, on_records=bool(recordings))
     names = [each.name for each in recordings]
     facts = [
+        line("opens on", opening(view, state)),
+        line("records", ", ".join(names)),
         Fact("file", str(file), "file"),
         Fact("bytes", size, "size", f"{size / 1e3:.0f} kB"),
         Fact("scene", state["at"], "opens at"),
@@ -281,16 +282,13 @@ def described(
         Fact("view", state),
         Fact("records", names, "records" if names else "", ", ".join(names)),
     ]
-    answer = Answer(
-        f"Wrote {given} ({size / 1e3:.0f} kB): open it in any browser; it computes by itself, "
-        "offline.",
-        [
-            ("opens on", opening(view, state)),
-            ("records", ", ".join(names)),
-        ],
+    return Description(
+        "the explorer, in one file for any browser",
+        facts,
+        sentence=f"Wrote {given} ({size / 1e3:.0f} kB): open it in any browser; it computes by "
+        "itself, offline.",
         follow_up=f"python3 -m webbrowser {quoted(given)}",
     )
-    return Description("the explorer, in one file for any browser", facts, answer=answer)
 
 
 def opening(view: "ExplorerView", state: dict[str, str]) -> str:

@@ -15,8 +15,7 @@ from rocksteady.errors import InputError, with_call_errors
 from rocksteady.installation._recorded import Call, Difference, differences, loaded, replayed
 from rocksteady.kernels.machine_code.types import signature_of
 from rocksteady.leaves import NO_GPU, import_if_present
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Description, Fact, Table
+from rocksteady.results.description import Description, Fact, Table, line
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result, read_only
 
@@ -164,11 +163,17 @@ class Installation(Result):
             f"  {check.first_difference}"
             for check in wrong
         )
-        answer = self._answer(len(wrong), runs_on)
-        return Description(verdict, facts, (Table("checks", rows),), notes, answer)
+        return Description(
+            verdict,
+            [*self._screen(runs_on), *facts],
+            (Table("checks", rows),),
+            notes,
+            self._sentence(len(wrong)),
+            follow_up="rocksteady doctor --more" if wrong else FOLLOW_UP,
+        )
 
-    def _answer(self, wrong: int, runs_on: str) -> Answer:
-        """Return whether every value is the recorded one, and what computes here."""
+    def _sentence(self, wrong: int) -> str:
+        """Return whether every value is the recorded one."""
         sentence = (
             f"All {self.values:,} recorded values agree bit for bit: this installation is sound."
         )
@@ -179,14 +184,16 @@ class Installation(Result):
             )
         if not self.checks:
             sentence = "No answer yet: no recorded call was repeated."
-        facts = [
-            ("runs on", f"{runs_on}, {self.cpu_level or self.system}"),
-            ("kernels", RUNNERS[self.kernels]),
-            ("GPU", self.gpu or f"none: {self.no_gpu}"),
-            ("differing", ", ".join(each.name for each in self.checks if not each.equal)),
+        return sentence
+
+    def _screen(self, runs_on: str) -> list[Fact]:
+        """Return what computes here, and what differs."""
+        return [
+            line("runs on", f"{runs_on}, {self.cpu_level or self.system}"),
+            line("kernels", RUNNERS[self.kernels]),
+            line("GPU", self.gpu or f"none: {self.no_gpu}"),
+            line("differing", ", ".join(each.name for each in self.checks if not each.equal)),
         ]
-        follow_up = "rocksteady doctor --more" if wrong else FOLLOW_UP
-        return Answer(sentence, facts, follow_up=follow_up)
 
 
 @with_call_errors

@@ -1,71 +1,29 @@
-"""Answer of a result: what a screen shows by default, in at most eight lines.
+"""Lines of the first screen, which is at most eight of them.
 
 One sentence with the number that matters, its doubt and its reason; up to six facts; the command
 that goes on from here.  Tables, caveats and further facts of the result follow with ``--more``.
 """
 
 import textwrap
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from typing import Final
 
-MOST_LINES: Final = 8
-"""Lines of an answer, beside rows that are the answer."""
-MOST_FACTS: Final = 6
-"""Facts of an answer."""
-MOST_ROWS: Final = 12
-"""Rows of an answer that consists of rows."""
-GIVEN: Final = "block"
-"""Label of what was given, which is left out first where there are too many facts."""
+from rocksteady.results.description import Fact, line
+
 SHORT: Final = 55
 """Letters of a doubt on a screen, which fit on one line beside its label."""
 
 
-@dataclass(frozen=True)
-class Answer:
-    """Answer to the question of a command.
-
-    Attributes
-    ----------
-    sentence
-        The first line, which ``--quiet`` prints alone.
-    facts
-        Label and words of each fact, the most important first; words that are computed are a
-        function, which is called where the answer is printed.
-    rows
-        Label and words of each row, the worst first, where the rows are the answer; other short
-        tables are facts.
-    follow_up
-        A command that runs as it stands; empty where none follows.
-    """
-
-    sentence: str
-    facts: Sequence[tuple[str, str | Callable[[], str]]] = ()
-    rows: Sequence[tuple[str, str]] = ()
-    follow_up: str = ""
-
-    @property
-    def stated(self) -> list[tuple[str, str]]:
-        """Label and words of the facts that have words, six at most."""
-        pairs = [
-            (label, words if isinstance(words, str) else words()) for label, words in self.facts
-        ]
-        facts = [fact for fact in pairs if fact[1]]
-        if len(facts) > MOST_FACTS:
-            facts = [fact for fact in facts if fact[0] != GIVEN]
-        return facts[:MOST_FACTS]
-
-
-def left_out(count: int, kinds: str = "") -> tuple[str, str]:
+def left_out(count: int, kinds: str = "") -> Fact:
     """Return the fact that counts the rows that an answer leaves to ``--more``, by their kinds.
 
     Examples
     --------
-    >>> left_out(4, "1 red, 3 green"), left_out(0)
-    (('not listed', '4 more with --more: 1 red, 3 green'), ('not listed', ''))
+    >>> left_out(4, "1 red, 3 green").words, left_out(0).words
+    ('4 more with --more: 1 red, 3 green', '')
     """
     words = f"{count:,} more with --more" + (f": {kinds}" if kinds else "")
-    return "not listed", words if count else ""
+    return line("not listed", words if count else "")
 
 
 def doubt(warnings: Sequence[str]) -> str:
@@ -83,8 +41,8 @@ def doubt(warnings: Sequence[str]) -> str:
     return textwrap.shorten(first, SHORT - len(more), placeholder=" ...") + more
 
 
-def aligned(table: Sequence[Sequence[str]]) -> list[tuple[str, str]]:
-    """Return the cells of a table as rows of an answer, with columns that stand below each other.
+def aligned(table: Sequence[Sequence[str]]) -> list[Fact]:
+    """Return the rows of a table as facts of the first screen, with aligned columns.
 
     Parameters
     ----------
@@ -92,18 +50,8 @@ def aligned(table: Sequence[Sequence[str]]) -> list[tuple[str, str]]:
         Rows of as many cells, the first of them the label; columns but it and the last are numbers.
     """
     widths = [max(map(len, column)) for column in zip(*table, strict=True)]
-    return [
-        (
-            row[0],
-            "  ".join(
-                [
-                    *(
-                        cell.rjust(width)
-                        for cell, width in zip(row[1:-1], widths[1:-1], strict=True)
-                    ),
-                    row[-1],
-                ]
-            ),
-        )
-        for row in table
-    ]
+    facts = []
+    for label, *numbers, words in table:
+        cells = [cell.rjust(width) for cell, width in zip(numbers, widths[1:-1], strict=True)]
+        facts.append(line(label, "  ".join([*cells, words])))
+    return facts

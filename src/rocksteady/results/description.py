@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.results.answer import Answer
 from rocksteady.results.numbers import number, plural
 
 if TYPE_CHECKING:
@@ -14,6 +13,10 @@ if TYPE_CHECKING:
 
 MOST_ROWS = 24
 """Default largest number of rows of a table that a text or a page shows."""
+MOST_FACTS = 6
+"""Facts of the first screen."""
+GIVEN = "block"
+"""Label of what was given, which is left out first where there are too many facts."""
 MOST_ALARMS = 20
 """Rows of an alarm that are shown however few rows a table has."""
 
@@ -31,18 +34,23 @@ class Fact:
     label
         The words before it in a summary; empty for what JSON alone has.
     text
-        The value as people read it, with its unit; by default three significant digits.
+        The value as people read it, with its unit; by default three significant digits.  A function
+        is called where the fact is printed.
+    first
+        Whether it stands on the first screen.
     """
 
     key: str
     value: Any = field(default=None, hash=False)
     label: str = ""
-    text: str = ""
+    text: str | Callable[[], str] = ""
+    first: bool = False
 
     @property
     def words(self) -> str:
-        """The value as people read it."""
-        return self.text or shown(self.value)
+        """The value as people read it; empty where neither a value nor words are known."""
+        text = self.text if isinstance(self.text, str) else self.text()
+        return text or ("" if self.value is None and not self.key else shown(self.value))
 
 
 @dataclass(frozen=True)
@@ -132,6 +140,11 @@ class Table:
             yield [row.get(key) for key in header]
 
 
+def line(label: str, text: str | Callable[[], str]) -> Fact:
+    """Return a fact of the first screen, which people alone read."""
+    return Fact("", label=label, text=text, first=True)
+
+
 @dataclass(frozen=True)
 class Description:
     """Description of a result.
@@ -141,18 +154,34 @@ class Description:
     headline
         One line: what it is and how it ended, for `repr`, titles and captions.
     facts, tables
-        The content, in order.
+        The content, in order; facts of the first screen with the most important first.
     notes
         Sentences at the end: what it means, and what to do next.
-    answer
-        What a screen shows by default; None where that is the whole description.
+    sentence
+        The answer, which begins the first screen and which ``--quiet`` prints alone; empty where
+        the first screen is the whole description.
+    rows
+        Label and words of each row of the first screen, the worst first, where rows are the answer.
+    follow_up
+        A command that runs as it stands; empty where none follows.
     """
 
     headline: str
     facts: Sequence[Fact] = ()
     tables: Sequence[Table] = ()
     notes: Sequence[str] = ()
-    answer: Answer | None = None
+    sentence: str = ""
+    rows: Sequence[tuple[str, str]] = ()
+    follow_up: str = ""
+
+    @property
+    def screen(self) -> list[tuple[str, str]]:
+        """Label and words of the facts of the first screen that have words, six at most."""
+        pairs = [(fact.label, fact.words) for fact in self.facts if fact.first]
+        facts = [pair for pair in pairs if pair[1]]
+        if len(facts) > MOST_FACTS:
+            facts = [pair for pair in facts if pair[0] != GIVEN]
+        return facts[:MOST_FACTS]
 
     def to_dict(self) -> dict[str, Any]:
         """Return the JSON object, in plain values: all facts and rows that have a key."""

@@ -8,7 +8,6 @@ from dataclasses import replace
 from html import escape
 from typing import TYPE_CHECKING, Literal
 
-from rocksteady.results.answer import MOST_LINES, MOST_ROWS, Answer
 from rocksteady.results.description import Description, Table
 
 if TYPE_CHECKING:
@@ -18,6 +17,10 @@ if TYPE_CHECKING:
 
 WIDTH = 80
 """Columns of a summary."""
+MOST_LINES = 8
+"""Lines of the first screen, beside rows that are the answer."""
+MOST_ROWS = 12
+"""Rows of a first screen that consists of rows."""
 
 ROLES = {
     "falls": r"^falls\b",
@@ -78,8 +81,8 @@ def printable(text: object, *, keep: str = "") -> str:
     )
 
 
-def print_answer(answer: Answer, console: "Console") -> None:
-    """Print an answer on a console: the sentence, rows and facts, and the command that follows.
+def print_answer(answer: Description, console: "Console") -> None:
+    """Print the first screen: the sentence, rows and facts, and the command that follows.
 
     Facts are cut to what eight lines of 80 columns hold, whatever the console has; a long command
     makes way for them.  Below 60 columns a label stands on a line of its own.
@@ -90,7 +93,7 @@ def print_answer(answer: Answer, console: "Console") -> None:
     width = min(console.width, WIDTH)
     _say(console, answer.sentence, "sentence", width)
     rows = [(_cut(label), printable(words)) for label, words in answer.rows[:MOST_ROWS]]
-    facts = [(_cut(label), printable(words)) for label, words in answer.stated]
+    facts = [(_cut(label), printable(words)) for label, words in answer.screen]
     indent = max([15, *(cell_len(label) for label, _ in (*rows, *facts))]) + 4
     narrow = console.width < NARROW
     start = 4 if narrow else indent
@@ -108,7 +111,7 @@ def print_answer(answer: Answer, console: "Console") -> None:
 
 
 def _fitting(
-    answer: Answer, facts: Sequence[tuple[str, str]], indent: int
+    answer: Description, facts: Sequence[tuple[str, str]], indent: int
 ) -> Iterator[tuple[str, str]]:
     """Yield the facts for which eight lines have room, the first of them first."""
     room = MOST_LINES - len(_filled(printable(answer.sentence), WIDTH).split("\n"))
@@ -121,7 +124,7 @@ def _fitting(
             yield label, words
 
 
-def _command(answer: Answer, width: int) -> str:
+def _command(answer: Description, width: int) -> str:
     """Return the command that follows, in lines."""
     return _continued(printable(answer.follow_up), width - len(f"{NEXT} "))
 
@@ -174,7 +177,7 @@ def _continued(command: str, width: int) -> str:
 
 
 def print_description(description: Description, console: "Console") -> None:
-    """Print a description on a console: facts, tables, then notes, dimmed.
+    """Print what follows the first screen: further facts, tables, then notes, dimmed.
 
     Parameters
     ----------
@@ -188,7 +191,9 @@ def print_description(description: Description, console: "Console") -> None:
 
     width = min(console.width, WIDTH)
     _say(console, description.headline, "sentence", width)
-    facts = [(_cut(fact.label), fact) for fact in description.facts if fact.label]
+    facts = [
+        (_cut(fact.label), fact) for fact in description.facts if fact.label and not fact.first
+    ]
     indent = max((cell_len(label) for label, _ in facts), default=0) + 2
     for label, fact in facts:
         # A path is one word, and stays whole to be copied.
@@ -233,20 +238,25 @@ def as_text(description: Description, *, more: bool = True) -> str:
         markup=False,
         emoji=False,
     )
-    if description.answer is not None:
-        print_answer(description.answer, plain)
-    if more or description.answer is None:
+    if description.sentence:
+        print_answer(description, plain)
+    if more or not description.sentence:
         print_description(description, plain)
     return "\n".join(line.rstrip() for line in stream.getvalue().splitlines())
 
 
 def as_html(description: Description) -> str:
-    """Return a description as HTML: a caption, the facts, the tables, the notes."""
-    parts = [f'<div class="rocksteady"><strong>{_words(description.headline)}</strong>']
+    """Return a description as HTML: the answer, the facts, the tables, the notes."""
+    sentence = description.sentence or description.headline
+    parts = [f'<div class="rocksteady"><strong>{_words(sentence)}</strong>']
+    if sentence != description.headline:
+        parts.append(f"<p>{_words(description.headline)}</p>")
+    further = [
+        (each.label, each.words) for each in description.facts if each.label and not each.first
+    ]
     rows = [
-        f"<tr>{_cell('th', fact.label, 'left')}{_cell('td', fact.words, 'left')}</tr>"
-        for fact in description.facts
-        if fact.label
+        f"<tr>{_cell('th', label, 'left')}{_cell('td', words, 'left')}</tr>"
+        for label, words in dict.fromkeys((*description.rows, *description.screen, *further))
     ]
     if rows:
         parts.append(f'<table style="{STYLE}">{"".join(rows)}</table>')

@@ -6,6 +6,7 @@ What these cannot say is a row of a table.
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from rocksteady.results.description import Fact, line
 from rocksteady.results.numbers import CONFIDENCE, chance, number, plural, quantity
 
 LEAST = 1e-3
@@ -68,9 +69,9 @@ class Stated:
         return "; ".join(part for part in (words, self.condition) if part)
 
 
-def facts_stated(lines: Iterable[Stated]) -> list[tuple[str, str]]:
-    """Return label and words of the lines that say something, as an answer takes them."""
-    return [(line.quantity, line.words) for line in lines if line.words]
+def facts_stated(lines: Iterable[Stated]) -> list[Fact]:
+    """Return the lines that say something as facts of the first screen."""
+    return [line(each.quantity, each.words) for each in lines if each.words]
 
 
 def share_words(falls: int, runs: int, band: tuple[float, float], share: float) -> str:

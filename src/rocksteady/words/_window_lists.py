@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,8 +11,8 @@ from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.overturning.window_lists import WindowLists
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import block_text, block_values
-from rocksteady.results.answer import Answer, left_out
-from rocksteady.results.description import Fact
+from rocksteady.results.answer import left_out
+from rocksteady.results.description import Fact, line
 from rocksteady.results.numbers import number, plural
 
 WIDEST = 3
@@ -52,19 +51,19 @@ def shown_rows(lists: WindowLists) -> list[int]:
     return [int(row) for row in order[:SHOWN]]
 
 
-def computed_fact(lists: WindowLists) -> tuple[str, str]:
+def computed_fact(lists: WindowLists) -> Fact:
     """Return model and block, as a fact of an answer."""
-    return "computed", f"{lists.model.name}, {lists.block.describe().headline}"
+    return line("computed", f"{lists.model.name}, {lists.block.describe().headline}")
 
 
-def undecided_fact(lists: WindowLists) -> tuple[str, str]:
+def undecided_fact(lists: WindowLists) -> Fact:
     """Return how many sizes have no decision, as a fact of an answer."""
     count = int(lists.undecided.sum())
     words = f"at {count:,} of the sizes tried, which count as standing"
-    return "undecided", words if count else ""
+    return line("undecided", words if count else "")
 
 
-def other_rows_fact(lists: WindowLists) -> tuple[str, str]:
+def other_rows_fact(lists: WindowLists) -> Fact:
     """Return the number of rows that are left out, as a fact of an answer."""
     stand = int(np.isnan(lists.governing).sum())
     fall = len(lists.first) - stand - len(shown_rows(lists))
@@ -83,16 +82,18 @@ def missing_text(lists: WindowLists) -> str:
     return words + narrow * bool(lists.unsettled.any() or lists._on_floors)
 
 
-def with_other_way(lists: WindowLists, write: Callable[[float], str], answer: Answer) -> Answer:
+def with_other_way(
+    lists: WindowLists, write: Callable[[float], str], sentence: str, facts: Sequence[Fact]
+) -> tuple[str, list[Fact]]:
     """Return the answer of a single row with the least of the reversed motion."""
     if not lists._two_ways:
-        return answer
+        return sentence, [*facts]
     least = float(lists.opposite[0])
     words = "stands" if math.isnan(least) else f"falls {first_text(lists, least, write)}"
     if not lists.opposite_governs[0]:
-        return replace(answer, facts=[(OTHER_WAY, words), *answer.facts])
-    given = answer.sentence.replace("It ", "As given it ", 1)
-    return replace(answer, sentence=f"The other way it {words}, which governs. {given}")
+        return sentence, [line(OTHER_WAY, words), *facts]
+    given = sentence.replace("It ", "As given it ", 1)
+    return f"The other way it {words}, which governs. {given}", [*facts]
 
 
 def least_mark(lists: WindowLists, size: float) -> str:

@@ -5,7 +5,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import force_words, number, number_or_none, share_of
 from rocksteady.results.result import describes
@@ -70,7 +69,7 @@ def describe_assessment(assessment: Assessment) -> Description:
     kept = [fact for fact in facts.facts if fact.key != "name"]
     return Description(
         headline=assessment.sentence,
-        facts=[*_facts(assessment), *kept],
+        facts=[*facts_stated(lines_of(assessment)), *_facts(assessment), *kept],
         tables=tables_of(
             assessment.screens,
             assessment.cases,
@@ -84,7 +83,7 @@ def describe_assessment(assessment: Assessment) -> Description:
             *CAVEATS,
             scope_words(assessment),
         ],
-        answer=Answer(assessment.sentence, facts_stated(lines_of(assessment))),
+        sentence=assessment.sentence,
     )
 
 
@@ -117,7 +116,6 @@ def _facts(assessment: Assessment) -> list[Fact]:
     return [
         Fact("name", assessment.described.name, "object"),
         Fact("sentence", assessment.sentence),
-        *(Fact("", label=label, text=text) for label, text in facts_stated(lines_of(assessment))),
         *answer_facts(judged, target, built_in=assessment.suite.built_in),
         Fact("copies", assessment.suite.copies),
         *target_facts(target),

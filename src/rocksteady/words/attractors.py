@@ -15,9 +15,8 @@ from rocksteady.dynamics.steady.verdicts import BEYOND
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import case_text, tilt_text
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
-from rocksteady.results.answer import Answer
 from rocksteady.results.datasets import ColumnWords, padded, variables_of
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import angle, number, number_or_none, plural, quantity
 from rocksteady.results.result import describes
 from rocksteady.words.orbits import beyond_alpha, case_facts, kind_text, orbit_facts, where
@@ -97,10 +96,12 @@ def describe_attractor(attractor: Attractor) -> Description:
             f"On the way small differences grew {attractor.growth:.0e}-fold: where several motions "
             "attract, a rounding may have chosen this one."
         )
+    sentence, screen = attractor_answer(attractor)
     return Description(
         f"{kind_text(attractor.kind.value, attractor.period).capitalize()}: "
         + where(attractor.block, attractor.motion, attractor.model),
         [
+            *screen,
             *facts.values(),
             Fact("settled_after_periods", attractor.after, *known),
             Fact("growth", attractor.growth),
@@ -108,11 +109,11 @@ def describe_attractor(attractor: Attractor) -> Description:
             *case_facts(attractor.block, attractor.motion, attractor.model),
         ],
         notes=notes,
-        answer=attractor_answer(attractor),
+        sentence=sentence,
     )
 
 
-def attractor_answer(attractor: Attractor) -> Answer:
+def attractor_answer(attractor: Attractor) -> tuple[str, list[Fact]]:
     """Return what a motion settles to, how stable that is and when it was known."""
     block, orbit, kind = attractor.block, attractor.orbit, attractor.kind
     start = start_text(attractor.initial)
@@ -129,15 +130,15 @@ def attractor_answer(attractor: Attractor) -> Answer:
         grown = f"differences grew 10^{tens}-fold on the way: a rounding may have chosen"
     known = plural(attractor.after, "period") if attractor.after else ""
     facts = [
-        ("rounding", grown),
-        ("beyond alpha", BEYOND if orbit is not None and beyond_alpha(orbit) else ""),
-        ("period", _period(orbit)),
-        ("stable", shrinks),
-        ("mirror image", "is an attractor too" if mirrored else ""),
-        ("known after", f"{known}, from {start}" if known else ""),
-        ("computed", f"{attractor.model.name}; {case_text(block)}"),
+        line("rounding", grown),
+        line("beyond alpha", BEYOND if orbit is not None and beyond_alpha(orbit) else ""),
+        line("period", _period(orbit)),
+        line("stable", shrinks),
+        line("mirror image", "is an attractor too" if mirrored else ""),
+        line("known after", f"{known}, from {start}" if known else ""),
+        line("computed", f"{attractor.model.name}; {case_text(block)}"),
     ]
-    return Answer(_settles(attractor), facts)
+    return _settles(attractor), facts
 
 
 def _settles(attractor: Attractor) -> str:

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from rocksteady.results.answer import Answer, doubt
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.answer import doubt
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import chance, number, plural, quantity
 from rocksteady.results.result import describes
 from rocksteady.results.words import facts_of
@@ -81,34 +81,39 @@ def describe_analysis(analysis: BackAnalysis) -> Description:
         else f"{number(analysis.confidence)} of {analysis.held_out_surveys} simulated surveys "
         f"under records that are left out, at a posterior probability of {number(analysis.share)}"
     )
+    sentence, screen = _answer(analysis, coverage)
     return Description(
         headline=f"{fell} of {plural(len(analysis.survey), 'object')} fell: " + _sentence(analysis),
-        facts=facts_of(
-            analysis,
-            Fact("objects", len(analysis.survey), "Objects"),
-            Fact("fell", fell, "Fell"),
-            Fact("records", len(analysis.records), "Records"),
-            "bound confidence share plain_coverage held_out_surveys temper",
-            Fact(
-                "temper_scores", {f"{key:g}": each for key, each in analysis.temper_scores.items()}
+        facts=[
+            *screen,
+            *facts_of(
+                analysis,
+                Fact("objects", len(analysis.survey), "Objects"),
+                Fact("fell", fell, "Fell"),
+                Fact("records", len(analysis.records), "Records"),
+                "bound confidence share plain_coverage held_out_surveys temper",
+                Fact(
+                    "temper_scores",
+                    {f"{key:g}": each for key, each in analysis.temper_scores.items()},
+                ),
+                "effective_records limits draws runs",
+                Fact("model", analysis.model.name, "Equations of motion"),
+                Fact("sources", dict(analysis.survey.sources)),
+                "warnings",
+                held_out_surveys=coverage,
+                limits=f"{low} to {high} {first.unit}".strip() + f" of {first.label}",
             ),
-            "effective_records limits draws runs",
-            Fact("model", analysis.model.name, "Equations of motion"),
-            Fact("sources", dict(analysis.survey.sources)),
-            "warnings",
-            held_out_surveys=coverage,
-            limits=f"{low} to {high} {first.unit}".strip() + f" of {first.label}",
-        ),
+        ],
         tables=[
             Table("measures", analysis.rows(), columns),
             Table("record_weights", analysis.record_rows(), record_columns),
         ],
         notes=[*analysis.warnings, *CAVEATS],
-        answer=_answer(analysis, coverage),
+        sentence=sentence,
     )
 
 
-def _answer(analysis: BackAnalysis, coverage: str) -> Answer:
+def _answer(analysis: BackAnalysis, coverage: str) -> tuple[str, list[Fact]]:
     """Return the intervals of the first two measures, their middles, and doubts."""
     fell, level = sum(analysis.survey.fell), chance(analysis.confidence)
     medians = [
@@ -120,14 +125,16 @@ def _answer(analysis: BackAnalysis, coverage: str) -> Answer:
     if analysis.held_out_surveys:
         coverage = f"{level} of {analysis.held_out_surveys} simulated surveys"
     facts = [
-        ("doubt", doubt(analysis.warnings)),
-        ("median", " and ".join(medians)),
-        ("coverage", coverage if analysis.bound == "interval" else ""),
-        ("records", f"{len(analysis.records)}, of {number(analysis.effective_records)} effective"),
-        ("best record", f"{best['record']}, scaled by {number(best['scale'])}"),
+        line("doubt", doubt(analysis.warnings)),
+        line("median", " and ".join(medians)),
+        line("coverage", coverage if analysis.bound == "interval" else ""),
+        line(
+            "records", f"{len(analysis.records)}, of {number(analysis.effective_records)} effective"
+        ),
+        line("best record", f"{best['record']}, scaled by {number(best['scale'])}"),
     ]
     sentence = f"{fell or 'None'} of {len(analysis.survey)} fell: {_sentence(analysis)} ({level})."
-    return Answer(sentence, facts)
+    return sentence, facts
 
 
 def _sentence(analysis: BackAnalysis) -> str:

@@ -19,8 +19,8 @@ from rocksteady.model.facts import (
 )
 from rocksteady.model.units import CONVERSIONS
 from rocksteady.outcomes import AttractorKind
-from rocksteady.results.answer import Answer, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.answer import left_out
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import CONFIDENCE, chance, number, plural
 from rocksteady.results.result import describes
 from rocksteady.words.windows import (
@@ -87,16 +87,17 @@ def describe_shares(shares: BasinShares) -> Description:
         Column("periods", "periods", lambda periods: ", ".join(map(str, periods))),
     ]
     families = _family_rows(shares)
+    sentence, screen = over_answer(shares, families)
     return Description(
         f"{plural(len(families), 'basin')} over {ends}, {_case(shares)}",
-        facts,
+        [*screen, *facts],
         [
             Table("shares", _rows(shares)),
             Table("families", families),
             Table("", families, columns, "shares where the attractor exists", most=40),
         ],
         _notes(shares),
-        over_answer(shares, families),
+        sentence,
     )
 
 
@@ -199,7 +200,7 @@ def _notes(shares: BasinShares) -> list[str]:
     return notes
 
 
-def over_answer(shares: BasinShares, families: Sequence[dict[str, Any]]) -> Answer:
+def over_answer(shares: BasinShares, families: Sequence[dict[str, Any]]) -> tuple[str, list[Fact]]:
     """Return how the shares of basins change over a parameter.
 
     Parameters
@@ -225,15 +226,16 @@ def over_answer(shares: BasinShares, families: Sequence[dict[str, Any]]) -> Answ
     rows = []
     for each in ranked[:MOST_BASINS]:
         where = "" if each["values"] == len(shares.values) else _where(each, symbol)
-        rows.append(("rests" if each["name"] == "rest" else each["name"], _range(each) + where))
+        name = "rests" if each["name"] == "rest" else each["name"]
+        rows.append(line(name, _range(each) + where))
     left = len(ranked) - len(rows)
     facts = [
         *rows,
         left_out(left, "smaller basins"),
-        ("starts", f"{shares.label[0].size:,} at each: {ends_text(shares)}"),
-        ("computed", f"{shares.model.name}; at most {shares.max_cycles} periods"),
+        line("starts", f"{shares.label[0].size:,} at each: {ends_text(shares)}"),
+        line("computed", f"{shares.model.name}; at most {shares.max_cycles} periods"),
     ]
-    return Answer(f"{solved_text(sentence, shares.block)}.", facts)
+    return f"{solved_text(sentence, shares.block)}.", facts
 
 
 def _where(family: dict[str, Any], symbol: str) -> str:

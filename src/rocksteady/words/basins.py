@@ -19,8 +19,8 @@ from rocksteady.model.facts import (
     tilt_text,
 )
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
-from rocksteady.results.answer import Answer, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.answer import left_out
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import CONFIDENCE, number, plural
 from rocksteady.results.result import describes
 from rocksteady.words.orbits import beyond_alpha, plain_orbit
@@ -104,17 +104,18 @@ def describe_basins(basins: Basins) -> Description:
         notes.append("Without loss (restitution 1) motions do not settle.")
     elif basins.undecided:
         notes.append("States are undecided: they balance for ever, or take more periods to follow.")
+    sentence, screen = basins_answer(basins)
     return Description(
         f"{plural(len(rows), 'basin')} at phase {number(motion.phase)} rad: {case}, "
         f"{case_text(block)}, {basins.model.name} model",
-        facts,
+        [*screen, *facts],
         [Table("fractions", rows), Table("", with_between(rows) if drawn else rows, columns)],
         notes,
-        basins_answer(basins),
+        sentence,
     )
 
 
-def basins_answer(basins: Basins) -> Answer:
+def basins_answer(basins: Basins) -> tuple[str, list[Fact]]:
     """Return the shares of the basins, the largest listed."""
     shares = [part.share for part in basins.fractions()]
     pairs = sorted(zip(basins.attractors, shares, strict=True), key=lambda pair: -pair[1])
@@ -132,22 +133,22 @@ def basins_answer(basins: Basins) -> Answer:
             words[0] += f" (90 %: {100.0 * part.low:.1f} to {100.0 * part.high:.1f} %)"
         if orbit is not None:
             words += [f"period {orbit.period}", f"tilt {tilt_text(basins.block, _reach(orbit))}"]
-        rows.append((_name(each), ", ".join(words)))
+        rows.append(line(_name(each), ", ".join(words)))
     left = pairs[MOST_BASINS:]
     total = sum(share for _, share in left)
     beyond = sum(each.orbit is not None and beyond_alpha(each.orbit) for each in basins.attractors)
     settle = "without loss motions do not settle" if basins.block.lossless else LONGER
     facts = [
-        ("undecided", settle if basins.undecided else ""),
+        line("undecided", settle if basins.undecided else ""),
         *rows,
         left_out(len(left), f"{100.0 * total:.1f} %"),
-        ("beyond alpha", f"{plural(beyond, 'motion')}: {BEYOND}" if beyond else ""),
-        ("starts", f"{basins.label.size:,}: {ends_text(basins)}"),
-        ("computed", f"{basins.model.name}; at most {basins.max_cycles} periods"),
-        ("boundary", "not measured: --entropy and --exponent measure it"),
+        line("beyond alpha", f"{plural(beyond, 'motion')}: {BEYOND}" if beyond else ""),
+        line("starts", f"{basins.label.size:,}: {ends_text(basins)}"),
+        line("computed", f"{basins.model.name}; at most {basins.max_cycles} periods"),
+        line("boundary", "not measured: --entropy and --exponent measure it"),
     ]
     sentence = shares_sentence(ends, basins.undecided).removesuffix(".")
-    return Answer(f"{solved_text(sentence, basins.block)}.", facts)
+    return f"{solved_text(sentence, basins.block)}.", facts
 
 
 def _open(attractor: BasinAttractor) -> bool:

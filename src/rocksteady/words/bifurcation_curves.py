@@ -13,8 +13,8 @@ from rocksteady.dynamics.continuation.curves.bifurcation_curves import (
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import solved_text
-from rocksteady.results.answer import Answer, aligned, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.answer import aligned, left_out
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import describes
 from rocksteady.words._branch_cases import (
@@ -86,21 +86,22 @@ def describe_curves(curves: BifurcationCurves) -> Description:
         f"{images}Curves that hang together with no bifurcation on "
         "the lines across the plane are missed: more lines find more."
     )
+    sentence, screen = curves_answer(curves)
     return Description(
         f"Bifurcation curves: {', '.join([*ranges, *constant])}, "
         f"{model_text(curves.block, curves.model)}",
-        facts,
+        [*screen, *facts],
         [
             _points_table(points, curves.parameters),
             _curves_table(listed, curves.parameters, {each["type"] for each in points}),
             Table("regions", regions),
         ],
         [note],
-        curves_answer(curves),
+        sentence,
     )
 
 
-def curves_answer(curves: BifurcationCurves) -> Answer:
+def curves_answer(curves: BifurcationCurves) -> tuple[str, list[Fact]]:
     """Return how many bifurcation curves cross a plane, and where they meet.
 
     Parameters
@@ -133,14 +134,14 @@ def curves_answer(curves: BifurcationCurves) -> Answer:
     listed = ", ".join(f"{number_of} {kind}" for kind, number_of in types.most_common())
     solved = solved_text(curves.model.name, curves.block)
     facts = [
-        ("unfinished", "" if curves.complete else "stopped at --max-curves or --max-branches"),
+        line("unfinished", "" if curves.complete else "stopped at --max-curves or --max-branches"),
         *aligned(rows),
         left_out(sum(left.values()), kinds),
-        ("curves", listed),
-        ("missed", "curves off every line across the plane: more lines find more"),
-        ("computed", f"{solved}; up to {plural(curves.search.longest, 'period')}"),
+        line("curves", listed),
+        line("missed", "curves off every line across the plane: more lines find more"),
+        line("computed", f"{solved}; up to {plural(curves.search.longest, 'period')}"),
     ]
-    return Answer(sentence, facts)
+    return sentence, facts
 
 
 @describes(BifurcationCurve)

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from rocksteady.results.answer import Answer, doubt, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.answer import doubt, left_out
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.doubts import NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import chance, interval, number, number_or_none, plural
 from rocksteady.results.result import describes
@@ -29,7 +29,7 @@ def describe_calibration(calibration: Calibration) -> Description:
     """Return scores, parameters with their verdicts, and what limits them."""
     rows = calibration.validation.rows
     effective = {name: each.effective_draws for name, each in calibration.posteriors.items()}
-    answer = _answer(calibration)
+    sentence, screen = _answer(calibration)
     facts = [
         Fact("seed", calibration.seed),
         Fact("tests", len(calibration.tests), "tests"),
@@ -90,16 +90,16 @@ def describe_calibration(calibration: Calibration) -> Description:
     ]
     return Description(
         headline=f"calibration of {plural(len(calibration.posteriors), 'object')} by "
-        f"{plural(len(calibration.tests), 'test')}: {answer.sentence[0].lower()}"
-        f"{answer.sentence[1:].removesuffix('.')}",
-        facts=facts,
+        f"{plural(len(calibration.tests), 'test')}: {sentence[0].lower()}"
+        f"{sentence[1:].removesuffix('.')}",
+        facts=[*screen, *facts],
         tables=tables,
         notes=[*calibration.warnings, *_remarks(calibration)],
-        answer=answer,
+        sentence=sentence,
     )
 
 
-def _answer(calibration: Calibration) -> Answer:
+def _answer(calibration: Calibration) -> tuple[str, list[Fact]]:
     """Return how well held-out tests are predicted, and what outcomes show of parameters."""
     rows = calibration.validation.rows
     few = [name for name, each in calibration.posteriors.items() if not each.identified]
@@ -145,17 +145,17 @@ def _answer(calibration: Calibration) -> Answer:
         if row["median"] is not None:
             words = f"{number(row['median'])} (90 %: {_range(row, 'low', 'high')}); "
             words += str(row["verdict"])
-        lines.append((label, words))
+        lines.append(line(label, words))
     # A short screen drops facts from the end.
-    facts = [("held out", _compared(rows))] if rows else []
+    facts = [line("held out", _compared(rows))] if rows else []
     facts += [*lines[: MOST if several else 1], left_out(max(len(lines) - MOST, 0))]
-    facts.append(("doubt", doubt(calibration.warnings[len(calibration.conflicts) :])))
+    facts.append(line("doubt", doubt(calibration.warnings[len(calibration.conflicts) :])))
     if calibration.new_day is not None and calibration.new_day.rows:
         day = calibration.new_day.rows["predicted"].accuracy[0]
-        facts.append(("new day", f"{chance(day)}; {_compared(calibration.new_day.rows)}"))
+        facts.append(line("new day", f"{chance(day)}; {_compared(calibration.new_day.rows)}"))
     if rows and not few and not bounds:
-        facts.append(("use", _use(calibration)))
-    return Answer(sentence, facts if several else [*facts, *lines[1:]])
+        facts.append(line("use", _use(calibration)))
+    return sentence, facts if several else [*facts, *lines[1:]]
 
 
 def _unseen(calibration: Calibration) -> str:

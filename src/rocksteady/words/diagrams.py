@@ -14,9 +14,9 @@ from rocksteady.model.equations import Model
 from rocksteady.model.facts import AnyBlock, case_text, solved_text, tilt_text
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import AttractorKind
-from rocksteady.results.answer import Answer, left_out
+from rocksteady.results.answer import left_out
 from rocksteady.results.datasets import ColumnWords, Variable, variables_of
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import describes
 from rocksteady.words._branch_cases import (
@@ -134,7 +134,9 @@ def describe_diagram(diagram: BifurcationDiagram) -> Description:
         f"{unit}{images}Branches that hang together with none of the "
         "starts are missed: a search everywhere starts from more."
     )
-    return Description(diagram_headline(diagram), facts, tables, notes, diagram_answer(diagram))
+    sentence, screen = diagram_answer(diagram)
+    headline = diagram_headline(diagram)
+    return Description(headline, [*screen, *facts], tables, notes, sentence)
 
 
 def diagram_headline(diagram: BifurcationDiagram) -> str:
@@ -233,7 +235,7 @@ def branches_table(branches: Sequence[dict[str, Any]], parameter: str) -> Table:
     )
 
 
-def diagram_answer(diagram: BifurcationDiagram) -> Answer:
+def diagram_answer(diagram: BifurcationDiagram) -> tuple[str, list[Fact]]:
     """Return where a stable steady motion exists over a parameter, and what the sweeps meet.
 
     Parameters
@@ -259,7 +261,7 @@ def diagram_answer(diagram: BifurcationDiagram) -> Answer:
         kind = "symmetric" if branch.symmetric else "unsymmetric"
         low, high = (_end(diagram, number_of, end, place) for end in (first, last))
         label = kind if branch.period == 1 else f"{kind} {branch.period}"
-        rows.append((label, f"stable {low} to {high}{place.unit}"))
+        rows.append(line(label, f"stable {low} to {high}{place.unit}"))
     doublings = "none: no branch doubles its period here" if diagram.search.doublings else ""
     if cascade is not None:
         limit = f"{place.name}{number(place.factor * float(cascade.values[-1]), 7)}{place.unit}"
@@ -270,16 +272,16 @@ def diagram_answer(diagram: BifurcationDiagram) -> Answer:
     if diagram.parameter != "restitution":
         computed += f"; {case_text(diagram.block)}"
     facts = [
-        ("unfinished", "" if diagram.complete else "stopped at --max-branches: more may begin"),
+        line("unfinished", "" if diagram.complete else "stopped at --max-branches: more may begin"),
         *rows,
-        ("cascade", doublings),
-        *((f"sweep {sweep.direction}", _met(sweep, place)) for sweep in diagram.sweeps),
+        line("cascade", doublings),
+        *(line(f"sweep {sweep.direction}", _met(sweep, place)) for sweep in diagram.sweeps),
         left_out(len(stable) - len(rows), "narrower stable ranges"),
-        ("found", counts_of(diagram)),
-        ("computed", computed),
+        line("found", counts_of(diagram)),
+        line("computed", computed),
     ]
     sentence = _stability(_joined(ranges), diagram.within, place).removesuffix(".")
-    return Answer(f"{solved_text(sentence, diagram.block)}.", facts)
+    return f"{solved_text(sentence, diagram.block)}.", facts
 
 
 def counts_of(diagram: BifurcationDiagram, reach: str = "") -> str:

@@ -17,8 +17,7 @@ from rocksteady.model.facts import (
     other_kick_text,
     solved_text,
 )
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import DIGITS, number, number_or_none, plural
 from rocksteady.results.result import describes
 from rocksteady.words._window_lists import OTHER_WAY
@@ -66,11 +65,16 @@ def describe_edge(edge: EdgeState) -> Description:
             "" if edge.kick is None else kick_text(edge.block, edge.kick, MORE_DIGITS),
         ),
         Fact("least_kick_m_s", number_or_none(edge.kick_m_s)),
-        Fact("opposite_kick", edge.opposite, *_other_way(edge, MORE_DIGITS)),
+        Fact(
+            "opposite_kick",
+            edge.opposite,
+            OTHER_WAY * (edge.opposite is not None),
+            _other_way(edge, MORE_DIGITS),
+        ),
         Fact("opposite_kick_m_s", number_or_none(kick_m_s(edge.block, edge.opposite))),
         Fact("fractal", edge.fractal),
         Fact("width", edge.width),
-        Fact("resolution", edge.resolution, *_searched(edge)),
+        Fact("resolution", edge.resolution, "searched" * bool(edge.fractal), _searched(edge)),
         Fact("start_state", _pair(edge.start), "start", _text(edge.start)),
         Fact("other_state", _pair(edge.other), "other", _text(edge.other)),
         Fact("boundary_state", _pair(edge.boundary), "boundary", _text(edge.boundary)),
@@ -83,10 +87,11 @@ def describe_edge(edge: EdgeState) -> Description:
     if saddle is not None:
         facts.append(Fact("", label="distance", text=f"{edge.distance:.1e} at the end"))
     headline = f"Edge state, {words}: {place(edge)}"
-    return Description(headline, facts, notes=[MEANING[edge.kind]], answer=_edge_answer(edge))
+    sentence, screen = _edge_answer(edge)
+    return Description(headline, [*screen, *facts], notes=[MEANING[edge.kind]], sentence=sentence)
 
 
-def _edge_answer(edge: EdgeState) -> Answer:
+def _edge_answer(edge: EdgeState) -> tuple[str, list[Fact]]:
     """Return the least kick or a state of the edge, and the motion there."""
     plain = {"rest": "rests"}
     first, second = (plain.get(each, each.replace("overturned", "falls")) for each in edge.outcomes)
@@ -107,33 +112,33 @@ def _edge_answer(edge: EdgeState) -> Answer:
     leaves = f"{number(math.exp(edge.exponent))}-fold a period"
     meaning = MEANING[edge.kind].split(": ")[0].split(". ")[0].removesuffix(".")
     meaning = meaning.removeprefix("On the edge ").replace("the block", "it")
-    return Answer(
+    return (
         sentence,
         [
-            _other_way(edge),
-            _searched(edge),
-            ("on the edge", meaning),
-            ("leaves the edge", f"{leaves} (multipliers {pair})" if pair else leaves),
-            ("between", f"{first} and {second}"),
-            ("computed", f"{edge.model.name}; {edge.bisections} outcomes over {periods}"),
+            line(OTHER_WAY, _other_way(edge)),
+            line("searched", _searched(edge)),
+            line("on the edge", meaning),
+            line("leaves the edge", f"{leaves} (multipliers {pair})" if pair else leaves),
+            line("between", f"{first} and {second}"),
+            line("computed", f"{edge.model.name}; {edge.bisections} outcomes over {periods}"),
         ],
     )
 
 
-def _other_way(edge: EdgeState, digits: int = DIGITS) -> tuple[str, str]:
-    """Return the least kick in the other direction, as a fact."""
+def _other_way(edge: EdgeState, digits: int = DIGITS) -> str:
+    """Return the least kick in the other direction in words."""
     if edge.opposite is None:
-        return "", ""
-    return OTHER_WAY, other_kick_text(edge.block, edge.opposite, (0.0, MOST_KICK), digits)
+        return ""
+    return other_kick_text(edge.block, edge.opposite, (0.0, MOST_KICK), digits)
 
 
-def _searched(edge: EdgeState) -> tuple[str, str]:
-    """Return the resolution, as a fact, where smaller kicks may be fatal."""
+def _searched(edge: EdgeState) -> str:
+    """Return the resolution in words where smaller kicks may be fatal."""
     text = f"in steps of {number(edge.resolution or 0.0)} alpha g/p; fractal: smaller kicks "
     text += "may fell it, and larger ones may not"
     if edge.width is not None:
         text += f"; this window is {number(edge.width, 2)} wide"
-    return "searched", text * bool(edge.fractal)
+    return text * bool(edge.fractal)
 
 
 def _pair(state: State) -> list[float]:

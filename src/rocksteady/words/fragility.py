@@ -3,7 +3,6 @@
 import math
 from typing import Any, Final
 
-from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.results.numbers import (
@@ -144,14 +143,14 @@ def describe_fragility(fragility: Fragility) -> Description:
     ]
     return Description(
         headline=sentence,
-        facts=facts,
+        facts=[*facts_stated(_lines(fragility)), *facts],
         tables=[
             Table("shares", [row for each in fragility.states for row in each.rows]),
             Table("fits", [each.summary_row for each in fragility.states]),
             Table("", _shown_rows(fragility), columns, title="Counted shares"),
         ],
         notes=fragility.warnings,
-        answer=Answer(sentence, facts_stated(_lines(fragility))),
+        sentence=sentence,
     )
 
 

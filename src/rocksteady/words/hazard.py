@@ -4,8 +4,7 @@ import math
 from operator import itemgetter
 from typing import Final
 
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import CONFIDENCE, chance, number, plural, quantity
 from rocksteady.results.result import describes
 from rocksteady.results.words import facts_of
@@ -72,10 +71,10 @@ def describe_risk(risk: Risk) -> Description:
     sentence = f"Falls {rate_words(risk)}."
     return Description(
         headline=sentence,
-        facts=facts,
+        facts=[line("half of it", f"below {quantity(risk.contributing[1], unit)}"), *facts],
         tables=[Table("contributions", rows, columns, title, severity=itemgetter("share"))],
         notes=[_reach(risk), POISSON],
-        answer=Answer(sentence, [("half of it", f"below {quantity(risk.contributing[1], unit)}")]),
+        sentence=sentence,
     )
 
 

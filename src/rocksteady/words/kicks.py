@@ -12,8 +12,7 @@ from rocksteady.dynamics.overturning.kicks import SIGNS, FatalKicks
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import case_text, kick_text, kicks_text, other_kick_text, solved_text
 from rocksteady.outcomes import BALANCED
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import describes
 from rocksteady.words._window_lists import (
@@ -74,9 +73,10 @@ def describe_kicks(kicks: FatalKicks) -> Description:
             "some may be missing."
         )
     headline = f"Least fatal kick: {case_text(kicks.block)}, {kicks.model.name} model"
+    sentence, screen = _answer(kicks)
     return Description(
         headline,
-        facts,
+        [*screen, *facts],
         [
             Table(
                 "",
@@ -88,11 +88,11 @@ def describe_kicks(kicks: FatalKicks) -> Description:
             Table("kicks", listed),
         ],
         notes,
-        answer=_answer(kicks),
+        sentence=sentence,
     )
 
 
-def _answer(kicks: FatalKicks) -> Answer:
+def _answer(kicks: FatalKicks) -> tuple[str, list[Fact]]:
     """Return the least kick of all moments, then the other moments and the other way."""
 
     def write(kick: float) -> str:
@@ -107,15 +107,15 @@ def _answer(kicks: FatalKicks) -> Answer:
     searched = f"{_range_text(kicks)}{missing_text(kicks)}"
     facts = [
         undecided_fact(kicks),
-        ("searched", solved_text(searched, kicks.block)),
+        line("searched", solved_text(searched, kicks.block)),
         computed_fact(kicks),
     ]
     if math.isnan(_smallest(kicks)):
-        return Answer("It stands after every kick searched.", facts)
+        return "It stands after every kick searched.", facts
     if _smallest(kicks) == 0.0:
         course = simulate(kicks.block, kicks.motion, start=kicks.start, model=kicks.model)
         ends = BALANCED if course.balanced else "falls without a kick"
-        return Answer(f"It {ends}.", facts)
+        return f"It {ends}.", facts
     order = np.argsort(np.abs(kicks.least), kind="stable").tolist()
     at = order[0]
     opposite = float(kicks.signed[at, int(kicks.least[at] > 0.0)])
@@ -123,14 +123,14 @@ def _answer(kicks: FatalKicks) -> Answer:
     state = f"theta/alpha {number(kicks.angle[at])}, velocity {number(kicks.velocity[at])}"
     least = kicks.least.tolist()
     rows = [
-        (moment(row), "stands" if math.isnan(least[row]) else write(least[row]))
+        line(moment(row), "stands" if math.isnan(least[row]) else write(least[row]))
         for row in order[:SHOWN]
     ]
     rows = rows if len(order) > 1 else []
-    facts[1:1] = [*rows, (OTHER_WAY, words), ("tilt before", state)]
+    facts[1:1] = [*rows, line(OTHER_WAY, words), line("tilt before", state)]
     when = f" at {moment(at)}" if len(order) > 1 else ""
     kind = "kick found" if kicks.unsettled.any() else "kick"
-    return Answer(f"The least {kind} that fells it is {write(_smallest(kicks))}{when}.", facts)
+    return f"The least {kind} that fells it is {write(_smallest(kicks))}{when}.", facts
 
 
 def _range_text(kicks: FatalKicks) -> str:

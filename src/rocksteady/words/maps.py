@@ -7,8 +7,7 @@ from rocksteady.dynamics.maps.cell_classes import map_counts
 from rocksteady.dynamics.parameters import AXES
 from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.blocks.housner_forms import ratio_words
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Description, Fact
+from rocksteady.results.description import Description, Fact, line
 from rocksteady.results.numbers import angle, length, number, plural, quantity, share
 from rocksteady.sweep.cases.facts import cell_count, count_table, grid_facts
 
@@ -61,13 +60,13 @@ def describe(dataset: "Labelled") -> Description:
         parts = ", ".join(f"{count:,} {kind}" for kind, count in longer.items())
         notes.append(f"subharmonic: of period 2 or longer, {parts}")
     table = count_table(counts, cells=cells, heading=name)
-    answer = _answer(dataset, counts, longer, cells)
-    return Description(headline(dataset), facts, [table], notes, answer)
+    sentence, screen = _answer(dataset, counts, longer, cells)
+    return Description(headline(dataset), [*screen, *facts], [table], notes, sentence)
 
 
 def _answer(
     dataset: "Labelled", counts: "dict[str, int]", longer: "dict[str, int]", cells: int
-) -> Answer:
+) -> tuple[str, list[Fact]]:
     """Return in which share of a map the block falls, rocks and rests."""
     given = dataset.attrs
     falls, rests = counts["overturned"], counts.get("rest", 0) + counts.get("at-rest", 0)
@@ -104,14 +103,14 @@ def _answer(
         )
         if counts.get(word)
     ]
-    return Answer(
+    return (
         sentence[0].upper() + sentence[1:],
         [
-            ("falls", f"{falls:,} of {plural(cells, 'cell')} ({_axes(dataset)})"),
-            ("rocks", ", ".join(kinds)),
-            ("left out", "; ".join(missing)),
-            ("stands on", str(given.get("floor", ""))),
-            ("computed", model),
+            line("falls", f"{falls:,} of {plural(cells, 'cell')} ({_axes(dataset)})"),
+            line("rocks", ", ".join(kinds)),
+            line("left out", "; ".join(missing)),
+            line("stands on", str(given.get("floor", ""))),
+            line("computed", model),
         ],
     )
 

@@ -4,8 +4,7 @@ from functools import partial
 
 from rocksteady.dynamics.history.neighbours import Neighbours
 from rocksteady.outcomes import Status
-from rocksteady.results.answer import GIVEN, Answer
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import GIVEN, Column, Description, Fact, Table, line
 from rocksteady.results.numbers import angle, number, quantity
 from rocksteady.results.result import describes
 from rocksteady.words.trajectory import ROCKING_ALONE, sentence, slides, sliding_or
@@ -38,16 +37,18 @@ def describe_neighbours(neighbours: Neighbours) -> Description:
         for each in neighbours.cases
     ]
     fact, model = neighbours_fact(neighbours), neighbours.model.name
+    sentence, screen = neighbours_answer(neighbours, None)
     return Description(
-        f"{fact.text}, {model} model",
+        f"{fact.words}, {model} model",
         facts=[
+            *screen,
             Fact("model", model),
             Fact("status", neighbours.case.status.label, "the given case"),
             fact,
         ],
         tables=[Table("cases", rows, columns, most=len(rows))],
         notes=neighbours_notes(neighbours),
-        answer=neighbours_answer(neighbours, None),
+        sentence=sentence,
     )
 
 
@@ -76,11 +77,10 @@ def _others(neighbours: Neighbours) -> str:
     return f"{others} of {neighbours.runs} neighbours {'stand' if falls else 'fall'}"
 
 
-def neighbours_answer(neighbours: Neighbours, friction: float | None) -> Answer:
+def neighbours_answer(neighbours: Neighbours, friction: float | None) -> tuple[str, list[Fact]]:
     """Return the answer of the case, which may slide, with what its neighbours say."""
     case = neighbours.case
-    given, falls = case.describe(friction=friction).answer, case.status is Status.OVERTURNED
-    assert given is not None
+    falls = case.status is Status.OVERTURNED
     words = f"but {_others(neighbours)}"
     if case.status is Status.LOST_CONTACT:
         same = sum(each.status is case.status for each in neighbours.cases)
@@ -88,11 +88,12 @@ def neighbours_answer(neighbours: Neighbours, friction: float | None) -> Answer:
     elif neighbours.agree:
         words = "and so do" if falls else "and"
         words += f" all {neighbours.runs} neighbours" + ("" if falls else " stand")
-    facts = [fact for fact in given.facts if fact[1] and fact[0] != ROCKING_ALONE]
-    facts[-1] = ("computed", f"{case.model.name}; neighbours {RANGE}")
-    place = [label for label, _ in facts].index(GIVEN) - 1 if len(facts) > 2 else 0
+    given = case.describe(friction=friction).facts
+    facts = [each for each in given if each.first and each.text and each.label != ROCKING_ALONE]
+    facts[-1] = line("computed", f"{case.model.name}; neighbours {RANGE}")
+    place = [fact.label for fact in facts].index(GIVEN) - 1 if len(facts) > 2 else 0
     if not slides(case, friction):
-        facts.insert(max(place, 0), ("stands at", partial(_stands, neighbours)))
+        facts.insert(max(place, 0), line("stands at", partial(_stands, neighbours)))
     return sliding_or(case, f"{sentence(case)}, {words}", facts, friction)
 
 

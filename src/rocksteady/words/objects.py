@@ -2,8 +2,7 @@
 
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.facts import block_text, block_values
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import describes
 from rocksteady.results.words import facts_of
@@ -109,14 +108,20 @@ def describe_formula(formula: FormulaAssessment) -> Description:
     """Return the sentence, the thresholds, the source and the remarks."""
     lifting = quantity(formula.uplift_pga_g, "g") + " as one body" * bool(formula.block.parts)
     lifting += f", {number(formula.uplift_pga_g / formula.pga_g, 2)} of the demand"
-    answer = [
-        ("doubt", " ".join(formula.remarks)),
-        ("friction needed", number(formula.friction_needed)),
-        ("friction given", "" if formula.friction is None else number(formula.friction)),
-        ("lifts at", lifting),
-        ("half fall at", quantity(formula.median_pgv_m_s, "m/s") * (formula.verdict == "rocks")),
+    screen = [
+        line("doubt", " ".join(formula.remarks)),
+        line("friction needed", number(formula.friction_needed)),
+        line("friction given", "" if formula.friction is None else number(formula.friction)),
+        line("lifts at", lifting),
+        line(
+            "half fall at", quantity(formula.median_pgv_m_s, "m/s") * (formula.verdict == "rocks")
+        ),
     ]
     block = Fact("block", block_values(formula.block), "block", block_text(formula.block))
     facts = facts_of(formula, block, Fact("source", SOURCE))
-    first = Answer(formula.sentence, answer)
-    return Description(formula.sentence, facts, notes=[*formula.remarks, SOURCE], answer=first)
+    return Description(
+        formula.sentence,
+        [*screen, *facts],
+        notes=[*formula.remarks, SOURCE],
+        sentence=formula.sentence,
+    )

@@ -4,8 +4,8 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
-from rocksteady.results.answer import Answer, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.answer import left_out
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import chance, number, plural, share_of
 from rocksteady.results.result import describes
 from rocksteady.results.stated import share_words
@@ -70,9 +70,10 @@ def describe_table(table: ObjectsTable) -> Description:
         Fact("verdicts", table.verdicts, "verdicts", words),
         Fact("seconds", table.seconds),
     ]
+    sentence, screen, rows = _answer(table)
     return Description(
         headline=f"{plural(len(table.rows), 'object')} {where}: {words}",
-        facts=facts,
+        facts=[*screen, *facts],
         tables=[
             Table(
                 "objects",
@@ -83,11 +84,12 @@ def describe_table(table: ObjectsTable) -> Description:
             )
         ],
         notes=[*CAVEATS, *_remarks(table)],
-        answer=_answer(table),
+        sentence=sentence,
+        rows=rows,
     )
 
 
-def _answer(table: ObjectsTable) -> Answer:
+def _answer(table: ObjectsTable) -> tuple[str, list[Fact], list[tuple[str, str]]]:
     """Return how many objects are above the target, and the worst kinds."""
     kinds, red = table.kinds, table.verdicts.get("red", 0)
     placing = None if table.shaking is None else table.shaking.placing
@@ -110,19 +112,19 @@ def _answer(table: ObjectsTable) -> Answer:
     needs = [row["friction_needed"] for row in table.rows if row["friction"] is None]
     facts = [
         left_out(len(rest), left),
-        (
+        line(
             "spectrum",
             "" if placing is None else spectrum_line(placing, doubt_on_spectrum(placing)).words,
         ),
-        ("records", f"{table.records:,}" if not table.suite.built_in else ""),
-        (
+        line("records", f"{table.records:,}" if not table.suite.built_in else ""),
+        line(
             "friction",
             f"must be at least {number(max(needs))} where it is not given" if needs else "",
         ),
     ]
     in_years = table.target.years is not None
     rows = [(row["name"], _row_words(row, count, in_years)) for row, count in kinds[:MOST_ROWS]]
-    return Answer(sentence, facts, rows)
+    return sentence, facts, rows
 
 
 def _remarks(table: ObjectsTable) -> list[str]:

@@ -27,8 +27,8 @@ from rocksteady.model.facts import (
     solved_text,
 )
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
-from rocksteady.results.answer import Answer, aligned, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.answer import aligned, left_out
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import describes
 
@@ -235,9 +235,11 @@ def describe_orbits(
     count = f"{plural(motions, 'periodic motion')} {reach}, {stable} stable"
     if motions < len(orbits):
         count += f"; {plural(len(orbits) - motions, 'inadmissible solution')}"
+    sentence, screen = orbits_answer(orbits, block, limits, mirrors=mirrors)
     return Description(
         f"Periodic motions: {where(block, motion, model)}",
         [
+            *screen,
             Fact("orbits", [orbit_values(orbit) for orbit in orbits]),
             *(Fact(name, value) for name, value in limits.items()),
             *case_facts(block, motion, model),
@@ -245,7 +247,7 @@ def describe_orbits(
         ],
         [orbits_table(orbits)],
         [f"{unit}{reminder} A search from {seeds} x {seeds} states may miss motions{images}"],
-        orbits_answer(orbits, block, limits, mirrors=mirrors),
+        sentence,
     )
 
 
@@ -255,7 +257,7 @@ def orbits_answer(
     limits: dict[str, int],
     *,
     mirrors: bool,
-) -> Answer:
+) -> tuple[str, list[Fact]]:
     """Return how many steady motions there are, and the stable ones.
 
     Parameters
@@ -291,13 +293,13 @@ def orbits_answer(
     facts = [
         *(aligned(rows) if ranked else ()),
         left_out(sum(left.values()), kinds),
-        (
+        line(
             "beyond alpha",
             f"{plural(reaching, 'motion')}: {BEYOND}" if reaching else "",
         ),
-        ("searched", f"{seeds} x {seeds} starts may miss some{images}"),
+        line("searched", f"{seeds} x {seeds} starts may miss some{images}"),
     ]
-    return Answer(sentence, facts)
+    return sentence, facts
 
 
 def _row(number_of: int, orbit: Orbit) -> tuple[str, ...]:

@@ -13,8 +13,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.equations import Linear
 from rocksteady.model.facts import amplitude_text, case_text, restitution_values, solved_text
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import describes
 from rocksteady.words._window_lists import (
@@ -98,10 +97,11 @@ def describe_windows(windows: OverturningWindows) -> Description:
         f"{case_text(block)}, {windows.model.name} model"
     )
     tables = [table, Table("windows", rows)]
-    return Description(headline, facts, tables, notes, answer=_answer(windows, rows))
+    sentence, screen = _answer(windows, rows)
+    return Description(headline, [*screen, *facts], tables, notes, sentence=sentence)
 
 
-def _answer(windows: OverturningWindows, rows: list[dict[str, Any]]) -> Answer:
+def _answer(windows: OverturningWindows, rows: list[dict[str, Any]]) -> tuple[str, list[Fact]]:
     """Return where it falls, at the one frequency or at each."""
     sized, unit = isinstance(windows.block, Block), 1.0
     if isinstance(windows.block, Block):
@@ -118,21 +118,21 @@ def _answer(windows: OverturningWindows, rows: list[dict[str, Any]]) -> Answer:
     shown, pulse = shown_rows(windows), f"{_pulse_text(windows)} pulse"
     searched = f"{write(windows.within[0])} to {write(windows.within[1])}{missing_text(windows)}"
     facts = [
-        ("stands on", _floor_text(windows)),
+        line("stands on", _floor_text(windows)),
         undecided_fact(windows),
-        ("searched", solved_text(searched, windows.block)),
+        line("searched", solved_text(searched, windows.block)),
         computed_fact(windows),
     ]
     at = names[0] if len(names) == 1 else f"all {len(names)} frequencies"
-    stand = Answer(f"It stands in the {pulse} at {at}, up to {write(windows.within[1])}.", facts)
+    stand = f"It stands in the {pulse} at {at}, up to {write(windows.within[1])}."
     if not shown:
-        return stand
+        return stand, facts
     if len(rows) > 1:
         stands = [names[row] for row in np.flatnonzero(np.isnan(windows.governing))]
         facts[1:1] = [
-            *((names[row], governing_verdict(windows, row, write)) for row in shown),
+            *(line(names[row], governing_verdict(windows, row, write)) for row in shown),
             other_rows_fact(windows),
-            ("stands at", listed(stands)),
+            line("stands at", listed(stands)),
         ]
         least = float(windows.governing[shown[0]])
         way = f", {OTHER_WAY}" * bool(windows.opposite_governs[shown[0]])
@@ -140,9 +140,9 @@ def _answer(windows: OverturningWindows, rows: list[dict[str, Any]]) -> Answer:
             f"It falls at {len(rows) - len(stands)} of {len(rows)} frequencies, "
             f"{first_text(windows, least, write)} ({names[shown[0]]}, {pulse}{way})."
         )
-        return Answer(sentence, facts)
+        return sentence, facts
     if math.isnan(windows.first[0]):
-        return with_other_way(windows, write, stand)
+        return with_other_way(windows, write, stand, facts)
     first, last = windows.at(0)[0], windows.at(0)[-1]
     after = f"{plural(first.impacts, 'impact')} at {write(first.low)}"
     if last.low > first.low:
@@ -150,12 +150,12 @@ def _answer(windows: OverturningWindows, rows: list[dict[str, Any]]) -> Answer:
     spans = "{} g" if sized else "A = {}"
     widest, closed = widest_text(windows, 0, unit), rows[0]["closed_form"]
     facts[1:1] = [
-        ("falls", widest and f"{spans.format(widest)}{narrower_text(windows, 0)}"),
-        ("falls after", after),
-        ("without impact", "" if closed is None else f"from {write(closed)} on, closed form"),
+        line("falls", widest and f"{spans.format(widest)}{narrower_text(windows, 0)}"),
+        line("falls after", after),
+        line("without impact", "" if closed is None else f"from {write(closed)} on, closed form"),
     ]
     sentence = f"It falls {verdict(windows, 0, write)} ({names[0]} {pulse})."
-    return with_other_way(windows, write, Answer(sentence, facts))
+    return with_other_way(windows, write, sentence, facts)
 
 
 def _pulse_text(windows: OverturningWindows) -> str:

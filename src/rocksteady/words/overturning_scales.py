@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.model.facts import case_text, solved_text
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import describes
 from rocksteady.seismic.spectra.overturning_scales import OverturningScales
@@ -96,10 +95,11 @@ def describe_overturning_scales(scales: OverturningScales) -> Description:
         Column("high_m_s", "to m/s"),
         Column("side", "side", lambda value: ("", "+", "-")[value]),
     ]
+    sentence, screen = _answer(scales)
     return Description(
         f"Overturning scales: {plural(len(rows), 'record')}, {case_text(scales.block)}, "
         f"{scales.model.name} model",
-        facts,
+        [*screen, *facts],
         [
             Table(
                 "",
@@ -119,11 +119,11 @@ def describe_overturning_scales(scales: OverturningScales) -> Description:
             Table("windows", rows),
         ],
         _notes(scales),
-        answer=_answer(scales),
+        sentence=sentence,
     )
 
 
-def _answer(scales: OverturningScales) -> Answer:
+def _answer(scales: OverturningScales) -> tuple[str, list[Fact]]:
     """Return at which scales it falls in the one record, or in each."""
     names, count = [shortened(name) for name in scales.names], len(scales.names)
     shown, falls = shown_rows(scales), int((~np.isnan(scales.governing)).sum())
@@ -133,7 +133,7 @@ def _answer(scales: OverturningScales) -> Answer:
         searched += f"; {plural(short, 'record')} up to -g, from {number(scales.top.min())} x on"
     facts = [
         undecided_fact(scales),
-        ("searched", solved_text(searched, scales.block)),
+        line("searched", solved_text(searched, scales.block)),
         computed_fact(scales),
     ]
 
@@ -143,26 +143,27 @@ def _answer(scales: OverturningScales) -> Answer:
 
     where = names[0] if count == 1 else f"all {count} records"
     reached = quantity(scales.pga_g.max() * scales.within[1], "g")
-    stand = Answer(f"It stands in {where}, from {low} to {high} x ({reached}).", facts)
+    stand = f"It stands in {where}, from {low} to {high} x ({reached})."
     if not shown:
-        return stand
+        return stand, facts
     if count == 1:
         single, name = functools.partial(write, 0), names[0]
         if math.isnan(scales.first[0]):
-            return with_other_way(scales, single, stand)
+            return with_other_way(scales, single, stand, facts)
         windows = widest_text(scales, 0)
-        facts[1:1] = [("falls", windows and f"{windows} x{narrower_text(scales, 0)}")]
+        facts[1:1] = [line("falls", windows and f"{windows} x{narrower_text(scales, 0)}")]
         sentence = f"It falls {verdict(scales, 0, single)}.".replace(" x (", f" x {name} (", 1)
-        return with_other_way(scales, single, Answer(sentence, facts))
+        return with_other_way(scales, single, sentence, facts)
     rows = [
-        (names[row], governing_verdict(scales, row, functools.partial(write, row))) for row in shown
+        line(names[row], governing_verdict(scales, row, functools.partial(write, row)))
+        for row in shown
     ]
     facts[1:1] = [*rows, other_rows_fact(scales)]
     row = shown[0]
     least = first_text(scales, float(scales.governing[row]), functools.partial(write, row))
     way = f", {OTHER_WAY}" * bool(scales.opposite_governs[row])
     sentence = f"It falls in {falls} of {count} records, {least} in {names[row]}{way}."
-    return Answer(sentence, facts)
+    return sentence, facts
 
 
 def _notes(scales: OverturningScales) -> list[str]:

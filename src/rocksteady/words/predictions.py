@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from rocksteady.results.answer import Answer, doubt, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.answer import doubt, left_out
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.doubts import ANSWER_DRAWS
 from rocksteady.results.numbers import chance, counted, interval, number, plural
 from rocksteady.results.result import describes
@@ -31,9 +31,11 @@ def describe_predictions(predictions: Predictions) -> Description:
         *([Column("outcome", "outcome", left=True)] if set(predictions.fell) - {None} else []),
     )
     likely = int((predictions.p >= 0.5).sum())
+    sentence, screen = _answer(predictions, likely)
     return Description(
         headline=_likely(predictions, likely),
         facts=[
+            *screen,
             Fact("tests", len(predictions.test), "tests"),
             Fact("mc_error", float(np.max(predictions.mc_error)), "largest Monte Carlo error"),
             Fact("warnings", list(predictions.warnings)),
@@ -48,7 +50,7 @@ def describe_predictions(predictions: Predictions) -> Description:
             )
         ],
         notes=predictions.warnings,
-        answer=_answer(predictions, likely),
+        sentence=sentence,
     )
 
 
@@ -57,7 +59,7 @@ def _likely(predictions: Predictions, count: int) -> str:
     return f"{counted(count, plural(len(predictions.test), 'test'), 'more likely fall')} than not"
 
 
-def _answer(predictions: Predictions, likely: int) -> Answer:
+def _answer(predictions: Predictions, likely: int) -> tuple[str, list[Fact]]:
     """Return the probabilities, the highest first; provisional of too few draws."""
     rows = sorted(predictions.rows, key=lambda row: row["p"], reverse=True)
     words = [
@@ -78,13 +80,13 @@ def _answer(predictions: Predictions, likely: int) -> Answer:
     falling = sum(row["p"] >= 0.5 for row in left)
     kinds = f"{falling} likely to fall, {len(left) - falling} to stand"
     names = [_shortened(row["test"]) for row in rows]
-    shown = list(zip(names, words, strict=True))[:SHOWN]
+    shown = [line(*pair) for pair in zip(names, words, strict=True)][:SHOWN]
     facts = [
         *(shown if len(rows) > 1 or few else ()),
         left_out(len(left), kinds),
-        ("doubt", doubt(predictions.warnings)),
+        line("doubt", doubt(predictions.warnings)),
     ]
-    return Answer(sentence, facts)
+    return sentence, facts
 
 
 def _shortened(name: str) -> str:

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import length, number, quantity
 from rocksteady.results.result import describes
 from rocksteady.seismic.measures.intensity import Measures
@@ -63,31 +62,32 @@ def describe_measures(measures: Measures) -> Description:
     if measures.warning is not None:
         notes.append(measures.warning)
     name = measures.record.name or "record"
+    sentence, screen = _measures_answer(measures, name)
     return Description(
         headline=f"{name}: PGA {number(measures.pga_g)} g, PGV {number(measures.pgv_m_s)} m/s, "
         f"significant duration {number(measures.significant_5_95_s)} s",
-        facts=facts,
+        facts=[*screen, *facts],
         notes=notes,
-        answer=_measures_answer(measures, name),
+        sentence=sentence,
     )
 
 
-def _measures_answer(measures: Measures, name: str) -> Answer:
+def _measures_answer(measures: Measures, name: str) -> tuple[str, list[Fact]]:
     """Return the peaks, how long it is strong, and whether it drifts."""
     end = quantity(measures.final_velocity_m_s, "m/s")
     ratio = quantity(measures.pgv_per_pga_s, "s")
     facts = [
-        ("drift", measures.warning or f"none: velocity at the end {end}"),
-        ("Arias intensity", quantity(measures.arias_m_s, "m/s")),
-        ("PGV/PGA", f"{ratio}; mean period {quantity(measures.mean_period_s, 's')}"),
+        line("drift", measures.warning or f"none: velocity at the end {end}"),
+        line("Arias intensity", quantity(measures.arias_m_s, "m/s")),
+        line("PGV/PGA", f"{ratio}; mean period {quantity(measures.mean_period_s, 's')}"),
     ]
     if (reached := measures.peak_per_uplift) is not None:
         lifts = "never lifts" if reached < 1.0 else "lifts"
         what = "PGA is" if reached == measures.pga_per_uplift else "to a free side it reaches"
         words = f"it {lifts}: {what} {number(reached)} x what lifts it"
-        facts.insert(0, ("block at rest", words))
+        facts.insert(0, line("block at rest", words))
     strong = quantity(measures.significant_5_95_s, "s")
-    return Answer(f"{name} peaks at {measures.peaks_text}; its strong part lasts {strong}.", facts)
+    return f"{name} peaks at {measures.peaks_text}; its strong part lasts {strong}.", facts
 
 
 @describes(IntegratedRecord)

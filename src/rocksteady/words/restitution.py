@@ -2,8 +2,8 @@
 
 import math
 
-from rocksteady.results.answer import Answer, doubt
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.answer import doubt
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.doubts import NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import describes
@@ -113,15 +113,13 @@ def describe_fit(fit: RestitutionFit) -> Description:
     return Description(
         headline=f"restitution {words}{share}, from {counted} of "
         f"{plural(len(fit.releases), 'release')}",
-        facts=facts,
+        facts=[
+            line("in doubt", doubt(fit.warnings)),
+            line("from", f"{counted} of {plural(len(fit.releases), 'release')}"),
+            *(line(label, texts.get(label, "")) for label in ANSWERED),
+            *facts,
+        ],
         tables=[table],
         notes=fit.warnings,
-        answer=Answer(
-            f"Restitution {words}{interval}{of_housner}.",
-            [
-                ("in doubt", doubt(fit.warnings)),
-                ("from", f"{counted} of {plural(len(fit.releases), 'release')}"),
-                *((label, texts.get(label, "")) for label in ANSWERED),
-            ],
-        ),
+        sentence=f"Restitution {words}{interval}{of_housner}.",
     )

@@ -19,8 +19,7 @@ from rocksteady.model.facts import (
 )
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.outcomes import Status
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import CONFIDENCE, number, number_or_none, plural, quantity
 from rocksteady.results.result import describes
 from rocksteady.words.windows import (
@@ -108,7 +107,9 @@ def describe_erosion(erosion: Erosion) -> Description:
     ]
     note = "Both are 1 on a still base: the radius of the largest safe circle and the safe area."
     table = Table("erosion", rows, shown, most=max(len(rows), 1))
-    return Description(erosion_headline(erosion), facts, [table], [note], erosion_answer(erosion))
+    sentence, screen = erosion_answer(erosion)
+    headline = erosion_headline(erosion)
+    return Description(headline, [*screen, *facts], [table], [note], sentence)
 
 
 def _no_tangency(erosion: Erosion) -> str:
@@ -142,7 +143,7 @@ def drop_text(erosion: Erosion, measure: str) -> str:
     return f"falls below {drop.level:g} between A = {low} and {high}"
 
 
-def erosion_answer(erosion: Erosion) -> Answer:
+def erosion_answer(erosion: Erosion) -> tuple[str, list[Fact]]:
     """Return the amplitudes at which half of the safe basin is lost."""
     block = erosion.block
     last = peak_unit(block, float(erosion.amplitude[-1]))
@@ -159,14 +160,16 @@ def erosion_answer(erosion: Erosion) -> Answer:
     ends = (erosion.global_integrity[-1], erosion.integrity_factor[-1])
     area_left, radius_left = (left_text(float(end)) for end in ends)
     left = f"{area_left} of the area, {radius_left} of the radius"
-    return Answer(
+    return (
         sentence,
         [
-            (f"left at {last}", left),
-            ("begins at", f"{peak_unit(block, tangency)}, the tangency" if tangency else ""),
-            ("safe", f"stands {plural(erosion.cycles, 'period')}; against that of a base at rest"),
-            ("starts", f"{erosion.safe[0].size:,}: {ends_text(erosion)}"),
-            ("computed", f"{erosion.model.name}; {case_text(block)}"),
+            line(f"left at {last}", left),
+            line("begins at", f"{peak_unit(block, tangency)}, the tangency" if tangency else ""),
+            line(
+                "safe", f"stands {plural(erosion.cycles, 'period')}; against that of a base at rest"
+            ),
+            line("starts", f"{erosion.safe[0].size:,}: {ends_text(erosion)}"),
+            line("computed", f"{erosion.model.name}; {case_text(block)}"),
         ],
     )
 
@@ -259,7 +262,8 @@ def describe_fates(fates: FateBasins) -> Description:
     if (fates.fate == Status.ROCKING).any():
         notes.append("Still rocking: without loss (restitution 1), or balanced to rounding.")
     tables = [Table("fractions", rows), Table("", with_between(rows), columns)]
-    return Description(fates_headline(fates), facts, tables, notes, fates_answer(fates))
+    sentence, screen = fates_answer(fates)
+    return Description(fates_headline(fates), [*screen, *facts], tables, notes, sentence)
 
 
 def fates_headline(fates: FateBasins) -> str:
@@ -283,7 +287,7 @@ def _text(value: float) -> str:
     return "none: no state is safe on a still base" if math.isnan(value) else f"{value:.4f}"
 
 
-def fates_answer(fates: FateBasins) -> Answer:
+def fates_answer(fates: FateBasins) -> tuple[str, list[Fact]]:
     """Return the share of each fate, and the safe states that remain."""
     parts = fates.fractions()
     words = {
@@ -304,12 +308,12 @@ def fates_answer(fates: FateBasins) -> Answer:
     safe = f"{left_text(still)} of the safe area without the motion"
     safe += f", {left_text(fates.integrity_factor)} of its radius"
     facts = [
-        ("falls", sides),
-        ("left of it", "" if math.isnan(still) else safe),
-        ("starts", f"{fates.fate.size:,}: {ends_text(fates)}"),
-        ("computed", f"{fates.model.name}; {case_text(fates.block)}"),
+        line("falls", sides),
+        line("left of it", "" if math.isnan(still) else safe),
+        line("starts", f"{fates.fate.size:,}: {ends_text(fates)}"),
+        line("computed", f"{fates.model.name}; {case_text(fates.block)}"),
     ]
-    return Answer(shares_sentence(ends, fates.undecided), facts)
+    return shares_sentence(ends, fates.undecided), facts
 
 
 def fates_dataset(fates: FateBasins) -> "xarray.Dataset":

@@ -1,8 +1,7 @@
 """Words of published formulas: of one, and of all for a block side by side."""
 
 from rocksteady.model.facts import block_text, block_values
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import describes
 from rocksteady.risk.screens.cabinets import CABINETS
@@ -71,10 +70,12 @@ def describe_screens(screens: Screens) -> Description:
     ]
     left_out = [{"name": row.name, "made_for": row.made_for} for row in screens.left_out]
     remarks = [f"{row.name}: {row.remark}" for row in screens.rows if row.remark]
+    sentence, screen, rows = _answer(screens, shaking, passed, judged)
     return Description(
         headline=f"Screens of a {screens.kind or 'block'}{shaking}: it passes {passed} of "
         f"{len(judged)}",
         facts=[
+            *screen,
             Fact("block", block_values(screens.block), "block", block_text(screens.block)),
             Fact("kind", screens.kind, *screens.scope),
             *(Fact(key, getattr(demand, key)) for key in PEAKS),
@@ -91,7 +92,8 @@ def describe_screens(screens: Screens) -> Description:
             Table("cabinets", [cabinet.values() for cabinet in CABINETS]),
         ],
         notes=[DISCLAIMER, *remarks],
-        answer=_answer(screens, shaking, passed, judged),
+        sentence=sentence,
+        rows=rows,
     )
 
 
@@ -101,7 +103,9 @@ def _counts_vertical(screens: Screens) -> bool:
     return sliding or any(r.counts_vertical for r in screens.rows if r.passes is not None)
 
 
-def _answer(screens: Screens, at: str, passed: int, judged: list[Screen]) -> Answer:
+def _answer(
+    screens: Screens, at: str, passed: int, judged: list[Screen]
+) -> tuple[str, list[Fact], list[tuple[str, str]]]:
     """Return how many formulas it passes, and the formulas, those not passed first."""
     count, made_for = len(judged), f" for {f'a {screens.kind}' if screens.kind else ANY_BLOCK}"
     prefix = governs = ""
@@ -126,15 +130,15 @@ def _answer(screens: Screens, at: str, passed: int, judged: list[Screen]) -> Ans
     unused = f"{quantity(screens.demand.vertical_g, 'g')} enters no row that has a verdict"
     unused *= screens.demand.vertical_g > 0.0 and not _counts_vertical(screens)
     facts = [
-        screens.scope,
-        ("as one body", screens.block.parts),
-        ("no verdict", "; ".join(needed)),
-        ("give next", following),
-        ("approximate", outside and f"{outside}: the block is outside its range"),
-        ("vertical motion", unused),
+        line(*screens.scope),
+        line("as one body", screens.block.parts),
+        line("no verdict", "; ".join(needed)),
+        line("give next", following),
+        line("approximate", outside and f"{outside}: the block is outside its range"),
+        line("vertical motion", unused),
     ]
     rows = [(row.name, f"{row.verdict} ({row.words})".removesuffix(" (—)")) for row in shown]
-    return Answer(sentence, facts, rows)
+    return sentence, facts, rows
 
 
 def _next(screens: Screens) -> str:

@@ -8,8 +8,8 @@ import numpy as np
 
 from rocksteady.model.blocks.housner_forms import ratio_words
 from rocksteady.outcomes import Status
-from rocksteady.results.answer import Answer, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.answer import left_out
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import angle, length, number, plural, quantity
 from rocksteady.seismic.spectra.suite import QUANTILES, compute_suite_spectrum
 from rocksteady.sweep.cases.labelled import as_dataset
@@ -95,11 +95,15 @@ def describe(dataset: "Labelled") -> Description:
     if suite:
         tables.append(Table("suite", suite))
     tables.append(_grid(shown, suite=bool(suite)) if grid else _list(shown, suite=bool(suite)))
-    answer = None if of_record or not shown else _answer(dataset, shown, counts)
-    return Description(headline=_headline(dataset), facts=facts, tables=tables, answer=answer)
+    sentence, screen = ("", []) if of_record or not shown else _answer(dataset, shown, counts)
+    return Description(
+        headline=_headline(dataset), facts=[*screen, *facts], tables=tables, sentence=sentence
+    )
 
 
-def _answer(dataset: "Labelled", rows: Sequence[dict[str, Any]], counts: dict[str, int]) -> Answer:
+def _answer(
+    dataset: "Labelled", rows: Sequence[dict[str, Any]], counts: dict[str, int]
+) -> tuple[str, list[Fact]]:
     """Return which blocks fall: of each slenderness up to which size, else at which scales."""
     over_scale = max(dataset.sizes.get(name, 1) for name in ("scale", "level")) > 1
     sizes = not over_scale and "width_m" not in rows[0]
@@ -117,14 +121,16 @@ def _answer(dataset: "Labelled", rows: Sequence[dict[str, Any]], counts: dict[st
     falling = sum(any(map(_falls, groups[name])) for name in rest)
     counted = {"falling": falling, "standing": len(rest) - falling}
     kinds = ", ".join(f"{count} {kind}" for kind, count in counted.items() if count)
-    shown = [(name, _course(groups[name], key, len(names))) for name in order[:SHOWN]]
+    shown = [line(name, _course(groups[name], key, len(names))) for name in order[:SHOWN]]
     facts = [
         *shown,
         left_out(len(rest), kinds),
-        ("undecided", f"{undecided:,} runs" if undecided else ""),
-        ("lost contact", f"{lost:,} runs leave the base" if lost else ""),
-        ("runs", ", ".join(f"{each.plain} {n:,}" for each in Status if (n := counts[each.label]))),
-        ("computed", _headline(dataset).partition(": ")[2]),
+        line("undecided", f"{undecided:,} runs" if undecided else ""),
+        line("lost contact", f"{lost:,} runs leave the base" if lost else ""),
+        line(
+            "runs", ", ".join(f"{each.plain} {n:,}" for each in Status if (n := counts[each.label]))
+        ),
+        line("computed", _headline(dataset).partition(": ")[2]),
     ]
     falls = [row for row in groups[order[0]] if _falls(row)]
     least = f"No block falls in {where}."
@@ -142,7 +148,7 @@ def _answer(dataset: "Labelled", rows: Sequence[dict[str, Any]], counts: dict[st
         least = f"{words}."
         if len(names) > 1:
             least = least.replace(where, f"{round(_falls(worst) * len(names))} of {where}")
-    return Answer(least, facts)
+    return least, facts
 
 
 def _size(row: dict[str, Any]) -> str:

@@ -32,8 +32,7 @@ from rocksteady.model.facts import (
     tilt_text,
 )
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table, shown
+from rocksteady.results.description import Column, Description, Fact, Table, line, shown
 from rocksteady.results.numbers import angle, number, plural, quantity
 from rocksteady.results.result import describes
 
@@ -180,15 +179,19 @@ def describe_point(states: SteadyStates) -> Description:
     ]
     columns = [Column("label", "", left=True)]
     columns += [Column(str(k), f"branch {k}", left=True) for k in (1, 2)]
+    sentence, screen = point_answer(
+        values, block or DimensionlessBlock(restitution=values["restitution"])
+    )
     return Description(
         f"Symmetric steady states: {place}, restitution {values['restitution']:.6g}, "
         f"n = {values['order']}, {model} model",
         [
+            *screen,
             *(Fact(key, value, *words.get(key, ())) for key, value in values.items()),
             Fact("model", model),
         ],
         [Table("", rows if values["solutions"] else (), columns)],
-        answer=point_answer(values, block or DimensionlessBlock(restitution=values["restitution"])),
+        sentence=sentence,
     )
 
 
@@ -211,16 +214,18 @@ def describe_grid(states: SteadyStates) -> Description:
         f"restitution {span(states.restitution)}, n = {', '.join(map(str, orders))}"
     )
     headline = f"Symmetric steady states at {plural(len(points), 'point')}: {over}, "
+    solved = states.admissible is not None
+    sentence, screen = grid_answer(states, points) if solved else ("", [])
     return Description(
         f"{headline}{states.model.name} model",
-        facts,
+        [*screen, *facts],
         [Table("points", points)],
         ["plot response curves of one branch with compute_response_curve"],
-        grid_answer(states, points) if states.admissible is not None else None,
+        sentence,
     )
 
 
-def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
+def point_answer(values: dict[str, Any], block: AnyBlock) -> tuple[str, list[Fact]]:
     """Return whether a block can rock steadily at a point.
 
     Parameters
@@ -235,7 +240,10 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
     limits = {key: peak_unit(block, value) for key, value in closed["boundaries"].items()}
     solved, beside = "linear (exact)", []
     if full:
-        solved, beside = "full equations", [("closed form", _closed_form(closed, block, limits))]
+        solved, beside = (
+            "full equations",
+            [line("closed form", _closed_form(closed, block, limits))],
+        )
     order = values["order"]
     name = "" if order == 1 else f" in a period-{order} motion"
     if not values["solutions"]:
@@ -243,7 +251,7 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
             "the full equations have none" if full else f"that needs {limits['existence']} or more"
         )
         sentence = f"It cannot rock steadily{name}: {why}."
-        return Answer(sentence, [*beside, ("computed", solved_text(solved, block))])
+        return sentence, [*beside, line("computed", solved_text(solved, block))]
     best, second = _ordered(values["solutions"])
     kind = best["kind"].replace("-", " ")
     words = verdict(**{key: best[key] for key in ("admissible", "neutral", "stable")})
@@ -263,14 +271,14 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
     beyond = BEYOND if best["admissible"] and best["peak"] > 1.0 else ""
     beyond = beyond.partition(":")[0] if full else beyond
     exists = f"from {limits['existence']} up; a second branch up to {limits['sign']} at most"
-    return Answer(
+    return (
         sentence,
         [
-            ("beyond alpha", beyond),
-            ("impacts", f"{impacts}, {speed}" if best["admissible"] else ""),
-            ("other branch", _other(second, block)),
-            *(beside or [("exists", "" if beyond else exists)]),
-            ("computed", f"{solved}; multipliers {multipliers_text(best['multipliers'])}"),
+            line("beyond alpha", beyond),
+            line("impacts", f"{impacts}, {speed}" if best["admissible"] else ""),
+            line("other branch", _other(second, block)),
+            *(beside or [line("exists", "" if beyond else exists)]),
+            line("computed", f"{solved}; multipliers {multipliers_text(best['multipliers'])}"),
         ],
     )
 
@@ -299,7 +307,7 @@ def _other(solution: dict[str, Any], block: AnyBlock) -> str:
     return f"{kind}: {tilt_text(block, solution['peak'])}, {words}"
 
 
-def grid_answer(states: SteadyStates, points: Sequence[dict[str, Any]]) -> Answer:
+def grid_answer(states: SteadyStates, points: Sequence[dict[str, Any]]) -> tuple[str, list[Fact]]:
     """Return at how many points of a grid there is a stable symmetric motion.
 
     Parameters
@@ -333,14 +341,14 @@ def grid_answer(states: SteadyStates, points: Sequence[dict[str, Any]]) -> Answe
     sentence = f"A stable symmetric motion is possible at {stable:,} of {count:,} points."
     if not stable:
         sentence = f"No stable symmetric motion is possible at any of {plural(count, 'point')}."
-    return Answer(
+    return (
         sentence,
         [
-            ("tilt", tilts),
-            ("unstable", unstable if motions else ""),
-            ("no motion", f"at {plural(nowhere, 'point')}" if nowhere else ""),
-            ("over", over),
-            ("computed", solved_text(solved, block)),
+            line("tilt", tilts),
+            line("unstable", unstable if motions else ""),
+            line("no motion", f"at {plural(nowhere, 'point')}" if nowhere else ""),
+            line("over", over),
+            line("computed", solved_text(solved, block)),
         ],
     )
 
@@ -463,7 +471,7 @@ def _curves(what: str, curves: RegionBoundaries | RegionMap, names: Sequence[str
         return Fact(name, values.tolist(), name.replace("_", " "), text)
 
     given = [fact(name) for name in ("frequency_ratio", "restitution", "order")]
-    headline = f"{what}: Ω {given[0].text}, restitution {given[1].text}, n = {given[2].text}"
+    headline = f"{what}: Ω {given[0].words}, restitution {given[1].words}, n = {given[2].words}"
     facts = [*given, *map(fact, names)]
     columns = np.broadcast_arrays(*(np.asarray(each.value) for each in facts))
     keys = [each.key for each in facts]

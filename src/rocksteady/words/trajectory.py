@@ -1,8 +1,8 @@
 """Words of time histories: how a run ended, its block and base motion, peaks and times."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Final
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Final
 
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import ModelError
@@ -16,8 +16,7 @@ from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
 from rocksteady.outcomes import BALANCED, Status
-from rocksteady.results.answer import GIVEN, Answer
-from rocksteady.results.description import Description, Fact
+from rocksteady.results.description import GIVEN, Description, Fact, line
 from rocksteady.results.numbers import angle, force_words, length, number, plural, quantity
 
 if TYPE_CHECKING:
@@ -58,12 +57,13 @@ def describe_trajectory(
         )
     motion = motion_text(run.block, run.motion, run.vertical)
     words = f"{outcome(run)}: {run.block.describe().headline} on {motion}"
-    texts = {fact.key or fact.label: fact.text for fact in facts}
+    texts = {fact.key or fact.label: fact.words for fact in facts}
+    sentence, screen = answer_of(run, texts, friction)
     return Description(
         f"{words}, {run.model.name} model",
-        facts,
+        [*screen, *facts],
         notes=notes,
-        answer=answer_of(run, texts, friction),
+        sentence=sentence,
     )
 
 
@@ -139,13 +139,13 @@ def _times(run: Trajectory) -> Iterator[Fact]:
     """Yield when it overturned and when it came to rest."""
     for name, label in (("overturn", "overturns at"), ("rest", "at rest from")):
         pt = getattr(run, f"{name}_time_pt")
-        shown = {"label": label, "text": time_words(run, pt)} if pt is not None else {}
+        shown = ("", "") if pt is None else (label, time_words(run, pt))
         if isinstance(run.block, Block):
-            yield Fact(f"{name}_time_s", getattr(run, f"{name}_time_s"), **shown)
+            yield Fact(f"{name}_time_s", getattr(run, f"{name}_time_s"), *shown)
             continue
         if name == "overturn":
             yield Fact("overturn_time_tau", run.overturn_time_tau)
-        yield Fact(f"{name}_time_pt", pt, **shown)
+        yield Fact(f"{name}_time_pt", pt, *shown)
 
 
 def _body(run: Trajectory) -> Iterator[Fact]:
@@ -179,8 +179,8 @@ def _demands(run: Trajectory, friction: float | None) -> Iterator[Fact]:
         text += ", away from the wall"
     elif needed == run.friction_at_impacts:
         text += ", for impacts"
-    shown: dict[str, Any] = {"label": "friction needed", "text": text} if needed else {}
-    yield Fact("friction_needed", None if math.isinf(needed) else needed, **shown)
+    shown = ("friction needed", text) if needed else ("", "")
+    yield Fact("friction_needed", None if math.isinf(needed) else needed, *shown)
     yield Fact("friction_at_impacts", run.friction_at_impacts)
     if friction is not None:
         yield Fact("friction", friction, "friction", friction_words(run, friction))
@@ -205,7 +205,9 @@ def _qualification(run: Trajectory, mass_kg: float | None) -> Iterator[Fact]:
             yield Fact(key, list(parts), label, force_words(parts, unit))
 
 
-def answer_of(run: Trajectory, words: Mapping[str, str], friction: float | None) -> Answer:
+def answer_of(
+    run: Trajectory, words: Mapping[str, str], friction: float | None
+) -> tuple[str, list[Fact]]:
     """Return the sentence and the facts of a run.
 
     Parameters
@@ -231,12 +233,12 @@ def answer_of(run: Trajectory, words: Mapping[str, str], friction: float | None)
     if run.pga_g is not None:
         lifts += f"; {name_of(run.motion)} reaches {quantity(run.floor_pga_g or run.pga_g, 'g')}"
     facts = [
-        ("largest tilt", "" if falls or not run.peak else tilt),
-        ("lifts at", lifts),
-        ("friction needed", f"{needed}, or it slides" if needed and friction is None else ""),
-        ("friction", friction_words(run, friction)),
-        (GIVEN, run.block.describe().headline),
-        ("computed", run.model.name),
+        line("largest tilt", "" if falls or not run.peak else tilt),
+        line("lifts at", lifts),
+        line("friction needed", f"{needed}, or it slides" if needed and friction is None else ""),
+        line("friction", friction_words(run, friction)),
+        line(GIVEN, run.block.describe().headline),
+        line("computed", run.model.name),
     ]
     return sliding_or(run, sentence(run), facts, friction)
 
@@ -244,9 +246,9 @@ def answer_of(run: Trajectory, words: Mapping[str, str], friction: float | None)
 def sliding_or(
     run: Trajectory,
     ended: str,
-    facts: Sequence[tuple[str, str | Callable[[], str]]],
+    facts: Sequence[Fact],
     friction: float | None,
-) -> Answer:
+) -> tuple[str, list[Fact]]:
     """Return the answer of a run, whose end is a fact alone where it slides.
 
     Parameters
@@ -261,13 +263,13 @@ def sliding_or(
         As for `answer_of`.
     """
     if not slides(run, friction):
-        return Answer(f"{ended}.", facts)
+        return f"{ended}.", [*facts]
     assert friction is not None
     assert run.friction_needed is not None
     needed = run.friction_needed
     takes = f"it needs a friction of {number(needed)}" if needed < math.inf else "no friction holds"
-    alone = (ROCKING_ALONE, ended[0].lower() + ended[1:])
-    return Answer(f"It slides: {takes}, given {number(friction)}.", [alone, *facts])
+    alone = line(ROCKING_ALONE, ended[0].lower() + ended[1:])
+    return f"It slides: {takes}, given {number(friction)}.", [alone, *facts]
 
 
 def slides(run: Trajectory, friction: float | None) -> bool:

@@ -224,7 +224,7 @@ def test_the_answer_states_what_was_proved(tmp_path: Path) -> None:
         found = check_certificate(file, accelerations_m_s2=given, leaves=None)
         assert found.holds, found.reason
         assert claim in found.claim
-        assert found.claim in str(found.describe().answer)
+        assert found.claim in str(found.describe())
         assert (found.coverage != "") == (kind == "region")
 
 

@@ -126,7 +126,7 @@ def test_each_state_is_as_safe_as_it_is_alone() -> None:
                 )
                 assert found.safe[which, row, column] == (run.status is not Status.OVERTURNED)
     assert 0.1 < found.safe.mean() < 0.9
-    assert any("one saddle" in fact.text for fact in found.describe().facts)
+    assert any("one saddle" in fact.words for fact in found.describe().facts)
 
 
 def test_executors_agree_to_the_bit() -> None:

@@ -132,7 +132,7 @@ def check(case: Case, tried: int) -> EdgeState:
     if edge.saddle is None:
         assert (edge.kind == "lost") is (edge.periods < 200)
         ending = "could not be followed beyond" if edge.kind == "lost" else "does not repeat in"
-        assert f"{ending} {edge.periods} periods" in str(edge.describe().answer)
+        assert f"{ending} {edge.periods} periods" in str(edge.describe())
     # A fractal border has ever narrower windows beside its end.
     wider = np.geomspace(1e-12, 1e-3, 60) if edge.fractal else np.array([1e-7])
     parts = np.concatenate([np.linspace(0.0, 1.0 - 1e-7, tried), 1.0 + wider])

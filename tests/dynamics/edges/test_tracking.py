@@ -162,7 +162,7 @@ def test_a_wall_takes_kicks_into_it_and_a_fractal_border_holds_orbits() -> None:
     assert edge.kick == pytest.approx(1.0 - 0.1 * 2.0, abs=1e-9)
     assert edge.opposite is not None
     assert math.isnan(edge.opposite)
-    assert "no kick up to 4 alpha g/p makes it fall" in str(edge.describe().answer)
+    assert "no kick up to 4 alpha g/p makes it fall" in str(edge.describe())
     with pytest.raises(ModelError, match="stands under every negative kick"):
         find_edge_state(walled, motion, kick=-1)
     fractal = find_edge_state(BARE, motion)

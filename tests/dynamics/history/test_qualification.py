@@ -164,10 +164,10 @@ def test_facts_in_words_and_json() -> None:
     run = shaken(BLOCKS["rectangle"])
     facts = {fact.key: fact for fact in run.describe(mass_kg=500.0).facts}
     assert facts["top_displacement_m"].value == run.top_displacement_m
-    assert facts["top_displacement_m"].text.endswith("mm, 1.8 m up")
+    assert facts["top_displacement_m"].words.endswith("mm, 1.8 m up")
     assert facts["clearances_m"].value == list(run.clearances_m or ())
-    assert facts["clearances_m"].text.endswith("mm right")
-    assert facts["impact_speed_m_s"].text.endswith("m/s")
+    assert facts["clearances_m"].words.endswith("mm right")
+    assert facts["impact_speed_m_s"].words.endswith("m/s")
     assert facts["base_force_kn"].value == list(run.base_force_kn(500.0) or ())
     assert "base_force_kn" not in run.to_dict()
     assert "; top moves " in run.summary()

@@ -129,8 +129,7 @@ def test_the_period_doubles_where_the_reference_has_it() -> None:
         assert one.orbit is not None
         assert one.orbit.impacts == 2 * (one.period or 0)
         assert one.kind is AttractorKind.UNSYMMETRIC
-        answer = one.describe().answer
-        assert answer is not None
+        answer = one.describe()
         words = f" of period {one.period}" if one.period != 1 else ""
         assert answer.sentence.startswith(f"It settles to an unsymmetric steady motion{words}, ")
     for side in (1, -1):

@@ -299,8 +299,7 @@ def test_the_answer_counts_the_motions_that_there_are(
     orbits = [orbit for orbit in many if kept(orbit)]
     block, motion = DimensionlessBlock(restitution=0.8), shaken(1.0, 2.0)
     limits = {"max_period": 1, "max_impacts": 2, "seeds": 2}
-    answer = describe_orbits(orbits, block, motion, Linear(), **limits).answer
-    assert answer is not None
+    answer = describe_orbits(orbits, block, motion, Linear(), **limits)
     assert answer.sentence.startswith("No steady motion was found") is not said
     assert (f"of {len(orbits)} steady motions" in answer.sentence) is said
 

@@ -28,6 +28,7 @@ from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.motions import Impulses, Segment, add, cut, delay, join, scale
 from tests.every import every
+from tests.outputs import lines_of
 from tests.seismic.grounds import ground
 from tests.strategies import sample_size
 
@@ -61,9 +62,8 @@ def test_an_answer_has_the_least_kick_the_other_way_with_its_sign() -> None:
     kicks = find_fatal_kicks(BARE, start=State(angle=-0.6, velocity=0.0))
     mirrored = find_fatal_kicks(BARE, start=State(angle=0.6, velocity=0.0))
     for found, least, sign in ((kicks, "-0.4", ""), (mirrored, "0.4", "-")):
-        answer = found.describe().answer
-        assert answer is not None
-        facts = dict(answer.facts)
+        answer = found.describe()
+        facts = lines_of(answer)
         # Both ways a kick of 0.4 and one of the square root of 1/0.81 - 0.84 are the least.
         assert answer.sentence.startswith(f"The least kick that fells it is {least} ")
         other = f"{sign}{math.sqrt(1.0 / 0.81 - 0.84):.3f}"
@@ -103,8 +103,7 @@ def test_a_block_at_its_balance_waits_for_a_kick_of_any_size(
     """There it stays without one, as `simulate` has it; the least that fells it is 0 in size."""
     kicks = find_fatal_kicks(block, start=State(angle=angle, velocity=0.0))
     assert kicks.first[0] == 0.0
-    answer = kicks.describe().answer
-    assert answer is not None
+    answer = kicks.describe()
     ends = "falls without a kick" if angle > 1.0 else "stands balanced: any disturbance decides"
     assert answer.sentence == f"It {ends}."
 

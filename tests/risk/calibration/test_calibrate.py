@@ -149,7 +149,7 @@ def test_folds_are_of_one_of_four_kinds() -> None:
 def test_a_budget_that_is_used_up_is_no_answer() -> None:
     found = few(FEW_TESTS, runs=100)
     effective = found.posteriors["stone"].effective_draws
-    assert found.describe().answer.sentence == (
+    assert found.describe().sentence == (
         f"No answer: {effective:.0f} effective draws of the 200 that it takes, after 100 runs of a "
         "test."
     )

@@ -32,9 +32,8 @@ def _found() -> Fragility:
 
 
 def words_module(found: Fragility) -> tuple[str, dict[str, str]]:
-    answer = found.describe().answer
-    assert answer is not None
-    return answer.sentence, dict(answer.stated)
+    answer = found.describe()
+    return answer.sentence, dict(answer.screen)
 
 
 def test_the_first_line_is_the_level_at_which_half_fall(found: Fragility) -> None:

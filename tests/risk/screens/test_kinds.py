@@ -13,6 +13,7 @@ from rocksteady.risk.screens.screen import Kind
 from tests.cli.program import refused, rocksteady
 from tests.descriptions import as_json, fits
 from tests.every import every
+from tests.outputs import lines_of
 
 CASK = Block.rectangle(width=2.4, height=4.3)
 RACK = Block.rectangle(width=0.32, height=1.8)
@@ -60,11 +61,10 @@ def test_rows_are_chosen_for_the_kind_and_the_governing_one_stands_first(kind: K
     assert names == [*([own] if own else []), *GENERAL]
     others = [name for name in OWN.values() if name and name != own]
     assert [row.name for row in found.left_out] == others
-    answer = found.describe().answer
-    assert answer is not None
+    answer = found.describe()
     if own:
         assert answer.rows[0][0] == own
-    label, words = answer.facts[0]
+    label, words = answer.screen[0]
     assert label == f"not for a {kind}"
     assert all(name in str(words) for name in others)
     assert not any(name in dict(answer.rows) for name in others)
@@ -91,15 +91,13 @@ def test_only_rows_that_apply_are_counted(kind: Kind | None) -> None:
 
 
 def test_rows_made_for_other_blocks_are_named_beside_the_count() -> None:
-    facts = screened("statue", RACK.against_wall()).describe().answer
-    assert facts is not None
-    words = str(dict(facts.facts)["approximate"])
+    facts = screened("statue", RACK.against_wall()).describe()
+    words = str(lines_of(facts)["approximate"])
     names, _, reason = words.partition(": ")
     assert names == "Ishiyama bound, Kaneko-Hayashi 50 %, p PGV/(g tan alpha)"
     assert reason == "the block is outside its range"
-    plain = screened("statue", RACK).describe().answer
-    assert plain is not None
-    assert not dict(plain.facts)["approximate"]
+    plain = screened("statue", RACK).describe()
+    assert not lines_of(plain)["approximate"]
 
 
 SMALL = "--width-m 0.45 --height-m 1.7"

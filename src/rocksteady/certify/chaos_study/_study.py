@@ -13,7 +13,7 @@ from rocksteady import Execution, __version__
 from rocksteady.arrays import Floats, Integers
 from rocksteady.formulas import heteroclinic_amplitude, symmetry_breaking_amplitude
 from rocksteady.proofs import Certificate, certify_chaos, check_certificate
-from rocksteady.results.answer import Answer
+from rocksteady.results.description import Fact, line
 from rocksteady.show.export.files import FORMATS, json_text, picture_files, save_csv, save_text
 from rocksteady.show.report import render, twins
 from rocksteady.show.study.environment import Done, environment, nothing
@@ -85,10 +85,11 @@ class Chaos(Saved):
         return [boxes, *points, small, "That other motions settle on these sets is not claimed."]
 
     @property
-    def answer(self) -> Answer:
+    def answer(self) -> tuple[str, list[Fact]]:
         """The share of the map, and both points."""
         first, *others = self.sentences
-        return Answer(first, list(zip((*CASES, "rocking", "not claimed"), others, strict=True)))
+        labels = (*CASES, "rocking", "not claimed")
+        return first, [line(*pair) for pair in zip(labels, others, strict=True)]
 
     def values(self) -> dict[str, Any]:
         """Return the key numbers as plain values: what ``chaos.json`` holds."""

@@ -15,8 +15,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.equations import Linear, Model
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Description, Fact
+from rocksteady.results.description import Description, Fact, line
 from rocksteady.results.result import Result
 
 FORMAT = "rocking-certificate/1"
@@ -108,8 +107,10 @@ class Certificate(Result):
         """Return the claim, the verdict, and what is known beside it."""
         headline = f"{self.verdict}: {self.claim}"
         why = f"{headline}; {self.reason}" if self.reason else headline
-        words = tuple((fact.label, fact.words) for fact in self.facts if fact.label)
+        shown = [line(fact.label, fact.words) for fact in self.facts if fact.label]
         facts = [
+            *shown[:4],
+            line("holds for", f"{meaning(self.model)}; linear equations"),
             Fact("proved", self.proved, "proved"),
             Fact("verdict", self.verdict),
             Fact("claim", self.claim, "claim"),
@@ -119,11 +120,7 @@ class Certificate(Result):
             Fact("numbers", {name: list(texts) for name, texts in self.model.items()}),
         ]
         notes = [meaning(self.model)] if self.proved else []
-        answer = Answer(
-            why[:1].upper() + why[1:],
-            facts=[*words[:4], ("holds for", f"{meaning(self.model)}; linear equations")],
-        )
-        return Description(headline, facts, notes=notes, answer=answer)
+        return Description(headline, facts, notes=notes, sentence=why[:1].upper() + why[1:])
 
 
 def meaning(model: Mapping[str, Stated]) -> str:

@@ -22,7 +22,6 @@ from rocksteady.certify.proofs.certificate import FORMAT, NAMES, place
 from rocksteady.certify.proofs.region import WORDS, Arithmetic, Leaves, region_from
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
@@ -85,7 +84,7 @@ class CheckedCertificate(Result):
             Fact("claim", self.claim, "claim" if self.claim else ""),
             *([Fact("coverage", self.coverage, "checked")] if self.coverage else []),
         ]
-        return Description(headline, facts, answer=Answer(sentence[:1].upper() + sentence[1:]))
+        return Description(headline, facts, sentence=sentence[:1].upper() + sentence[1:])
 
 
 @checked

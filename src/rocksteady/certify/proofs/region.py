@@ -23,8 +23,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import finite, whole_number
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Description, Fact
+from rocksteady.results.description import Description, Fact, line
 from rocksteady.results.result import Result
 
 BITS = 53
@@ -280,17 +279,17 @@ class ProvedRegion(Result):
         ranges = f"A {low:.15g} to {high:.15g}, W {slow:.15g} to {fast:.15g}"
         what = f"order {self.order}, branch 1, restitution {self.restitution[0]}"
         headline = f"proved on {100.0 * self.decided:.2f} % of {ranges}: {what}"
-        parts = [(words, f"{100.0 * share:.2f} %") for words, share in self.shares.items()]
+        parts = [line(words, f"{100.0 * share:.2f} %") for words, share in self.shares.items()]
         count = sum(letter != SPLIT for letter in self.tree)
         return Description(
             headline,
             [
                 Fact("decided", self.decided, "decided", f"{100.0 * self.decided:.2f} %"),
                 Fact("shares", self.shares),
-                *(Fact("", None, label, words) for label, words in parts),
+                *parts,
                 Fact("boxes", count, "boxes", f"{count:,}"),
             ],
-            answer=Answer(headline[:1].upper() + headline[1:], facts=parts),
+            sentence=headline[:1].upper() + headline[1:],
         )
 
 

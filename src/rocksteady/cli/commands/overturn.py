@@ -28,11 +28,12 @@ from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Harmonic, Still
+from rocksteady.results.description import line
 from rocksteady.results.numbers import quantity
 
 if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
-    from rocksteady.results.answer import Answer
+    from rocksteady.results.description import Description
     from rocksteady.seismic.spectra.overturning_scales import OverturningScales
 
 HELP = (
@@ -198,7 +199,7 @@ def overturn(
         "overturn" + " --kick" * kick, pulse, recorded, suite, reading, *flags, block, "--more"
     )
     if not kick and recorded.record and len(recorded.record) == 1:
-        description = replace(description, answer=with_standing(result, description.answer))
+        description = with_standing(result, description)
     output.write_csv(result.to_dataframe)
     sweep.write_netcdf(result.to_dataset)
     output.write_plot(lambda page: search.figure(result, description.headline, page))
@@ -213,12 +214,12 @@ def overturn(
     )
 
 
-def with_standing(scales: "OverturningScales", answer: "Answer | None") -> "Answer | None":
-    """Return an answer with the largest scale of a record at which no neighbour falls."""
-    if answer is None or not scales.governing[0] > 0.0:
-        return answer
-    stands = ("stands at", partial(standing, scales))
-    return replace(answer, facts=[*answer.facts[:2], stands, *answer.facts[2:]])
+def with_standing(scales: "OverturningScales", description: "Description") -> "Description":
+    """Return a description with the largest scale of a record at which no neighbour falls."""
+    if not scales.governing[0] > 0.0:
+        return description
+    stands = line("stands at", partial(standing, scales))
+    return replace(description, facts=[*description.facts[:2], stands, *description.facts[2:]])
 
 
 def standing(scales: "OverturningScales") -> str:

@@ -19,8 +19,8 @@ from rocksteady.cli.flags.parsing import axis, values_of
 from rocksteady.cli.flags.record_files import ReadingFlags, warn
 from rocksteady.errors import RecordFileError
 from rocksteady.model.blocks.block import Block
-from rocksteady.results.answer import Answer, left_out
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.answer import left_out
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.rendering import printable
 from rocksteady.show.style.palette import shortened
@@ -152,17 +152,23 @@ def described(
     """Return the description of a channel with its measures, and with its spectrum."""
     first, second = recording.describe(), measures.describe()
     samples = next(fact.words for fact in first.facts if fact.key == "npts")
-    channel, answer = channel_words(recording), second.answer
-    if answer is not None:
-        station = f"{recording.title}: {channel}" if channel else recording.title
-        about = [("warnings", "; ".join(recording.warnings)), ("station", station)]
-        answer = replace(answer, facts=[*about, *answer.facts[:2], ("samples", samples)])
+    channel = channel_words(recording)
+    station = f"{recording.title}: {channel}" if channel else recording.title
+    screen = [fact for fact in second.facts if fact.first]
     return Description(
         headline=first.headline,
-        facts=[*first.facts, Fact("", channel, "channel" * bool(channel)), *second.facts],
+        facts=[
+            line("warnings", "; ".join(recording.warnings)),
+            line("station", station),
+            *screen[:2],
+            line("samples", samples),
+            *first.facts,
+            Fact("", channel, "channel" * bool(channel)),
+            *(fact for fact in second.facts if not fact.first),
+        ],
         tables=[table for spectrum in spectra for table in spectrum.describe().tables],
         notes=[*first.notes, *second.notes],
-        answer=answer,
+        sentence=second.sentence,
     )
 
 
@@ -173,7 +179,7 @@ def channel_words(recording: "Recording") -> str:
     return ", ".join(dict.fromkeys(filter(None, words)))
 
 
-def suite_fact(recordings: "Sequence[Recording]") -> tuple[str, str]:
+def suite_fact(recordings: "Sequence[Recording]") -> Fact:
     """Return the fact that counts the channels that a suite takes, where it does not take all."""
     from rocksteady.records.suite import select, suite_words
 
@@ -183,7 +189,7 @@ def suite_fact(recordings: "Sequence[Recording]") -> tuple[str, str]:
         across, others = select(tuple(channels))
         taken += across
         left += others
-    return "in a suite", suite_words(taken, left) if left else ""
+    return line("in a suite", suite_words(taken, left) if left else "")
 
 
 def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") -> Description:
@@ -209,25 +215,22 @@ def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") 
     strongest = sorted(measures, key=lambda each: -each.pga_g)
     ends = dict.fromkeys(number(each.pga_g) for each in (strongest[-1], strongest[0]))
     drifting = sum(each.drifts for each in measures)
-    answer = Answer(
-        f"{plural(len(rows), 'record')} peak at {' to '.join(ends)} g.",
-        [
+    return Description(
+        headline=plural(len(rows), "record"),
+        facts=[
             suite_fact(recordings),
-            ("drift", f"{drifting} of {len(rows)} records drift" * (drifting > 0)),
+            line("drift", f"{drifting} of {len(rows)} records drift" * (drifting > 0)),
             left_out(max(len(rows) - MOST_ANSWERED, 0), "weaker"),
         ],
-        [
+        tables=[Table("", rows, columns, most=len(rows))],
+        sentence=f"{plural(len(rows), 'record')} peak at {' to '.join(ends)} g.",
+        rows=[
             (
                 shortened(printable(each.record.name or "record"), 30),
                 f"{each.peaks_text}; strong part {quantity(each.significant_5_95_s, 's')}",
             )
             for each in strongest[:MOST_ANSWERED]
         ],
-    )
-    return Description(
-        headline=plural(len(rows), "record"),
-        tables=[Table("", rows, columns, most=len(rows))],
-        answer=answer,
     )
 
 

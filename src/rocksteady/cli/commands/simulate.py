@@ -230,20 +230,22 @@ def with_neighbours(
         Coefficient of friction, with which the run may slide; None where it is not known.
     """
     from rocksteady.dynamics.history.neighbours import check_neighbours
+    from rocksteady.words.neighbours import neighbours_answer, neighbours_fact, neighbours_notes
 
     description = trajectory.describe(mass_kg=mass_kg, friction=friction)
-    facts, remarks, answer = [*description.facts], [*description.notes], description.answer
+    facts, remarks, sentence = [*description.facts], [*description.notes], description.sentence
     if isinstance(trajectory.block, Block) and not isinstance(
         trajectory.motion, PeriodicMotion | Still
     ):
         neighbours = check_neighbours(trajectory)
-        facts.append(neighbours.fact)
-        remarks = [*neighbours.notes, *remarks]
-        answer = neighbours.answer_with(friction)
+        sentence, screen = neighbours_answer(neighbours, friction)
+        further = (fact for fact in facts if not fact.first)
+        facts = [*screen, *further, neighbours_fact(neighbours)]
+        remarks = [*neighbours_notes(neighbours), *remarks]
     for key, lines in notes.items():
         label = key.partition("_")[0] if lines else ""
         facts.append(Fact(key, lines, label, "; ".join(lines)))
-    return replace(description, facts=facts, notes=remarks, answer=answer)
+    return replace(description, facts=facts, notes=remarks, sentence=sentence)
 
 
 def write_files(

@@ -18,7 +18,7 @@ from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.records.core.text import NO_RECORD
 from rocksteady.records.examples import example_named, is_example
-from rocksteady.results.description import Column, Description, Table
+from rocksteady.results.description import Column, Description, Table, line
 from rocksteady.results.numbers import plural
 from rocksteady.results.rendering import printable
 
@@ -80,25 +80,24 @@ class Suite:
         """Return a description that counts what is left out by kind, and names it in a table."""
         from rocksteady.records.suite import suite_words
 
-        values, answer = self.values, description.answer
-        if answer is not None and (self.left_out or "unstated_direction" in values):
+        values, facts = self.values, [*description.facts]
+        if description.sentence and (self.left_out or "unstated_direction" in values):
             words, count = suite_words(self.recordings, self.left_out), len(self.recordings)
-            records, facts = plural(count, "record"), [*answer.facts]
+            records = plural(count, "record")
             rest = words.removeprefix(records)
-            for place, (label, fact) in enumerate(facts):
-                if label == "counted" and records in str(fact):
-                    facts[place] = label, str(fact).replace(records, words, 1)
+            for place, fact in enumerate(fact for fact in facts if fact.first):
+                if fact.label == "counted" and records in fact.words:
+                    facts[place] = line(fact.label, fact.words.replace(records, words, 1))
                     break
-                if label == "records" and re.match(
-                    rf"{count:,}(, scaled|, stretched|$)", str(fact)
+                if fact.label == "records" and re.match(
+                    rf"{count:,}(, scaled|, stretched|$)", fact.words
                 ):
-                    facts[place] = label, f"{fact}; {rest.lstrip(',; ')}"
+                    facts[place] = line(fact.label, f"{fact.words}; {rest.lstrip(',; ')}")
                     break
             else:
                 runs = next((each.value for each in description.facts if each.key == "runs"), None)
                 words = f"{runs:,} runs, {words}" if isinstance(runs, int) else words
-                facts.insert(1, ("suite", words))
-            answer = replace(answer, facts=facts)
+                facts.insert(1, line("suite", words))
         columns = [
             Column("file", "file", lambda file: Path(file).name, left=True),
             Column("channel", "channel", left=True),
@@ -106,7 +105,7 @@ class Suite:
         ]
         table = Table("", values["left_out"], columns, title="Left out:")
         tables = [*description.tables, *[table] * bool(self.left_out)]
-        return replace(description, tables=tables, answer=answer)
+        return replace(description, facts=facts, tables=tables)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -20,7 +20,7 @@ from rocksteady.cli.console.refusals import needs
 from rocksteady.cli.flags import options
 from rocksteady.errors import OutputError
 from rocksteady.model.checks.validation import positive
-from rocksteady.results.description import Description, Table
+from rocksteady.results.description import Description, Table, line
 from rocksteady.results.rendering import print_answer, print_description
 from rocksteady.show.export.files import check_apart, check_writable, save_csv, save_figure
 from rocksteady.show.export.folders import OwnFolder
@@ -98,26 +98,23 @@ class ScreenFlags:
             )
         else:
             answer = answer if suite is None else suite.counted(answer)
-            if answer.answer is not None:
-                facts = answer.answer.facts
-                if (after or {}).get("synthetic"):
-                    facts = [("example", "made-up objects and motions, no earthquake's"), *facts]
-                follow_up = follow_up or answer.answer.follow_up
-                screen = replace(answer.answer, facts=facts, follow_up=follow_up)
-                answer = replace(answer, answer=screen)
+            if (after or {}).get("synthetic"):
+                example = line("example", "made-up objects and motions, no earthquake's")
+                answer = replace(answer, facts=[example, *answer.facts])
+            answer = replace(answer, follow_up=follow_up or answer.follow_up)
             self._print(answer, *also, wrap=wrap)
         if not decided:
             raise typer.Exit(INCOMPLETE)
 
     def _print(self, *descriptions: Description, wrap: bool) -> None:
         """Print the answer, and with --more or without one all of the descriptions."""
-        console, answer = terminal.console(wrap=wrap), descriptions[0].answer
+        console, answer = terminal.console(wrap=wrap), descriptions[0]
         if self.quiet:
-            console.print(descriptions[0].headline if answer is None else answer.sentence)
+            console.print(answer.sentence or answer.headline)
             return
-        if answer is not None:
+        if answer.sentence:
             print_answer(answer, console)
-        if self.more or answer is None:
+        if self.more or not answer.sentence:
             for description in descriptions:
                 print_description(description, console)
 

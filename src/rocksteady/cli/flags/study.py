@@ -3,7 +3,6 @@
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +13,7 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import ScreenFlags
 from rocksteady.cli.flags.sweep import resuming
 from rocksteady.errors import OutputError, UnfinishedError
-from rocksteady.results.description import Description
+from rocksteady.results.description import Description, line
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -70,13 +69,15 @@ def leave_study(name: str, result: Any, output: ScreenFlags, out: Path, files: l
         The folder, and the files in it.
     """
     values = {**result.values(), "out": str(out), "files": [file.name for file in files]}
-    answer = replace(
-        result.answer,
-        facts=[*result.answer.facts, ("files", f"{len(files)} in {out}")],
+    sentence, screen = result.answer
+    first, *texts = (
+        text.replace("\N{NO-BREAK SPACE}", " ") for text in (sentence, *result.sentences)
+    )
+    description = Description(
+        first,
+        [*screen, line("files", f"{len(files)} in {out}")],
+        notes=texts,
+        sentence=first,
         follow_up=f"python3 -m webbrowser {quoted(out / f'{name}.html')}",
     )
-    first, *texts = (
-        text.replace("\N{NO-BREAK SPACE}", " ") for text in (answer.sentence, *result.sentences)
-    )
-    description = Description(first, notes=texts, answer=replace(answer, sentence=first))
     output.leave(name, description, values=values)

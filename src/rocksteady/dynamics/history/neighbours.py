@@ -29,9 +29,7 @@ from rocksteady.model.motions.segments import (
     segments_of,
 )
 from rocksteady.outcomes import Status
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Fact
-from rocksteady.results.result import Result, words_module
+from rocksteady.results.result import Result
 
 SCALES = (0.95, 1.0, 1.05)
 """Of the horizontal motion."""
@@ -110,18 +108,6 @@ class Neighbours(Result):
         falls = self.case.status is Status.OVERTURNED
         return self.fall == (self.runs if falls else 0)
 
-    @property
-    def fact(self) -> Fact:
-        """Their numbers, as the command prints them beside the case."""
-        fact: Fact = words_module(Neighbours).neighbours_fact(self)
-        return fact
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """A warning where neighbours end otherwise than the case."""
-        notes: tuple[str, ...] = words_module(Neighbours).neighbours_notes(self)
-        return notes
-
     @cached_property
     def stands_at(self) -> float | None:
         """Largest factor of the motion at which it stands and no neighbour falls, by steps of 2 %.
@@ -139,16 +125,6 @@ class Neighbours(Result):
             ):
                 return scale
         return None
-
-    @property
-    def answer(self) -> Answer:
-        """The answer of the case, with what its neighbours say on it."""
-        return self.answer_with(None)
-
-    def answer_with(self, friction: float | None) -> Answer:
-        """Return the same for a coefficient of friction, with which the case may slide."""
-        answer: Answer = words_module(Neighbours).neighbours_answer(self, friction)
-        return answer
 
 
 @checked

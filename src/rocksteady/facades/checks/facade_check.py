@@ -11,8 +11,7 @@ from rocksteady.facades.checks.facade_runs import FacadeRuns
 from rocksteady.facades.checks.mechanism import SHARE_SLV, Mechanism
 from rocksteady.facades.checks.remark import Remark
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.answer import Answer
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import length, number, plural, quantity
 from rocksteady.results.result import Result
 
@@ -237,9 +236,10 @@ class FacadeCheck(Result):
         ]
         if self.runs is not None:
             facts.append(Fact("runs", self.runs.describe().to_dict()))
+        sentence, screen, decided = self._answer()
         return Description(
             headline=self.verdict,
-            facts=facts,
+            facts=[*screen, *facts],
             tables=[
                 Table("checks", rows),
                 Table("", shown, columns),
@@ -247,10 +247,11 @@ class FacadeCheck(Result):
                 Table("capacity_curve", curve),
             ],
             notes=[*map(str, self.reasons), *self._of_checks(), *map(str, self.remarks)],
-            answer=self._answer(),
+            sentence=sentence,
+            rows=decided,
         )
 
-    def _answer(self) -> Answer:
+    def _answer(self) -> tuple[str, list[Fact], list[tuple[str, str]]]:
         """Return the verdict, the checks, and runs beyond d0."""
         decided = [check for check in self.checks if check.satisfied is not None]
         decided.sort(key=lambda check: (check.satisfied is True, -_ratio(check)))
@@ -266,19 +267,19 @@ class FacadeCheck(Result):
         sentence += "; no verdict by runs" if refused and decided else ""
         if self.runs is not None and self.runs.refusal is not None:
             refused = [self.runs.refusal]
-        facts = [("runs", " ".join(refused))]
+        facts = [line("runs", " ".join(refused))]
         if self.runs is not None and self.runs.beyond:
             records = plural(len(self.runs.records), "record")
-            facts.append(("beyond d0", f"runs under {len(self.runs.beyond)} of {records}"))
+            facts.append(line("beyond d0", f"runs under {len(self.runs.beyond)} of {records}"))
         if self.runs is None:
             d0, slv = length(self.mechanism.d0_m), length(self.mechanism.d_slv_m)
-            facts.append(("d0", f"{d0}, and d_SLV = {SHARE_SLV:g} d0 = {slv}"))
+            facts.append(line("d0", f"{d0}, and d_SLV = {SHARE_SLV:g} d0 = {slv}"))
         open_states = {each.limit_state: None for each in self.checks if each.satisfied is None}
         missing = _joined([each for each in open_states if each not in self.states])
-        facts.append(("no demand", f"for {missing}" if missing else ""))
-        facts.append(("not counted", ", ".join(each.name for each in self.facade.ending)))
+        facts.append(line("no demand", f"for {missing}" if missing else ""))
+        facts.append(line("not counted", ", ".join(each.name for each in self.facade.ending)))
         rows = [(each.name, self._compared(each)) for each in decided]
-        return Answer(f"{sentence}.", facts, rows)
+        return f"{sentence}.", facts, rows
 
     def _compared(self, check: LimitStateCheck) -> str:
         """Return demand and capacity of a check with their names and their ratio."""

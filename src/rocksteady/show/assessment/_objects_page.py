@@ -43,11 +43,9 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
     places = {"verdict": [*range(len(rows))]}
     places |= {key: _places(rows, key, descending) for key, _, descending in ORDERS[1:]}
     description = table.describe()
-    answer = description.answer
-    assert answer is not None
     values: dict[str, Any] = {
         "alike": len(kinds) < len(table.rows),
-        "answer": greek(answer.sentence),
+        "answer": greek(description.sentence),
         "caveats": [greek(each) for each in description.notes],
         "counts": [
             {"badge": badge(*BADGES[each]), "count": f"{count:,}"}
@@ -63,7 +61,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         "all": _all_rows(table),
         "notes": [
             f"The friction, which is not given for every object, {text}."
-            for label, text in answer.facts
+            for label, text in description.screen
             if label == "friction" and text
         ],
         "orders": [{"key": key, "words": words} for key, words, _ in ORDERS],

@@ -41,10 +41,8 @@ def calibration_html(calibration: Calibration, manifest: Mapping[str, Any]) -> s
     unexpected = unexpected_rows(calibration)
     names = list(calibration.posteriors)
     heading = names[0] if len(names) == 1 else plural(len(names), "object")
-    answer = calibration.describe().answer
-    assert answer is not None
     values: dict[str, Any] = {
-        "answer": greek(answer.sentence),
+        "answer": greek(calibration.describe().sentence),
         "guarantees": GUARANTEES,
         "heading_words": heading,
         "method": _method(calibration),

@@ -64,8 +64,7 @@ def sentence_of(calibration: Calibration) -> str:
     block, logistic, base = (
         chance(rows[name].accuracy[0], best.tests) for name in ("block", "logistic", "base rate")
     )
-    answer = calibration.describe().answer
-    use = dict(answer.facts).get("use") if answer else None
+    use = dict(calibration.describe().screen).get("use")
     return (
         f"Predicted without the tests of its own group, {right} of "
         f"{plural(best.tests, 'outcome')}{share} came as block and logistic together expect; "

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from rocksteady import Execution, __version__
-from rocksteady.results.answer import Answer
+from rocksteady.results.description import Fact
 from rocksteady.show.export.files import FORMATS, json_text, picture_files, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
 from rocksteady.show.study.environment import Done, environment, nothing
@@ -93,7 +93,7 @@ class Atlas(Saved):
         return [*coexistence_sentences(self.found), *rest_sentences(self.rest, None)[:1]]
 
     @property
-    def answer(self) -> Answer:
+    def answer(self) -> tuple[str, list[Fact]]:
         """Share of the plane with several motions, and the fates of a block at rest."""
         return atlas_answer(self.found, self.rest)
 

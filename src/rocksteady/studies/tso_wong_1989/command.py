@@ -11,8 +11,8 @@ from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import ScreenFlags, grouped
 from rocksteady.cli.flags.study import resumable_study
-from rocksteady.results.answer import Answer, left_out
-from rocksteady.results.description import Column, Description, Table
+from rocksteady.results.answer import left_out
+from rocksteady.results.description import Column, Description, Table, line
 from rocksteady.results.numbers import plural
 
 if TYPE_CHECKING:
@@ -73,27 +73,29 @@ def described(study: "Study", out: Path, files: list[Path]) -> Description:
     written = f"{len(files)} in {out}"
     if not study.claims:
         sentence = f"Wrote {written.replace(' in', ' files of the figures into')}."
-        return Description(sentence, answer=Answer(sentence))
+        return Description(sentence, sentence=sentence)
     wrong, counts = corrected(study.claims), study.counts()
     sentence = (
         f"{counts['reproduced']} of {len(study.claims)} statements of Tso and Wong (1989) hold; "
         f"{counts['corrected']} are corrected."
     )
-    label, rest = left_out(max(len(wrong) - SHOWN, 0))
+    rest = left_out(max(len(wrong) - SHOWN, 0))
     open_ = plural(counts["not-checkable"], "statement")
     facts = [
         *(
-            ("" if row else "corrected", shorten(f"{claim.id}: {claim.statement}", 61))
+            line("" if row else "corrected", shorten(f"{claim.id}: {claim.statement}", 61))
             for row, claim in enumerate(wrong[:SHOWN])
         ),
-        (label, f"{rest}; {open_} cannot be checked"),
-        ("files", written),
+        line(rest.label, f"{rest.words}; {open_} cannot be checked"),
+        line("files", written),
     ]
     rows = [{"id": claim.id, "statement": claim.statement} for claim in wrong]
     columns = [Column("id", "", left=True), Column("statement", "", left=True)]
     page = quoted(out / "report.html")
     return Description(
         sentence,
+        facts,
         tables=[Table("", rows, columns, title="Not as the paper says", most=len(rows))],
-        answer=Answer(sentence, facts, follow_up=f"python3 -m webbrowser {page}"),
+        sentence=sentence,
+        follow_up=f"python3 -m webbrowser {page}",
     )

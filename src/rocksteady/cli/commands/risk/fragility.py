@@ -15,6 +15,7 @@ from rocksteady.cli.flags.options import Panel, block_flag
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.model.blocks.block import Block
+from rocksteady.results.stated import facts_stated
 
 if TYPE_CHECKING:
     from rocksteady.risk.ensemble.levels import Levels
@@ -145,13 +146,12 @@ def fragility(
         *filter(None, remarks),
         f"{result.runs:,} runs in {result.seconds:.1f} s{kept}",
     ]
-    answer = description.answer
-    if answer is not None and placing is not None:
-        line = spectrum_line(placing, doubt_on_spectrum(placing))
-        answer = replace(answer, facts=[("spectrum", line.words), *answer.facts])
+    facts = [*description.facts]
+    if placing is not None:
+        facts = [*facts_stated([spectrum_line(placing, doubt_on_spectrum(placing))]), *facts]
     output.leave(
         "fragility",
-        replace(description, headline=headline, notes=notes, answer=answer),
+        replace(description, headline=headline, facts=facts, notes=notes),
         after=after,
         suite=suite,
         decided=result.records >= LEAST,

@@ -24,6 +24,7 @@ from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.cli.flags.window import WindowFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.description import line
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.basins.basins import Basins
@@ -272,10 +273,10 @@ def _leave_basins(
         if not math.isnan(each.exponent)
     ]
     measured += [f"basin entropy {each.entropy:.3f}" for each in entropies]
-    if measured and description.answer is not None:
-        facts = [each for each in description.answer.facts if each[0] != "boundary"]
-        facts.insert(0, ("boundary", ", ".join(measured)))
-        description = replace(description, answer=replace(description.answer, facts=facts))
+    if measured:
+        facts = [fact for fact in description.facts if fact.label != "boundary"]
+        facts.insert(0, line("boundary", ", ".join(measured)))
+        description = replace(description, facts=facts)
     sweep.write_netcdf(result.to_dataset)
     output.write_csv(result.to_dataframe)
     output.write_plot(lambda page: basins_figure(result, description.headline, page))
@@ -307,10 +308,10 @@ def _leave_shares(
     description = shares.describe()
     sweep.write_netcdf(shares.to_dataset)
     entropies = [] if entropy is None else [shares.entropies(entropy).describe()]
-    if entropy is not None and description.answer is not None:
+    if entropy is not None:
         low, *_, high = sorted(each.entropy for each in shares.entropies(entropy).entropies)
-        facts = [("basin entropy", f"{low:.3f} to {high:.3f}"), *description.answer.facts]
-        description = replace(description, answer=replace(description.answer, facts=facts))
+        fact = line("basin entropy", f"{low:.3f} to {high:.3f}")
+        description = replace(description, facts=[fact, *description.facts])
     output.write_csv(lambda: description.tables[0])
     output.write_plot(lambda page: shares_figure(shares, description.headline, page))
     output.leave(

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from rocksteady.branches import PointType
-from rocksteady.results.answer import Answer
+from rocksteady.results.description import Fact, line
 from rocksteady.studies.atlas.analysis.coexistence import Coexistence, OrbitClass
 from rocksteady.studies.atlas.analysis.columns import Column
 from rocksteady.studies.atlas.analysis.families import FamilyMap
@@ -78,14 +78,14 @@ def family_values(family: FamilyMap, lines: Sequence[Line]) -> dict[str, Any]:
 
 def meeting(order: int, lines: Sequence[Line]) -> dict[str, float] | None:
     """Return where the first doubling of a family ends in a graze; None where it does not."""
-    for line in lines:
-        if (line.order, line.name) != (order, "first-doubling"):
+    for each in lines:
+        if (each.order, each.name) != (order, "first-doubling"):
             continue
-        for end, place in zip(line.ends, (0, -1), strict=True):
+        for end, place in zip(each.ends, (0, -1), strict=True):
             if end == "doubling-graze":
                 return {
-                    "frequency_ratio": float(line.frequency_ratio[place]),
-                    "amplitude": float(line.amplitude[place]),
+                    "frequency_ratio": float(each.frequency_ratio[place]),
+                    "amplitude": float(each.amplitude[place]),
                 }
     return None
 
@@ -230,7 +230,7 @@ def coexistence_sentences(result: Coexistence) -> list[str]:
     return texts
 
 
-def atlas_answer(coexistence: Coexistence, rest: FromRest) -> Answer:
+def atlas_answer(coexistence: Coexistence, rest: FromRest) -> tuple[str, list[Fact]]:
     """Return how much of the plane has several motions, one or none, and the fates from rest."""
     motions, values = coexistence.motions, rest_values(rest)
     none, single, several = (
@@ -245,11 +245,13 @@ def atlas_answer(coexistence: Coexistence, rest: FromRest) -> Answer:
     every, some = (
         percent(values[f"share_overturned_at_{which}"]) for which in ("every_phase", "some_phases")
     )
-    return Answer(
+    return (
         sentence,
         [
-            ("one motion", f"in {single}; in {none} every start falls"),
-            ("from rest", f"falls at every phase in {every}; in {some} it depends on the phase"),
+            line("one motion", f"in {single}; in {none} every start falls"),
+            line(
+                "from rest", f"falls at every phase in {every}; in {some} it depends on the phase"
+            ),
         ],
     )
 
