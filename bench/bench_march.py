@@ -17,8 +17,6 @@ import pytest
 from numpy.typing import NDArray
 
 from bench.sampling_march import SAMPLES, sampled_fates
-from rocksteady.dynamics.history.lowering import record_table
-from rocksteady.dynamics.history.nonlinear_tables import lifted_table
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.tables import ALIKE, ROW_COLUMNS, March
 from rocksteady.kernels.core.tuples import (
@@ -30,7 +28,9 @@ from rocksteady.kernels.core.tuples import (
     Until,
 )
 from rocksteady.kernels.march.march import march
+from rocksteady.model.linear_tables import record_table
 from rocksteady.model.motions.record import Record
+from rocksteady.model.nonlinear_tables import lifted_table
 from rocksteady.outcomes import Status
 from tests.kernels.fates import fates_in_lanes, harmonic_fates
 from tests.records import synthetic

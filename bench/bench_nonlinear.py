@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from bench.bench_march import CYCLES, RESTITUTION, THINNED, UNITS, Cells, cells, note
 from rocksteady import Block, Execution, Record, State, Status, map_fates
-from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core import tuples
 from rocksteady.kernels.core.tables import ROW_COLUMNS, March
@@ -39,7 +38,7 @@ def run(unit: Cells, block: Block = BLOCK) -> None:
         tuples.Cells(
             unit.amplitude,
             unit.frequency_ratio,
-            np.broadcast_to(sides_of(block, Nonlinear()), (count, 2, 5)).copy(),
+            np.broadcast_to(Nonlinear().sides(block), (count, 2, 5)).copy(),
         ),
         Starts(unit.zeros, unit.velocity, unit.zeros),
         CYCLES,
@@ -54,7 +53,7 @@ def run_lanes(unit: Cells, block: Block) -> None:
         tuples.Cells(
             unit.amplitude,
             unit.frequency_ratio,
-            np.broadcast_to(sides_of(block, Nonlinear()), (count, 2, 5)).copy(),
+            np.broadcast_to(Nonlinear().sides(block), (count, 2, 5)).copy(),
         ),
         Starts(unit.zeros, unit.velocity, unit.zeros),
         CYCLES,
@@ -169,9 +168,9 @@ def test_record(benchmark: Any, name: str, way: str) -> None:
         record = Record(acceleration_m_s2=synthetic(rng, 5400, 0.01, 3.4), dt_s=0.01)
         block = Block.from_p(alpha=math.atan(2.0 / 9.80665), p=2.0, restitution=0.9)
         start, stop = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0), 1e15
-    segments = nonlinear_segment_table(record, block)
+    segments = Nonlinear().lower(block, record).segments
     none = np.zeros((0, ROW_COLUMNS))
-    sides = sides_of(block, Nonlinear())
+    sides = Nonlinear().sides(block)
     peaks = np.zeros(2 if way == "with peaks" else 0)
     until = Until(0, stop, 1e-8, 10**9)
     arguments = (Tables(segments, sides), start, until, Kept(none, peaks))

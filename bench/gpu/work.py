@@ -8,8 +8,6 @@ from numpy.typing import NDArray
 
 from rocksteady import Block, Linear, Nonlinear, Record
 from rocksteady.dynamics.batch.left_over import in_threads
-from rocksteady.dynamics.history.lowering import record_table
-from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.kernels.batch.attractors import REAL_COLUMNS, WHOLE_COLUMNS
 from rocksteady.kernels.core.tables import LEAN, RATE
 from rocksteady.kernels.core.tuples import (
@@ -23,6 +21,7 @@ from rocksteady.kernels.core.tuples import (
     SymmetricCells,
 )
 from rocksteady.kernels.entries import ENTRIES
+from rocksteady.model.linear_tables import record_table
 from tests.records import synthetic
 
 CYCLES = 200
@@ -68,7 +67,7 @@ def work(name: str, count: int, seed: int = 0) -> Arguments:
     zeros = np.zeros(count)
     columns = 5 if nonlinear else 3
     model = Nonlinear() if nonlinear else Linear()
-    sides = np.broadcast_to(sides_of(BLOCK, model), (count, 2, columns)).copy()
+    sides = np.broadcast_to(model.sides(BLOCK), (count, 2, columns)).copy()
     ratio = np.full(count, RESTITUTION)
     fates = Fates(np.empty(count, np.int64), np.empty(count, np.int64), np.empty((count, 3)))
     begin = Starts(zeros, np.full(count, VELOCITY), zeros.copy())
@@ -105,10 +104,10 @@ def _records(count: int, *, nonlinear: bool) -> Arguments:
     )
     model = Nonlinear() if nonlinear else Linear()
     block = Block.from_p(alpha=0.2, p=1.0, restitution=0.9)
-    sides = np.broadcast_to(sides_of(block, model), (count, 2, 5 if nonlinear else 3)).copy()
+    sides = np.broadcast_to(model.sides(block), (count, 2, 5 if nonlinear else 3)).copy()
     sides[:, :, LEAN] = uplift.ravel()[:count, np.newaxis]
     sides[:, :, RATE] = rate.ravel()[:count, np.newaxis]
-    segments = nonlinear_segment_table(record, block) if nonlinear else record_table(record)
+    segments = Nonlinear().lower(block, record).segments if nonlinear else record_table(record)
     fates = PeakFates(np.empty(count, np.int64), np.empty(count, np.int64), np.empty((count, 2)))
     return segments, Blocks(sides, np.full(count, 1e15)), 10**7, fates
 

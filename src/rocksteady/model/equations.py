@@ -1,13 +1,19 @@
 """Equations of motion of a block: linear for slender blocks, or the full ones."""
 
 from dataclasses import dataclass
-from typing import Annotated, Literal, get_args
+from typing import TYPE_CHECKING, Annotated, Literal, get_args
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.motions.segments import Motion
+
+if TYPE_CHECKING:
+    from rocksteady.arrays import Floats
+    from rocksteady.kernels.core.tuples import Tables
+    from rocksteady.model.motions.record import Record
 
 TOLERANCE = 1e-10
 """Default relative error that a motion may have."""
@@ -25,6 +31,47 @@ class Linear:
     def name(self) -> str:
         """The name, "linear"."""
         return "linear"
+
+    def sides(self, block: Block | DimensionlessBlock) -> "Floats":
+        """Return restitution, lean and rate of a block's sides, shape (2, 3).
+
+        Parameters
+        ----------
+        block
+            The block.
+        """
+        from rocksteady.model.linear_tables import side_table
+
+        return side_table(block)
+
+    def lower(
+        self,
+        block: Block | DimensionlessBlock,
+        motion: "Motion | Record",
+        vertical: "Motion | Record | None" = None,
+    ) -> "Tables":
+        """Return the tables from which the kernels compute: segments (n, 9) and sides (2, 3).
+
+        Parameters
+        ----------
+        block
+            The block.
+        motion
+            The base motion; its last segment is endless.
+        vertical
+            None: the linear equations have no term for vertical motion.
+
+        Raises
+        ------
+        ModelError
+            If there is a vertical motion, or a record shakes a dimensionless block.
+        InputError
+            If a record's samples are too long or too strong for the block.
+        """
+        from rocksteady.model.linear_tables import lower
+
+        refuse_vertical(vertical)
+        return lower(block, motion)
 
 
 @checked
@@ -63,6 +110,52 @@ class Nonlinear:
     def name(self) -> str:
         """The name, "nonlinear"."""
         return "nonlinear"
+
+    def sides(self, block: Block | DimensionlessBlock) -> "Floats":
+        """Return a block's sides as `Linear` does, with slenderness and step error, shape (2, 5).
+
+        Parameters
+        ----------
+        block
+            The block.
+
+        Raises
+        ------
+        ModelError
+            If the block has no slenderness.
+        """
+        from rocksteady.model.nonlinear_tables import side_table
+
+        return side_table(slender_block(block), self.tolerance)
+
+    def lower(
+        self,
+        block: Block | DimensionlessBlock,
+        motion: "Motion | Record",
+        vertical: "Motion | Record | None" = None,
+    ) -> "Tables":
+        """Return the tables from which the kernels compute: segments (n, 12) and sides (2, 5).
+
+        Parameters
+        ----------
+        block
+            The block.
+        motion
+            The horizontal base motion; the last segment is endless.
+        vertical
+            The vertical one, upwards positive: a record, or segments without sinusoid.
+
+        Raises
+        ------
+        ModelError
+            If the block has no slenderness, the vertical motion has a sinusoid, an impulse or no
+            end, or there is one beside a Fourier series.
+        InputError
+            If a record's samples are too long or too strong for the block.
+        """
+        from rocksteady.model.nonlinear_tables import lower
+
+        return lower(slender_block(block), motion, vertical, self.tolerance)
 
 
 Model = Linear | Nonlinear
@@ -146,3 +239,20 @@ def slender_block(block: Block | DimensionlessBlock) -> Block:
             "give a Block, as Block.from_p(alpha=..., p=...), in place of a DimensionlessBlock",
         )
     return block
+
+
+def refuse_vertical(vertical: "Motion | Record | None") -> None:
+    """Refuse vertical motion in the linear model.
+
+    Raises
+    ------
+    ModelError
+        If there is one.
+    """
+    if vertical is not None:
+        raise ModelError(
+            "vertical",
+            vertical,
+            "the linear equations of motion have no term for it",
+            "take Nonlinear(), or leave it out",
+        )

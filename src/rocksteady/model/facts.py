@@ -7,6 +7,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.blocks.sides import same_shape
+from rocksteady.model.equations import Model, Nonlinear, slender_block
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 from rocksteady.results.numbers import DIGITS, angle, length, number, quantity
 
@@ -46,6 +47,32 @@ def restitution_values(block: AnyBlock) -> dict[str, Any]:
     first, second = (restitution for restitution, _, _ in bare.sides)
     values = {"restitution": first}
     return values if first == second else {**values, "negative_restitution": second}
+
+
+def side_attributes(block: AnyBlock) -> dict[str, float]:
+    """Return restitution and ratios of a block's sides, as a dataset names them.
+
+    For a block against a wall the restitution is the wall's, and ``one_sided`` is 1.
+    """
+    if block.one_sided:
+        return {"restitution": block.restitution, "one_sided": 1.0}
+    (first, _, _), (second, alpha_ratio, p_ratio) = block.dimensionless().sides
+    attributes = {"restitution": first}
+    if not block.symmetric:
+        attributes |= {
+            "negative_restitution": second,
+            "alpha_ratio": alpha_ratio,
+            "p_ratio": p_ratio,
+        }
+    return attributes
+
+
+def attributes_of(block: AnyBlock, model: Model) -> dict[str, float | str]:
+    """Return the attributes of a dataset for its block and its model."""
+    attributes: dict[str, float | str] = {**side_attributes(block), "model": model.name}
+    if isinstance(model, Nonlinear):
+        attributes["alpha"] = slender_block(block).positive.alpha
+    return attributes
 
 
 def harmonic_values(block: AnyBlock, motion: PeriodicMotion) -> dict[str, Any]:

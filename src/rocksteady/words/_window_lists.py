@@ -7,10 +7,9 @@ from typing import Any
 import numpy as np
 
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
-from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.overturning.window_lists import WindowLists
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.facts import block_text, block_values
+from rocksteady.model.facts import block_text, block_values, side_attributes
 from rocksteady.results.answer import left_out
 from rocksteady.results.description import Fact, line
 from rocksteady.results.numbers import number, plural

@@ -7,11 +7,11 @@ import numpy as np
 
 from rocksteady.dynamics.basins.over.families import BasinFamily
 from rocksteady.dynamics.basins.over.shares import BasinShares
-from rocksteady.dynamics.history.nonlinear_tables import attributes_of
 from rocksteady.dynamics.parameters import AXES, SYMBOLS
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import (
     amplitude_text,
+    attributes_of,
     block_text,
     frequency_text,
     harmonic_values,

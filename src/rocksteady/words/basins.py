@@ -4,12 +4,12 @@ from typing import TYPE_CHECKING
 
 from rocksteady.dynamics.basins.basins import Basins, BasinShare
 from rocksteady.dynamics.basins.labels import BasinAttractor
-from rocksteady.dynamics.history.nonlinear_tables import attributes_of
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.steady.verdicts import BEYOND
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import (
     amplitude_text,
+    attributes_of,
     block_text,
     case_text,
     frequency_text,

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 
 from rocksteady.dynamics.history import base_motion
-from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.described_motion import DescribedMotion

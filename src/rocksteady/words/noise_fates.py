@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rocksteady.dynamics.batch.finite import OUTPUTS
-from rocksteady.dynamics.history.nonlinear_tables import attributes_of
 from rocksteady.dynamics.maps.noise_fates import AXES, NoiseFates
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.confidence import CONFIDENCE_TEXT
-from rocksteady.model.facts import block_text, case_text
+from rocksteady.model.facts import attributes_of, block_text, case_text
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table

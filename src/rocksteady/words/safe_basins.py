@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
 from rocksteady.dynamics.basins.fate_basins import FateBasins, FateShare
 from rocksteady.dynamics.batch.finite import OUTPUTS
-from rocksteady.dynamics.history.nonlinear_tables import attributes_of
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.facts import (
     amplitude_text,
+    attributes_of,
     block_text,
     case_text,
     frequency_text,

@@ -28,9 +28,8 @@ from rocksteady import (
 from rocksteady.basins import FateBasins
 from rocksteady.dynamics.basins.fate_basins import _reaches
 from rocksteady.dynamics.history.base_motion import base_acceleration, segment_starts
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.errors import InputError, ModelError
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.motions import Impulses, add, cut, delay, scale
 
 BARE = DimensionlessBlock(restitution=0.9)
@@ -184,7 +183,7 @@ def test_the_mirrored_motion_mirrors_the_fates(model: object) -> None:
 
 
 def test_the_default_window_is_as_wide_for_a_motion_as_for_its_mirror_image() -> None:
-    sides = sides_of(BLOCK, Linear())
+    sides = Linear().sides(BLOCK)
     still, one, other = (
         _reaches(segment_table(Impulses(velocities=velocities, times=(0.0, 1.0))), sides)
         for velocities in ((1e-9, 1e-9), (0.9, 0.6), (-0.9, -0.6))

@@ -5,7 +5,6 @@ import pytest
 
 from rocksteady import Block, DimensionlessBlock, Execution, Harmonic, State, Status, simulate
 from rocksteady.dynamics.basins._safe import measured, safe_states
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.every import every
 
@@ -29,7 +28,7 @@ def test_a_state_is_safe_where_its_time_history_does_not_overturn(
         np.linspace(-0.5, 0.5, 4),
     )
     safe = safe_states(
-        sides=sides_of(block, model),
+        sides=model.sides(block),
         frequency_ratio=2.0,
         phase=0.7,
         harmonics=(),

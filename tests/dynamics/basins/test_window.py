@@ -17,7 +17,6 @@ from rocksteady.dynamics.basins.window import (
     window_axis,
     window_of,
 )
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.errors import InputError
 from rocksteady.model.equations import Linear
 from tests.every import every
@@ -48,7 +47,7 @@ def test_from_the_edge_of_the_window_a_block_at_high_frequency_falls(
 ) -> None:
     # Fast shaking hardly moves the block: no dip brings it back to its base.
     shaking = Harmonic(amplitude=2.0, frequency_ratio=30.0)
-    angle, velocity = window_of(sides_of(block, Linear()), 2.0, 30.0)
+    angle, velocity = window_of(Linear().sides(block), 2.0, 30.0)
     sides = [side for side in (1, -1) if angle == pytest.approx(_reach(block, side)[0])]
     for side in sides:
         run = simulate(block, shaking, start=State(angle=1.001 * side * angle, velocity=0.0))

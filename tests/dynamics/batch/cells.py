@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, State
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.model.equations import Linear, Model
 from tests.dynamics.asymmetric import random_block
 
@@ -45,7 +44,7 @@ class Cells:
 
     @property
     def sides(self) -> Floats:
-        return np.array([sides_of(one, self.model) for one in self.blocks])
+        return np.array([self.model.sides(one) for one in self.blocks])
 
     def __len__(self) -> int:
         return len(self.blocks)

@@ -25,7 +25,6 @@ from rocksteady import (
 )
 from rocksteady.dynamics.batch.finite import fate_of, finite_table, thrust
 from rocksteady.dynamics.history.base_motion import base_acceleration
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.tables import ROW_SIDE
 from rocksteady.kernels.machine_code.compilation import PYTHON, runner
@@ -65,7 +64,7 @@ CASES: tuple[tuple[Any, Any, Any], ...] = (
 @every("case", range(len(CASES)))
 def test_the_fate_is_how_a_time_history_ends(case: int) -> None:
     block, motion, model = CASES[case]
-    table, sides = finite_table(motion, block, model), sides_of(block, model)
+    table, sides = finite_table(motion, block, model), model.sides(block)
     draw = np.random.default_rng(case)
     states = [
         (0.0, 0.0),
@@ -85,7 +84,7 @@ def test_the_fate_is_how_a_time_history_ends(case: int) -> None:
 def test_a_base_that_falls_away_ends_as_lost_contact() -> None:
     dropped = BaseMotion(RECORD, UP.scaled(4.0))
     table = finite_table(dropped, BLOCK, Nonlinear())
-    found = fate_of(table, sides_of(BLOCK, Nonlinear()), 0.1, 0.0)
+    found = fate_of(table, Nonlinear().sides(BLOCK), 0.1, 0.0)
     assert found.status == Status.LOST_CONTACT
     assert found.side == 0
 
@@ -100,7 +99,7 @@ def test_a_state_on_the_way_has_the_fate_of_the_whole_run(moment: float) -> None
             continue
         # An impulse at the moment itself acts on the state before it.
         here = run(np.nextafter(moment, 0.0))
-        found = fate_of(table, sides_of(block, Linear()), float(here.angle), float(here.velocity))
+        found = fate_of(table, Linear().sides(block), float(here.angle), float(here.velocity))
         assert found.status == run.status
         assert found.impacts <= len(run.impacts)
 

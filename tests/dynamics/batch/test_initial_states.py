@@ -7,7 +7,6 @@ import numpy as np
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, Steady
 from rocksteady.dynamics.batch.initial_states import at_phases, on_orbits
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import initial_march
 from rocksteady.errors import ModelError
 from rocksteady.model.equations import Linear, Model, Nonlinear
@@ -24,8 +23,7 @@ def test_states_at_phases_are_those_of_single_motions(model: Model) -> None:
     for at, (block, shaking, start) in enumerate(
         zip(cells.blocks, cells.shakings, cells.starts, strict=True)
     ):
-        sides = sides_of(block, model) if isinstance(model, Nonlinear) else None
-        _, alone = initial_march(start, block.dimensionless(), shaking, sides)
+        _, alone = initial_march(start, block.dimensionless(), shaking, model.sides(block))
         assert (begin.side[at], begin.half_cycles[at]) == (alone.side, alone.half_cycles)
         assert (begin.angle[at], begin.velocity[at]) == (alone.angle, alone.velocity)
         assert begin.phase[at] == alone.phase
@@ -53,14 +51,13 @@ def test_states_on_orbits_are_those_of_single_motions(model: Model, start: Stead
         else Block.from_p(alpha=rng.uniform(0.01, 0.3), p=2.0, restitution=restitution)
         for restitution in rng.uniform(0.4, 0.99, count)
     ]
-    sides = np.array([sides_of(block, model) for block in blocks])
+    sides = np.array([model.sides(block) for block in blocks])
     velocity, phase, there = on_orbits(start, kick, amplitude, ratio, sides)
     for at, block in enumerate(blocks):
         one = replace(start, kick=kick.item(at))
         shaking = Harmonic(amplitude=amplitude.item(at), frequency_ratio=ratio.item(at))
-        tilted = sides[at] if isinstance(model, Nonlinear) else None
         try:
-            moved, alone = initial_march(one, block.dimensionless(), shaking, tilted)
+            moved, alone = initial_march(one, block.dimensionless(), shaking, sides[at])
         except ModelError:
             assert (there[at], velocity[at], phase[at]) == (False, 0.0, 0.0)
             continue

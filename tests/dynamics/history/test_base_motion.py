@@ -15,7 +15,7 @@ from rocksteady.dynamics.history.base_motion import (
     peak_acceleration,
     swinging_course,
 )
-from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.model.motions.segments import Motion
 from rocksteady.motions import FourierSeries, Segment
 from tests.every import every

@@ -23,7 +23,6 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.history.fall import fall_to_ground
-from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.histories import Trajectory
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Motion
@@ -133,7 +132,7 @@ def after_its_end(run: Trajectory, motion: Motion) -> Trajectory:
     """Return a run whose base goes on to do what its history does not know of."""
     assert run.end_time_pt > run.flights.pt[-1]  # both are known from now on
     other = copy(run)
-    object.__setattr__(other, "segments", nonlinear_segment_table(motion, SLENDER))
+    object.__setattr__(other, "segments", Nonlinear().lower(SLENDER, motion).segments)
     return other
 
 

@@ -17,8 +17,8 @@ from rocksteady import (
 )
 from rocksteady.errors import ModelError
 from rocksteady.model.equations import Linear
-from tests.dynamics.history.test_lowering import as_pieces
 from tests.dynamics.integrator import integrate
+from tests.model.test_linear_tables import as_pieces
 from tests.records import el_centro, synthetic
 
 Floats = NDArray[np.float64]

@@ -40,7 +40,7 @@ SHAKING = Harmonic(amplitude=2.0, frequency_ratio=4.0)
 
 
 def begun(start: Start, block: DimensionlessBlock = BLOCK, motion: Any = SHAKING) -> March:
-    return initial_march(start, block, motion)[1]
+    return initial_march(start, block, motion, Linear().sides(block))[1]
 
 
 @given(st.floats(-1e3, 1e3), st.floats(-2.0, 2.0), st.floats(-2.0, 2.0))
@@ -84,7 +84,7 @@ def test_a_velocity_by_tau_is_one_by_pivot_time_over_the_frequency_ratio() -> No
 
 
 def test_a_stable_steady_state_decides_on_the_phase() -> None:
-    motion, state = initial_march(Steady(), BLOCK, SHAKING)
+    motion, state = initial_march(Steady(), BLOCK, SHAKING, Linear().sides(BLOCK))
     found = steady_states(2.0, 4.0, 0.8)
     assert isinstance(motion, Harmonic)
     assert motion.phase == float(found.phase[0])

@@ -25,7 +25,6 @@ from rocksteady import (
 )
 from rocksteady.dynamics.batch.attractors import KIND_FLAGS
 from rocksteady.dynamics.batch.fates import ENDS
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Linear, Model, Nonlinear
@@ -131,7 +130,7 @@ def test_many_cells_are_to_the_last_bit_the_blocks_of_each(
     for k in range(50):
         block, _, _ = scenario.at({"width": width[k], "height": height[k]})
         assert block.one_sided
-        assert (cells.sides[k] == sides_of(block, model)).all()
+        assert (cells.sides[k] == model.sides(block)).all()
 
 
 @every("sizes", [{"alpha": [0.1, 0.3]}, {"p": [1.5, 3.0]}, {"radius": [1.0]}])

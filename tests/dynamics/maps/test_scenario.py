@@ -16,6 +16,7 @@ from rocksteady.dynamics.maps._resizing import sizes_with
 from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.dynamics.parameters import AXES, SIZES
 from rocksteady.errors import ModelError
+from rocksteady.model.equations import Linear
 from tests.dynamics.maps.drawn import Case, drawn_case
 from tests.every import every
 
@@ -64,7 +65,7 @@ def test_arrays_of_cells_are_the_nouns_to_the_last_bit(case: Case) -> None:
         assert cells.frequency_ratio[place] == shaking.frequency_ratio
         assert cells.sides[place, 0, 0] == bare.restitution
         try:
-            begin = initial_march(start, bare, shaking)[1]
+            begin = initial_march(start, bare, shaking, Linear().sides(bare))[1]
         except ModelError:
             assert not cells.there[place]
             continue
@@ -217,6 +218,6 @@ def test_clocks_of_many_phases_are_those_of_each() -> None:
     block = DimensionlessBlock(restitution=0.8)
     for place, phase in enumerate(phases.tolist()):
         shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0, phase=phase)
-        march = initial_march(Rest(), block, shaking)[1]
+        march = initial_march(Rest(), block, shaking, Linear().sides(block))[1]
         assert begin.half_cycles[place] == march.half_cycles
         assert begin.phase[place] == march.phase

@@ -20,10 +20,9 @@ from rocksteady import (
     find_overturning_windows,
     simulate,
 )
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.overturning.window_cells import follow
 from rocksteady.model.equations import Model
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.combine import scale
 from rocksteady.motions import Floor, Impulses
@@ -187,7 +186,7 @@ def test_all_that_falls_on_a_floor_lies_in_a_window_or_is_left_out(
     moved = FLOOR.motion(replace(SINE, frequency_ratio=ratio), block)
     model, sizes = Linear(), np.geomspace(found.first[0], 5.0, 20_000)
     table = np.ascontiguousarray(segment_table(moved)[:-1])
-    fell = sizes[follow(sizes, table=table, sides=sides_of(block, model)).overturns]
+    fell = sizes[follow(sizes, table=table, sides=model.sides(block)).overturns]
     spans = np.array(found.intervals(0)), np.array(found.unlisted(0))
     listed, left_out = (
         ((low <= fell[:, np.newaxis]) & (fell[:, np.newaxis] <= high)).any(axis=1)

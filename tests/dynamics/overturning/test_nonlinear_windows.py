@@ -16,7 +16,6 @@ from rocksteady import (
     find_overturning_windows,
     simulate,
 )
-from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import LEAN, OVERTURNED, RATE, March
@@ -143,7 +142,7 @@ def test_an_integrator_falls_inside_a_border_and_lands_again_outside(
 
 def brute_force(block: Block, model: Model, pulse: Pulse) -> Callable[[float, float], bool]:
     """Whether a block falls, by a march with the still base and the march's own proofs."""
-    table, sides = nonlinear_segment_table(pulse, block), sides_of(block, model)
+    table, sides = Nonlinear().lower(block, pulse).segments, model.sides(block)
     half, phase = segment_start(table, 0)
 
     def falls(amplitude: float, ratio: float) -> bool:

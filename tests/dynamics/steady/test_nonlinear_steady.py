@@ -15,7 +15,6 @@ from rocksteady import (
     map_attractors,
     simulate,
 )
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import initial_march
 from rocksteady.errors import ModelError
 from rocksteady.formulas import steady_states
@@ -42,7 +41,7 @@ def body(alpha: float, delta: float) -> Block:
 
 def begun(block: Block, shaking: Harmonic, start: Steady) -> tuple[float, float]:
     """Return phase and velocity of a start."""
-    sides = sides_of(block, Nonlinear())
+    sides = Nonlinear().sides(block)
     _, march = initial_march(start, block.dimensionless(), shaking, sides)
     return march.half_cycles * math.pi + march.phase, march.velocity
 

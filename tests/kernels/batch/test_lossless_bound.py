@@ -7,7 +7,6 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import Block
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.kernels.batch._lossless_bound import furthest, largest_margin
 from rocksteady.kernels.batch._still_base import fate_on_still_base
 from rocksteady.kernels.core.clock import segment_start
@@ -56,7 +55,7 @@ def case(name: str, model: Model, amplitude: float, ratio: float) -> tuple[Float
         wide[:, :8] = segments[:, :8]
         segments = wide
     block = Block.from_p(alpha=0.3, p=2.0, restitution=1.0)
-    sides = sides_of(block, model).copy()
+    sides = model.sides(block).copy()
     uplift = 1.0 if isinstance(model, Linear) else math.tan(0.3) / 0.3
     sides[:, LEAN] /= amplitude * uplift
     sides[:, RATE] /= ratio

@@ -7,7 +7,6 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import Block
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import (
@@ -108,7 +107,7 @@ def test_it_is_the_fate_of_a_march_that_goes_on(name: str, lean: float, rate: fl
 @every("negative", [0.3, 0.5])
 def test_it_is_the_fate_of_a_nonlinear_march_that_goes_on(name: str, negative: float) -> None:
     block = Block.from_alphas(positive=0.3, negative=negative, p=2.0, restitution=0.9)
-    sides = sides_of(block, Nonlinear())
+    sides = Nonlinear().sides(block)
     narrow = table(*PULSES[name], Piece())
     whole = np.zeros((len(narrow), NONLINEAR_SEGMENT_COLUMNS))
     whole[:, :ALIKE] = narrow[:, :ALIKE]
@@ -145,7 +144,7 @@ def test_at_every_border_of_a_stocky_block_the_margin_goes_through_zero(
     block: Block, down: float
 ) -> None:
     # The reversal of this pulse raises a block that has all but come to lie on its side.
-    sides = sides_of(block, Nonlinear())
+    sides = Nonlinear().sides(block)
     narrow = table(Piece(duration=1.5, constant=1.0), Piece(duration=2.0, constant=-down))
     segments = np.zeros((2, NONLINEAR_SEGMENT_COLUMNS))
     segments[:, :ALIKE] = narrow[:, :ALIKE]
@@ -179,7 +178,7 @@ def test_the_margin_of_a_block_that_stands_is_below_zero_however_strong_the_puls
     segments[:, CEILING] = math.inf
     amplitude = np.geomspace(1.1, 20.0, sample_size(500, 20))
     status, _, _, _, margin = fates(
-        segments, sides_of(block, Nonlinear()), amplitude, np.full(len(amplitude), 6.9)
+        segments, Nonlinear().sides(block), amplitude, np.full(len(amplitude), 6.9)
     )
     assert ((margin > 0.0) == (status == OVERTURNED)).all()
     assert set(status.tolist()) == {AT_REST, OVERTURNED}

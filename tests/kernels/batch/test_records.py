@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.history.nonlinear_tables import lifted_table
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.tables import (
     ALIKE,
@@ -32,6 +31,7 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.core.tuples import Blocks, Kept, PeakFates, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import peaks_until_overturning
+from rocksteady.model.nonlinear_tables import lifted_table
 from tests.every import every
 from tests.kernels.scattering import scattered
 from tests.kernels.tables import sampled

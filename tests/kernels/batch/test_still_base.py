@@ -7,7 +7,6 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import Block
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.kernels.batch._still_base import (
     fate_on_still_base,
     gained_by_landing,
@@ -27,7 +26,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
-from rocksteady.model.equations import Linear, Nonlinear
+from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.every import every
 from tests.strategies import sample_size
 
@@ -43,7 +42,7 @@ BLOCKS = {
 MODELS = (Linear(), Nonlinear())
 
 
-def still(model: str) -> Floats:
+def still(model: Model) -> Floats:
     """The table of a base that stands still for ever."""
     columns = SEGMENT_COLUMNS if isinstance(model, Linear) else NONLINEAR_SEGMENT_COLUMNS
     table = np.zeros((1, columns))
@@ -53,8 +52,8 @@ def still(model: str) -> Floats:
 
 @every("model", MODELS)
 @every("name", BLOCKS)
-def test_it_is_what_a_march_finds(name: str, model: str) -> None:
-    sides = sides_of(BLOCKS[name], model)  # type: ignore[arg-type]
+def test_it_is_what_a_march_finds(name: str, model: Model) -> None:
+    sides = model.sides(BLOCKS[name])
     rng = np.random.default_rng(11)
     fates = set()
     for _ in range(sample_size(400, 12)):
@@ -80,7 +79,7 @@ def test_it_is_what_a_march_finds(name: str, model: str) -> None:
 
 @pytest.mark.parametrize("row", [0, 1])
 def test_energy_is_what_the_formulas_say(row: int) -> None:
-    sides = sides_of(BLOCKS["leaning"], Nonlinear())
+    sides = Nonlinear().sides(BLOCKS["leaning"])
     alpha = float(sides[row, ALPHA])
 
     def potential(angle: float) -> float:
@@ -99,7 +98,7 @@ def test_energy_is_what_the_formulas_say(row: int) -> None:
 
 def test_a_slender_block_has_the_linear_fate() -> None:
     block = Block.from_p(alpha=1e-4, p=2.0, restitution=0.9)
-    tables = [sides_of(block, model) for model in (Linear(), Nonlinear())]
+    tables = [model.sides(block) for model in (Linear(), Nonlinear())]
     for angle, velocity in ((0.4, 0.3), (0.4, -1.2), (1.3, -0.2), (0.0, 0.9)):
         one, other = (fate_on_still_base(sides, 1, angle, velocity) for sides in tables)
         assert one.margin == pytest.approx(other.margin, abs=1e-7)
@@ -108,8 +107,8 @@ def test_a_slender_block_has_the_linear_fate() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("model", MODELS)
-def test_the_margin_is_continuous_over_the_state(model: str) -> None:
-    sides = sides_of(BLOCKS["leaning"], model)  # type: ignore[arg-type]
+def test_the_margin_is_continuous_over_the_state(model: Model) -> None:
+    sides = model.sides(BLOCKS["leaning"])
     grid = np.linspace(-2.5, 2.5, 20_001)
     for angle in (0.0, 0.5, 1.2):
         margin = [fate_on_still_base(sides, 1, angle, v).margin for v in grid.tolist()]

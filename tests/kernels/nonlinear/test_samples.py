@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.history.nonlinear_tables import lifted_table
 from rocksteady.kernels.core.tables import (
     ALIKE,
     ALPHA,
@@ -34,6 +33,7 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import recorded_peaks
+from rocksteady.model.nonlinear_tables import lifted_table
 from tests.every import every
 from tests.kernels.tables import PLENTY, Run, both_sides, one_by_one, run, sampled
 from tests.records import el_centro, rinaldi, synthetic

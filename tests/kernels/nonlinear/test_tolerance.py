@@ -10,7 +10,6 @@ from flint import arb, ctx
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.history.nonlinear_tables import SHARE_OF_TOLERANCE, lifted_table
 from rocksteady.kernels.core.tables import (
     DURATION,
     LEFT_OUT,
@@ -18,6 +17,7 @@ from rocksteady.kernels.core.tables import (
     NONLINEAR_SIDE_COLUMNS,
     UNDECIDED,
 )
+from rocksteady.model.nonlinear_tables import SHARE_OF_TOLERANCE, lifted_table
 from tests.every import every
 from tests.kernels.nonlinear.balls import BITS, Base, horner, natural_step, seen
 from tests.kernels.tables import Piece, both_sides, one_by_one, run, sampled, table

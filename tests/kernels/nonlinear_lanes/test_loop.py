@@ -9,7 +9,6 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import Block
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core import tuples
 from rocksteady.kernels.core.tables import (
@@ -259,7 +258,7 @@ def test_as_many_impacts_as_a_general_solver_finds(block: Block) -> None:
     cycles = 8
     amplitude, frequency = np.array([1.5, 3.0, 4.5]), np.array([3.0, 6.0, 9.0])
     cells = cells_of(amplitude, frequency, 0.0, 0.0, velocity=0.3)
-    cells.sides[:] = sides_of(block, Nonlinear(tolerance=TOLERANCE))
+    cells.sides[:] = Nonlinear(tolerance=TOLERANCE).sides(block)
     lanes = by_lanes(cells, cycles)
     assert (lanes.status == ROCKING).all()
     for i in range(3):

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from rocksteady import BaseMotion, Block, Harmonic, Piecewise, Pulse, Record, Still
 from rocksteady.dynamics.history.base_motion import base_acceleration, impulses
-from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError, ModelError
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.motions import BandNoise, Impulses, Segment, add_noise
 from tests.every import every
 

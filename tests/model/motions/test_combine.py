@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from rocksteady import Harmonic, Piecewise, Pulse, Record, Still
 from rocksteady.dynamics.history.base_motion import base_acceleration
-from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError, ModelError
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.motions import Impulses, Segment, add, cut, delay, join, scale
 from tests.every import every
 from tests.model.motions.test_pulses import Floats, acceleration

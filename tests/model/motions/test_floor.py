@@ -29,9 +29,9 @@ from rocksteady import (
 )
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.base_motion import base_acceleration
-from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError, ModelError
 from rocksteady.measures import compute_response_spectrum
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.motions import Floor, FourierSeries, Impulses, Segment, cut, make_synthetic_suite
 from rocksteady.records import Cleaning, resample
 from rocksteady.risk import Levels

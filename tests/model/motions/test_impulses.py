@@ -8,8 +8,8 @@ import pytest
 
 from rocksteady import Block
 from rocksteady.dynamics.history.base_motion import course_from_rest
-from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.motions import Impulses, Segment
 from tests.every import every
 

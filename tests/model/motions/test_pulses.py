@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from rocksteady import Block, Pulse
 from rocksteady.dynamics.history.base_motion import base_acceleration, course_from_rest
-from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.motions import ANTISYMMETRIC_BENDS, BENDS, BEYOND
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.model.motions._pulse_shapes import peak_of_unit_velocity
 from rocksteady.model.motions.pulses import PULSES
 from rocksteady.motions import scale

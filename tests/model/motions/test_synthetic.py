@@ -9,8 +9,8 @@ from scipy import signal
 
 from rocksteady import Block, SyntheticMotion
 from rocksteady.dynamics.history.base_motion import base_acceleration
-from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError
+from rocksteady.model.linear_tables import segment_table
 from tests.every import every
 from tests.model.motions.test_pulses import Floats
 

@@ -6,8 +6,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.kernels.batch.attractors import REAL_COLUMNS, WHOLE_COLUMNS
 from rocksteady.kernels.core.tables import (
     ALPHA,
@@ -20,6 +18,8 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.kernels.nonlinear._expansion import BRIEF
+from rocksteady.model.equations import Nonlinear
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.model.motions.pulses import Pulse
 from tools.aot.calls.drawn import CENTRES, PULSES, SLENDER, Drawn
 from tools.aot.calls.recorder import Recorder
@@ -164,7 +164,7 @@ def record_pulses(call: Recorder, name: str, count: int, *, nonlinear: bool) -> 
     segments = np.ascontiguousarray(segment_table(pulse)[:-1])
     sides = drawn.sides(1, nonlinear=nonlinear)[0]
     if nonlinear:
-        segments = np.ascontiguousarray(nonlinear_segment_table(pulse, SLENDER)[:-1])
+        segments = np.ascontiguousarray(Nonlinear().lower(SLENDER, pulse).segments[:-1])
         segments[:, CEILING] = math.inf
     uplift = math.tan(sides[0, ALPHA]) / sides[0, ALPHA] if nonlinear else 1.0
     amplitude = uplift * exp(drawn.rng.uniform(-0.3, 3.0, count))

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.kernels.core.tables import (
     ALPHA,
     KEY,
@@ -22,6 +20,8 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.elementary.arrays import exp, sin
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.equations import Nonlinear
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.model.motions.impulses import Impulses
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
@@ -163,5 +163,5 @@ class Drawn:
                 )
             )
         if nonlinear:
-            return nonlinear_segment_table(motion, SLENDER, vertical)
+            return Nonlinear().lower(SLENDER, motion, vertical).segments
         return segment_table(motion, SLENDER)

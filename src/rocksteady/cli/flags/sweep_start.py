@@ -7,7 +7,7 @@ from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.range import Range, SeriesFlags
 from rocksteady.cli.flags.start import STEADY, StartFlags
-from rocksteady.model.equations import Linear, Model
+from rocksteady.model.equations import Model
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.history.start import Start
@@ -96,13 +96,12 @@ class SweepStart:
         plain = replace(self._plain, start=typed, order=order, kick=kick)
         begin = plain.of(span.motion.frequency_ratio)
         if typed in STEADY:
-            from rocksteady.dynamics.history.nonlinear_tables import sides_of
             from rocksteady.dynamics.history.start import initial_march
 
             with self._plain.as_typed():
                 for value in (span.values[0], span.values[-1]):
                     body, motion = span.at(value)
-                    sides = None if isinstance(model, Linear) else sides_of(body, model)
+                    sides = model.sides(body)
                     initial_march(begin, body.dimensionless(), series.of(motion), sides)
         return begin
 

@@ -36,7 +36,7 @@ def safe_states(
     Parameters
     ----------
     sides
-        Sides of the block, as from `rocksteady.dynamics.history.nonlinear_tables.sides_of`.
+        Sides of the block, as from `rocksteady.model.equations.Linear.sides`.
     frequency_ratio, phase, cycles
         One number each; the phase is that of the shaking at the start [rad].
     amplitudes, angles, velocities

@@ -32,7 +32,6 @@ from rocksteady.dynamics.basins.window import (
     window_of,
 )
 from rocksteady.dynamics.batch.attractors import batch_size
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.orbits.return_map import periodic_motion
@@ -330,7 +329,7 @@ def compute_basins(
     """
     bare, shaken = block.dimensionless(), periodic_motion(motion)
     equations = chosen_model(model, block)
-    sides = sides_of(block, equations)
+    sides = equations.sides(block)
     half, rest = moment(shaken)
     reaches = window_of(np.array(bare.sides), largest_amplitude(shaken), shaken.frequency_ratio)
     angle, velocity = window_axes(block, angles, velocities, reaches, drawn=seed is not None)

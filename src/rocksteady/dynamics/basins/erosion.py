@@ -20,7 +20,6 @@ from rocksteady.dynamics.basins.window import (
     window_axes,
 )
 from rocksteady.dynamics.history.lowering import only_side
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
@@ -227,7 +226,7 @@ class Erosion(Result):
     def _at(self, amplitude: float, measure: str, run: Execution) -> float:
         """Return a measure at one more amplitude."""
         safe = safe_states(
-            sides=sides_of(self.block, self.model),
+            sides=self.model.sides(self.block),
             frequency_ratio=self.motion.frequency_ratio,
             phase=self.motion.phase,
             harmonics=harmonics_of(self.motion),
@@ -337,7 +336,7 @@ def compute_erosion(
     ratio = given_motion.frequency_ratio
     validated_grid(axis.points, ratio, 1.0, 1)  # the block has its restitutions
     equations = chosen_model(model, block)
-    sides = sides_of(block, equations)
+    sides = equations.sides(block)
     if (np.diff(axis.points) <= 0.0).any():
         raise InputError(
             "amplitudes",

@@ -13,7 +13,6 @@ from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.basins._safe import measured
 from rocksteady.dynamics.basins.window import counted, window_axes
 from rocksteady.dynamics.batch.finite import BATCH, OUTPUTS, fates_of, finite_table, thrust
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import State
 from rocksteady.kernels.core.tables import JUMP, LEAN, RATE
 from rocksteady.model.blocks.block import Block
@@ -322,7 +321,7 @@ def compute_fate_basins(
     0.779
     """
     chosen = chosen_model(model, block)
-    sides = sides_of(block, chosen)
+    sides = chosen.sides(block)
     table = finite_table(motion, block, chosen, time_pt=time_pt)
     axes = window_axes(block, angles, velocities, _reaches(table, sides))
     data = compute_cells(

@@ -137,7 +137,7 @@ def settled_cells(
     amplitude, frequency_ratio
         Shape (cells,).
     sides
-        Sides of the block of all cells, or of each, as `dynamics.history.nonlinear_tables.sides_of`
+        Sides of the block of all cells, or of each, as `model.equations.Linear.sides`
         has them, shape (2, 3) or (cells, 2, 3), with five columns in the nonlinear model.
     begin
         Where they start.

@@ -48,7 +48,7 @@ def ends_of(
     amplitude, frequency_ratio
         Shape (cells,).
     sides
-        Sides of the block of each cell, as from `dynamics.history.nonlinear_tables.sides_of`, shape
+        Sides of the block of each cell, as from `model.equations.Linear.sides`, shape
         (cells, 2, 3), or (cells, 2, 5) in the nonlinear model.
     angle, velocity, phase
         theta/alpha, its derivative by pivot time, and the phase of the shaking [rad] at the start.

@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.base_motion import motion_after, refuse_endless
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, refuse_vertical
 from rocksteady.dynamics.history.simulate import FLIGHT_LIMIT
 from rocksteady.dynamics.history.start import set_going
 from rocksteady.kernels.core import tables as columns
@@ -24,7 +22,7 @@ from rocksteady.kernels.march.replay import peaks_until_overturning
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import in_range
-from rocksteady.model.equations import Model, Nonlinear
+from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import LONGEST_DURATION, Motion
@@ -140,11 +138,7 @@ def finite_table(
         As for `simulate`.
     """
     base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
-    if isinstance(model, Nonlinear):
-        table = nonlinear_segment_table(base.horizontal, block, base.vertical)
-    else:
-        refuse_vertical(base.vertical)
-        table = segment_table(base.horizontal, block)
+    table = model.lower(block, base.horizontal, base.vertical).segments
     refuse_endless(table, motion)
     hint = "give the pivot time p t of the states, 0 for the start of the motion"
     moment = in_range("time_pt", time_pt, 0.0, LONGEST_DURATION, "[]", hint=hint)

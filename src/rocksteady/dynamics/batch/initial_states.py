@@ -53,7 +53,7 @@ def on_orbits(
     amplitude, frequency_ratio
         Parameters of the shaking, shape (cells,).
     sides
-        As `dynamics.history.nonlinear_tables.sides_of` has them, shape (cells, 2, 3) or
+        As `model.equations.Linear.sides` has them, shape (cells, 2, 3) or
         (cells, 2, 5) in the nonlinear model.
 
     Returns

@@ -17,7 +17,6 @@ from rocksteady.dynamics.continuation.cascade import longest_cascade
 from rocksteady.dynamics.continuation.diagram import BifurcationDiagram
 from rocksteady.dynamics.continuation.resting.find_resting import find_resting_branches
 from rocksteady.dynamics.continuation.resting.resting_branch import RestingBranch
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import (
     HasStart,
     Rest,
@@ -34,7 +33,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Harmonic
 
@@ -110,7 +109,6 @@ def find_bifurcations(
     """
     refuse_wall(block, "branches")
     equations = chosen_model(model, block)
-    body = block if isinstance(equations, Linear) else slender_block(block)
     shaken, asked = periodic_motion(motion), BranchOptions() if search is None else search
     if parameter not in PARAMETERS:
         valid = "orbits are followed over " + ", ".join(PARAMETERS)
@@ -118,7 +116,7 @@ def find_bifurcations(
     (low, high), steps = _range_of(block, shaken, parameter, within, values)
     sweeps = tuple(
         _swept(
-            body,
+            block,
             shaken,
             parameter,
             way,
@@ -129,11 +127,11 @@ def find_bifurcations(
         for way in ((steps, steps[::-1]) if steps.size else ())
     )
     origins = [
-        *simple_orbits(body, shaken, parameter, (low, high), asked, equations),
+        *simple_orbits(block, shaken, parameter, (low, high), asked, equations),
         *settled_orbits(sweeps, asked),
     ]
     if asked.everywhere:
-        origins += searched_orbits(body, shaken, parameter, (low, high), asked, equations)
+        origins += searched_orbits(block, shaken, parameter, (low, high), asked, equations)
     branches = find_branches(
         origins,
         parameter,
@@ -235,9 +233,8 @@ def _swept(
     """Return a sweep; from rest where it should begin on a steady state that does not exist."""
     body, shaken = moved_to(block, motion, parameter, float(steps[0]))
     if isinstance(start, Steady):
-        sides = None if isinstance(model, Linear) else sides_of(body, model)
         try:
-            initial_march(start, body.dimensionless(), shaken, sides)
+            initial_march(start, body.dimensionless(), shaken, model.sides(body))
         except ModelError:
             start = Rest()
     return sweep_attractor(

@@ -14,7 +14,6 @@ from typing import NamedTuple
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.batch.harmonic import harmonic_segment
 from rocksteady.kernels.core import tables as columns
@@ -89,7 +88,7 @@ class Flow:
     ) -> None:
         self.block, self.motion, self.model = block, motion, model
         self.backward = backward
-        self.sides = sides_of(block, model)
+        self.sides = model.sides(block)
         if backward:
             self.sides = inverse_sides(self.sides)
         self.segments = np.zeros((1, columns.NONLINEAR_SEGMENT_COLUMNS))

@@ -18,7 +18,6 @@ from rocksteady.dynamics.edges._leaving import (
 from rocksteady.dynamics.edges._sampling import Plane, Sampled, joined, sampled, without_first
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.edges.manifold import Kind, Manifold, ManifoldBranch, Over
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.steady.verdicts import multipliers_value
 from rocksteady.errors import ModelError, Words
@@ -144,7 +143,7 @@ def compute_manifold(
             leaving = FromOrbit(saddle, backward=backward, sign=sign)
             places = saddle.period if over == "phase" else len(saddle.states)
             curves += [(leaving, k) for k in range(places)]
-    forward = sides_of(saddle.block, saddle.model)
+    forward = saddle.model.sides(saddle.block)
     branches = []
     for leaving, where in curves:
         if over == "phase":

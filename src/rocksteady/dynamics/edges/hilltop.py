@@ -17,8 +17,6 @@ from rocksteady.dynamics.edges._courses import (
     nonlinear_course,
     valued,
 )
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.dynamics.orbits.return_map import harmonic
@@ -155,17 +153,13 @@ class HilltopSaddle(Result):
             row[columns.ROW_ANGLE], row[columns.ROW_VELOCITY] = float(angle), float(velocity)
             row[columns.ROW_DURATION] = steps / ratio if k < count else 0.0
             row[columns.ROW_EVENT] = columns.ENDED_BY_SPAN
-        linear = isinstance(self.model, Linear)
+        tables = self.model.lower(self.block, self.motion)
         return Trajectory(
             block=self.block,
             motion=self.motion,
             status=Status.ROCKING,
-            segments=(
-                segment_table(self.motion)
-                if linear
-                else nonlinear_segment_table(self.motion, self.block)
-            ),
-            sides=sides_of(self.block, self.model),
+            segments=tables.segments,
+            sides=tables.sides,
             rows=rows,
             model=self.model,
             start=self.start,
@@ -216,7 +210,7 @@ def find_hilltop_saddles(
     """
     bare, shaken = block.dimensionless(), harmonic(motion)
     equations = chosen_model(model, block)
-    table = sides_of(block, equations)
+    table = equations.sides(block)
     saddles = []
     for side in (1,) if bare.one_sided else (1, -1):
         row = table[0 if side > 0 else 1]

@@ -40,7 +40,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import side_value, whole_number
-from rocksteady.model.equations import ModelChoice, Nonlinear, chosen_model
+from rocksteady.model.equations import ModelChoice, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import BALANCED, Status
 
@@ -187,8 +187,7 @@ def find_edge_state(
     signs = (1, -1) if kick is None else (side_value("kick", kick),)
     initial = start_of(start)
     flow = Flow(block, shaken, equations)
-    tilted = flow.sides if isinstance(equations, Nonlinear) else None
-    moved, begin = initial_march(initial, bare, shaken, tilted)
+    moved, begin = initial_march(initial, bare, shaken, flow.sides)
     shaken = harmonic(moved)
     phase = shaken.phase % TURN
     here = begin.angle, begin.velocity
@@ -207,7 +206,7 @@ def find_edge_state(
         near = _kicked(flow.sides, here, least.sign * least.low)
         far = _kicked(flow.sides, here, least.sign * least.high)
     else:
-        near, far = here, _second(other, bare)
+        near, far = here, _second(other, bare, flow.sides)
     ends = outcomes.of(*here, phase), outcomes.of(*far, phase)
     wider = LEAST_APART
     while size is not None and not ends[1].falls and wider < MOST_APART:
@@ -416,7 +415,7 @@ def _kind(saddle: Orbit | HilltopSaddle | None, *, lost: bool) -> str:
     return "hilltop" if isinstance(saddle, HilltopSaddle) else "orbit"
 
 
-def _second(other: State | Rest | HasStart, block: DimensionlessBlock) -> Point:
+def _second(other: State | Rest | HasStart, block: DimensionlessBlock, sides: Floats) -> Point:
     """Return the second state."""
     given = start_of(other, name="other")
     if not isinstance(given, Rest | State) or getattr(given, "phase", None) is not None:
@@ -426,7 +425,7 @@ def _second(other: State | Rest | HasStart, block: DimensionlessBlock) -> Point:
             "it must be Rest() or a State without a phase",
             "give State(angle=..., velocity=...)",
         )
-    _, begin = initial_march(given, block, Harmonic(amplitude=0.0, frequency_ratio=1.0))
+    _, begin = initial_march(given, block, Harmonic(amplitude=0.0, frequency_ratio=1.0), sides)
     return begin.angle, begin.velocity
 
 

@@ -24,7 +24,7 @@ def states_to_start_on(
     amplitude, frequency_ratio
         Parameters of the shaking, shape (cells,).
     sides
-        Sides of the blocks, both alike, as from `dynamics.history.nonlinear_tables.sides_of`, shape
+        Sides of the blocks, both alike, as from `model.equations.Linear.sides`, shape
         (cells, 2, 3) or, in the nonlinear model, (cells, 2, 5).
     order, branch
         Which steady state.

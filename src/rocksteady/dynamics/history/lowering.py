@@ -1,121 +1,11 @@
-"""Conversion of blocks and base motions to the flat tables of the kernels."""
-
-import math
+"""Tables of the sides of blocks: which block they are of, and where its mass is."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core import tables as columns
-from rocksteady.kernels.core.motions import fill_bounds, fill_lines
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.checks.validation import LARGEST
-from rocksteady.model.motions.fourier import shares_of
-from rocksteady.model.motions.record import Record
-from rocksteady.model.motions.segments import LONGEST_DURATION, Motion, Segment, segments_of
-
-
-def segment_table(
-    motion: Motion | Record, block: Block | DimensionlessBlock | None = None
-) -> Floats:
-    """Return the table of a motion's segments, with a still base for ever after.
-
-    Parameters
-    ----------
-    motion
-        The base motion.
-    block
-        The block that it shakes, whose alpha, p and g a record needs.
-
-    Returns
-    -------
-    ndarray, shape (segments, 9), or (segments, 13 + 2 orders) of a Fourier series
-        Columns as in `rocksteady.kernels.core.tables`; the last segment is endless.
-
-    Raises
-    ------
-    ModelError
-        If a record shakes a dimensionless block.
-    InputError
-        If a record's samples are too long or too strong for the block.
-    """
-    if isinstance(motion, Record):
-        return _record_in_units_of(motion, block)
-    segments = list(segments_of(motion))
-    if not segments or segments[-1].duration != math.inf:
-        segments.append(Segment(duration=math.inf))
-    orders = max((wave[0] for segment in segments for wave in segment.harmonics), default=0)
-    width = columns.SHARES + 2 * orders if orders else columns.SEGMENT_COLUMNS
-    table = np.zeros((len(segments), width))
-    for row, segment in zip(table, segments, strict=True):
-        row[columns.DURATION] = segment.duration
-        row[columns.JUMP] = segment.jump
-        row[columns.CONSTANT] = segment.constant
-        row[columns.SLOPE] = segment.slope
-        row[columns.AMPLITUDE] = segment.amplitude
-        # Kept at amplitude 0 too: it is the clock by which harmonic shaking counts its cycles.
-        row[columns.FREQUENCY] = segment.frequency
-        row[columns.PHASE] = segment.phase if segment.frequency else 0.0
-        if segment.harmonics:
-            total, shares = shares_of(segment.harmonics)
-            row[columns.AMPLITUDE] = segment.amplitude * total
-            row[columns.ORDERS] = len(shares) // 2
-            row[columns.SHARES : columns.SHARES + len(shares)] = shares
-    fill_bounds(table)
-    return table
-
-
-def record_table(record: Record, *, rate: float = 1.0, acceleration: float = 1.0) -> Floats:
-    """Return the table of a record, linear between samples, with a still base for ever after.
-
-    Parameters
-    ----------
-    record
-        The record.
-    rate, acceleration
-        The p [rad/s] and the alpha g [m/s^2] that set the units.  With 1 and 1 they are seconds
-        and m/s^2; a block is then one whose sides have its own alpha g for lean and p for rate,
-        so that one table does for every block.
-
-    Returns
-    -------
-    ndarray, shape (samples, 9)
-        As for `segment_table`.
-    """
-    samples = record.acceleration_m_s2 / acceleration
-    table = np.zeros((len(samples), columns.SEGMENT_COLUMNS))
-    fill_lines(samples, record.dt_s * rate, table)
-    return table
-
-
-def _record_in_units_of(record: Record, block: Block | DimensionlessBlock | None) -> Floats:
-    """Return a record's table in the units of a block."""
-    if not isinstance(block, Block):
-        raise ModelError(
-            "motion",
-            record,
-            "a record in seconds and m/s^2 needs a block with sizes",
-            "give a Block, which has p and alpha g, in place of a DimensionlessBlock",
-        )
-    if record.dt_s * block.p > LONGEST_DURATION:
-        raise InputError(
-            "dt_s",
-            record.dt_s,
-            f"for a block with p = {block.p:.6g} rad/s it must be at most "
-            f"{LONGEST_DURATION / block.p:.6g}",
-            "give the time step in seconds",
-        )
-    if record.peak_acceleration_m_s2 > LARGEST * block.uplift_acceleration:
-        raise InputError(
-            "acceleration_m_s2",
-            record.peak_acceleration_m_s2,
-            f"a block that lifts at {block.uplift_acceleration:.6g} m/s^2 takes at most "
-            f"{LARGEST:g} times as much",
-            "give the acceleration in m/s^2",
-        )
-    return record_table(record, rate=block.p, acceleration=block.uplift_acceleration)
 
 
 def only_side(sides: Floats) -> int:
@@ -147,24 +37,6 @@ def symmetric_sides(restitution: Floats) -> Floats:
     sides = np.ones((len(restitution), 2, 3))
     sides[:, :, columns.RESTITUTION] = restitution[:, np.newaxis]
     return sides
-
-
-def side_attributes(block: Block | DimensionlessBlock) -> dict[str, float]:
-    """Return restitution and ratios of a block's sides, as a dataset names them.
-
-    For a block against a wall the restitution is the wall's, and ``one_sided`` is 1.
-    """
-    if block.one_sided:
-        return {"restitution": block.restitution, "one_sided": 1.0}
-    (first, _, _), (second, alpha_ratio, p_ratio) = block.dimensionless().sides
-    attributes = {"restitution": first}
-    if not block.symmetric:
-        attributes |= {
-            "negative_restitution": second,
-            "alpha_ratio": alpha_ratio,
-            "p_ratio": p_ratio,
-        }
-    return attributes
 
 
 def alike(sides: Floats) -> NDArray[np.bool_]:

@@ -5,23 +5,17 @@ from typing import Annotated
 
 import numpy as np
 
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import (
-    nonlinear_segment_table,
-    refuse_vertical,
-    sides_of,
-)
 from rocksteady.dynamics.history.start import HasStart, Start, initial_march, start_of
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.kernels.core.tables import ROW_COLUMNS, SMALLEST_BOUNCE
-from rocksteady.kernels.core.tuples import Kept, Tables, Until
+from rocksteady.kernels.core.tuples import Kept, Until
 from rocksteady.kernels.march.facts import run_end
 from rocksteady.kernels.march.march import march
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
-from rocksteady.model.equations import ModelChoice, Nonlinear, chosen_model
+from rocksteady.model.equations import ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
@@ -117,17 +111,9 @@ def simulate(
     equations = chosen_model(model, block)
     base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
     across, vertical = base.horizontal, base.vertical
-    bare = block.dimensionless()
-    sides = sides_of(block, equations)
-    tilted = sides if isinstance(equations, Nonlinear) else None
     begun = start_of(start)
-    shaken, begin = initial_march(begun, bare, across, tilted)
-    if isinstance(equations, Nonlinear):
-        segments = nonlinear_segment_table(shaken, block, vertical)
-    else:
-        refuse_vertical(vertical)
-        segments = segment_table(shaken, block)
-    tables = Tables(segments, sides)
+    shaken, begin = initial_march(begun, block.dimensionless(), across, equations.sides(block))
+    tables = equations.lower(block, shaken, vertical)
     until = Until(*run_end(tables, cycles), SMALLEST_BOUNCE, max_flights)
     _, end = march(tables, begin, until, Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0)))
     rows = np.zeros((end.flights, ROW_COLUMNS))
@@ -139,8 +125,8 @@ def simulate(
         model=equations,
         start=begun,
         status=Status(status),
-        segments=segments,
-        sides=sides,
+        segments=tables.segments,
+        sides=tables.sides,
         rows=rows,
     )
     if run.status is Status.AT_REST and end.flights == max_flights:

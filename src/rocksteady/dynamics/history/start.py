@@ -239,7 +239,7 @@ def initial_march(
     start: Start,
     block: DimensionlessBlock,
     motion: Motion | Record,
-    sides: Floats | None = None,
+    sides: Floats,
 ) -> tuple[Motion | Record, March]:
     """Return the motion, given its phase where the start decides on that, and the initial state.
 
@@ -250,9 +250,8 @@ def initial_march(
     block, motion
         What moves.
     sides
-        Sides of the block in the nonlinear model, shape (2, 5): its steady states are another's,
-        and an impulse at the start turns it by the part that its angle lets act.  None in the
-        linear model.
+        Sides of the block, shape (2, 3) or (2, 5): in the nonlinear model its steady states are
+        another's, and an impulse at the start turns it by the part that its angle lets act.
 
     Raises
     ------
@@ -297,8 +296,7 @@ def initial_march(
         jump = first.jump
         if first.frequency:
             half, phase = clock(first.phase)
-    table = np.array(block.sides) if sides is None else sides
-    leans, velocity = set_going(state.angle, state.velocity, jump, table)
+    leans, velocity = set_going(state.angle, state.velocity, jump, sides)
     return motion, March(leans, state.angle, velocity, 0, half, phase, 0, 0)
 
 
@@ -331,7 +329,7 @@ def _steady_state(
     start: Steady,
     block: DimensionlessBlock,
     motion: Motion | Record,
-    sides: Floats | None,
+    sides: Floats,
 ) -> tuple[Harmonic, State]:
     """Return the shaking with the orbit's phase, and the state on the orbit."""
     if not isinstance(motion, Harmonic):
@@ -350,14 +348,13 @@ def _steady_state(
         )
     refuse_asymmetric(block, "start", "a steady state to start on")
     a, w, r = motion.amplitude, motion.frequency_ratio, block.restitution
-    table = np.array(block.sides) if sides is None else sides
     states, jacobian = states_to_start_on(
-        np.array([a]), np.array([w]), table[None], start.order, start.branch
+        np.array([a]), np.array([w]), sides[None], start.order, start.branch
     )
     which = start.branch - 1, 0
     if np.isnan(states.phase[which]):
         least = f"to {float(states.existence[0]):.6g} or above (eq 23)"
-        slender = "" if jacobian is None else f", alpha {float(table[0, ALPHA]):.6g}"
+        slender = "" if jacobian is None else f", alpha {float(sides[0, ALPHA]):.6g}"
         raise ModelError(
             "start",
             start,

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import order_of_orbit
 from rocksteady.dynamics.batch.initial_states import at_phases, on_orbits
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import (
     ImpactState,
     Rest,
@@ -31,13 +30,13 @@ from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.dynamics.parameters import ASYMMETRY, shaking_of, validated_axes
 from rocksteady.dynamics.steady.states import refuse_asymmetric
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION
+from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION, is_nonlinear
 from rocksteady.kernels.core.tuples import States
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.housner_forms import Restitution, form_text
 from rocksteady.model.checks.validation import finite
-from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
+from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 
@@ -55,7 +54,7 @@ class Cells:
     amplitude, frequency_ratio
         A and Omega.
     sides
-        As `dynamics.history.nonlinear_tables.sides_of` has them, shape (cells, 2, 3) or
+        As `model.equations.Linear.sides` has them, shape (cells, 2, 3) or
         (cells, 2, 5) in the nonlinear model.
     angle, velocity, phase
         theta/alpha and its derivative by pivot time at the start, and where the shaking is then
@@ -335,7 +334,7 @@ class Scenario:
 
     def _sides(self, given: Mapping[str, Floats], count: int) -> Floats:
         """Return the sides of the blocks of many cells."""
-        rows = sides_of(self.block, self.model)
+        rows = self.model.sides(self.block)
         sides = np.empty((count, *rows.shape))
         sides[:] = rows
         if "restitution" in given and self.block.one_sided:
@@ -345,7 +344,7 @@ class Scenario:
         for name, column in zip(ASYMMETRY, (RESTITUTION, LEAN, RATE), strict=True):
             if name in given:
                 sides[:, 1, column] = given[name]
-        if isinstance(self.model, Nonlinear) and "alpha" in given:
+        if is_nonlinear(rows) and "alpha" in given:
             sides[:, :, ALPHA] = given["alpha"][:, np.newaxis]
         return sides
 

@@ -11,8 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.batch.finite import OUTPUTS, Fate, collected, fate_of, finite_table
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
 from rocksteady.dynamics.history.start import (
     HasStart,
     Rest,
@@ -31,11 +29,13 @@ from rocksteady.model.checks.confidence import (
     share_interval,
 )
 from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
-from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
+from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.model.motions.band_noise import BandNoise, finite, with_lines
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
+from rocksteady.model.nonlinear_tables import lifted_table
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import CONFIDENCE
 from rocksteady.results.result import Result, words_module
@@ -313,7 +313,7 @@ def _fates(
 
     Components of the motion are records, which are scaled in their own units, or tables.
     """
-    sides = sides_of(block, model)
+    sides = model.sides(block)
     scaled: dict[float, tuple[Floats, Floats | None]] = {}
     alone: dict[float, Fate] = {}
     fates = []
@@ -327,8 +327,7 @@ def _fates(
             fates.append(alone[factor])
             continue
         summed = _with_noise(table, noise.realisation(int(which), rms=rms)) if rms else table
-        if isinstance(model, Nonlinear):
-            assert isinstance(block, Block)
+        if isinstance(block, Block) and columns.is_nonlinear(sides):
             summed = lifted_table(summed, lifted, block.positive.alpha)
         fates.append(fate_of(summed, sides, *start))
         if rms == 0.0:

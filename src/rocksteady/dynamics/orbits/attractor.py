@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import (
     HasStart,
@@ -36,7 +35,6 @@ from rocksteady.model.equations import (
     Linear,
     Model,
     ModelChoice,
-    Nonlinear,
     chosen_model,
 )
 from rocksteady.model.motions.fourier import PeriodicMotion
@@ -287,9 +285,8 @@ def find_attractor(
     bare, shaken = block.dimensionless(), periodic_motion(motion)
     periods = FORCING_PERIODS("max_cycles", max_cycles)
     equations = chosen_model(model, block)
-    tilted = sides_of(block, equations) if isinstance(equations, Nonlinear) else None
     initial = start_of(start)
-    moved, begin = initial_march(initial, bare, shaken, tilted)
+    moved, begin = initial_march(initial, bare, shaken, equations.sides(block))
     shaken = periodic_motion(moved)
     memory, table = (
         np.empty((rows, ORBIT_COLUMNS)) for rows in (kernel.MEMORY, kernel.LONGEST_ORBIT)

@@ -27,7 +27,7 @@ from rocksteady.kernels.orbits.systems import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import AttractorKind
@@ -231,7 +231,6 @@ def sweep_attractor(
     """
     block.dimensionless()  # refuses sides too unlike
     shaken, equations = periodic_motion(motion), chosen_model(model, block)
-    body = block if isinstance(equations, Linear) else slender_block(block)
     if parameter not in PARAMETERS:
         valid = "a motion is carried along " + ", ".join(PARAMETERS)
         raise InputError("parameter", parameter, valid, "name one of them")
@@ -243,6 +242,7 @@ def sweep_attractor(
     begin = initial = start_of(start)
     attractors: list[Attractor] = []
     carried: ImpactState | None = None
+    body = block
     for value in steps.tolist():
         body, shaken = moved_to(body, shaken, parameter, value)
         if carried is None:

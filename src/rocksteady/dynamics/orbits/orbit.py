@@ -10,8 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.history.trajectory import Trajectory
@@ -212,16 +210,13 @@ class Orbit(Result):
                 "this solution passes through the floor and is no motion",
                 "choose an orbit that is admissible",
             )
+        tables = self.model.lower(self.block, self.motion)
         return Trajectory(
             block=self.block,
             motion=self.motion,
             status=Status.ROCKING,
-            segments=(
-                segment_table(self.motion)
-                if isinstance(self.model, Linear)
-                else nonlinear_segment_table(self.motion, self.block)
-            ),
-            sides=sides_of(self.block, self.model),
+            segments=tables.segments,
+            sides=tables.sides,
             rows=np.array(list(_course(self))),
             model=self.model,
         )

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.errors import ModelError
 from rocksteady.kernels.core.clock import clock
@@ -223,7 +222,7 @@ def make_system(
     ModelError
         If the nonlinear model meets a block without slenderness.
     """
-    sides = sides_of(block, model)
+    sides = model.sides(block)
     if isinstance(motion, Harmonic):
         return systems.make_system(motion.amplitude, motion.frequency_ratio, sides)
     total, shares = shares_of(motion.harmonics)

@@ -1,7 +1,6 @@
 """Overturning windows as a sweep: one number per output and cell."""
 
 import functools
-import math
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
@@ -11,22 +10,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning.scan import MANY, MOST, Fates, scan
 from rocksteady.dynamics.overturning.window_cells import (
-    CLOSEST,
     MOST_WINDOWS,
+    closest_of,
     follow,
     keep,
     lifts_of,
     nothing_found,
+    shaking_of,
     uplifts_of,
 )
-from rocksteady.kernels.core.tables import CEILING, LEFT_OUT
+from rocksteady.kernels.core.tables import LEFT_OUT, is_nonlinear
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.model.equations import Model
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.segments import Piecewise, segments_of
@@ -60,7 +58,7 @@ def windows_at(
     """Return the windows at some frequencies."""
     table, uplifts = _table(block, model, pulse), list(uplifts_of(sides))
     lines, quick = table, sides
-    if isinstance(model, Nonlinear) and len(table) > MOST_LINES and floor is None:
+    if is_nonlinear(sides) and len(table) > MOST_LINES and floor is None:
         tolerance = max(ROUGH, pulse.tolerance)
         lines = _table(block, model, replace(pulse, tolerance=tolerance))
         quick = sides.copy()
@@ -86,7 +84,7 @@ def windows_at(
             uplifts=uplifts,
             keep=MOST_WINDOWS,
             rough=None if lines is table else rough,
-            closest=CLOSEST if isinstance(model, Nonlinear) else 0.0,
+            closest=closest_of(sides),
             most=MOST if floor is None else 3 * MOST,
             numbered=floor is None,
             crowded=floor is not None,
@@ -122,7 +120,7 @@ def least_lift(
     ratios: Iterable[float],
 ) -> float:
     """Return the least amplitude of the ground's pulse, either way, at which a side lifts."""
-    sides = sides_of(block, model)
+    sides = model.sides(block)
     pulses = (replace(pulse, frequency_ratio=ratio) for ratio in ratios)
     floors = (_on_floor(floor, block, model, each)[1] for each in pulses)
     return min(min(lifts_of(np.append(ends, -ends), sides)) for ends in floors)
@@ -131,15 +129,10 @@ def least_lift(
 def load_kernel(block: Block | DimensionlessBlock, model: Model, pulse: Pulse) -> None:
     """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
     table = _table(block, model, pulse)
-    follow(np.empty(0), ratio=1.0, table=table, sides=sides_of(block, model))
+    follow(np.empty(0), ratio=1.0, table=table, sides=model.sides(block))
 
 
 @lru_cache(maxsize=8)
 def _table(block: Block | DimensionlessBlock, model: Model, pulse: Pulse | Piecewise) -> Floats:
     """Return the segments of a pulse, without the still base after it."""
-    if isinstance(model, Linear):
-        return np.ascontiguousarray(segment_table(pulse)[:-1])
-    table = np.ascontiguousarray(nonlinear_segment_table(pulse, block)[:-1])
-    # A ceiling ends a march that is lost before it lies; the margin needs its speed then.
-    table[:, CEILING] = math.inf
-    return table
+    return shaking_of(model.lower(block, pulse))

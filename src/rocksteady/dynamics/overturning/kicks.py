@@ -20,8 +20,8 @@ from rocksteady.dynamics.history.start import HasStart, Rest, State, start_witho
 from rocksteady.dynamics.overturning._kicked import Kicked, kicked_fates
 from rocksteady.dynamics.overturning.scan import MANY, Found, scan
 from rocksteady.dynamics.overturning.window_cells import (
-    CLOSEST,
     MOST_WINDOWS,
+    closest_of,
     keep,
     kept_windows,
     nothing_found,
@@ -34,7 +34,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import rising
-from rocksteady.model.equations import Linear, ModelChoice, chosen_model
+from rocksteady.model.equations import ModelChoice, chosen_model
 from rocksteady.model.facts import kick_m_s
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
@@ -241,7 +241,7 @@ def find_fatal_kicks(
         for table, u, v in zip(tables, angle, velocity, strict=True)
         for direction in SIGNS
     ]
-    closest = 0.0 if isinstance(chosen, Linear) else CLOSEST
+    closest = closest_of(sides)
     names = [f"{moment}{'+' if cell.direction > 0 else '-'}" for moment, cell in enumerate(cells)]
     data = compute_cells(
         functools.partial(_windows_of, low=low, high=high, closest=closest),

@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.lowering import only_side
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.overturning.scan import Fates, Found
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.core.tables import (
     ALPHA,
+    CEILING,
     COUNTED,
     LEAN,
     LIFT,
@@ -101,6 +101,20 @@ def lifts_of(accelerations: Floats, sides: Floats) -> list[float]:
     return [uplift / peak if peak > 0.0 else np.inf for uplift in uplifts_of(sides)]
 
 
+def closest_of(sides: Floats) -> float:
+    """Return how close the ends of windows come, as a part of the amplitude: see `CLOSEST`."""
+    return CLOSEST if is_nonlinear(sides) else 0.0
+
+
+def shaking_of(tables: Tables) -> Floats:
+    """Return the segments of a motion for a search, without the still base after it."""
+    segments = np.ascontiguousarray(tables.segments[:-1])
+    if is_nonlinear(tables.sides):
+        # A ceiling ends a march that is lost before it lies; the margin needs its speed then.
+        segments[:, CEILING] = np.inf
+    return segments
+
+
 def nothing_found(
     count: int, most: int = MOST_WINDOWS, lying: int = MOST_WINDOWS
 ) -> dict[str, NDArray[Any]]:
@@ -160,7 +174,7 @@ def search_both_ways(
     That is the first of the mirrored block; the doubts of both searches are added.  A block whose
     sides are alike is searched once.
     """
-    sides = sides_of(block, model)
+    sides = model.sides(block)
     ahead = search(block=block, model=model, sides=sides, **how)
     if (sides[0] == sides[1]).all():
         return ahead | {"opposite": ahead["first"]}

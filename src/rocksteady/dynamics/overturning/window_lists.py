@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats, Integers
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
@@ -92,7 +91,7 @@ class WindowLists(Result):
     @property
     def _two_ways(self) -> bool:
         """Whether the reversed motion was searched too: the sides of the block differ."""
-        sides = sides_of(self.block, self.model)
+        sides = self.model.sides(self.block)
         return bool((sides[0] != sides[1]).any())
 
     @property

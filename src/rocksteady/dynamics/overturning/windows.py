@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.overturning._cases import BATCH, least_lift, load_kernel, windows_at
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
 from rocksteady.dynamics.overturning.window_cells import (
@@ -194,7 +193,7 @@ def find_overturning_windows(
     if floor is not None and not isinstance(block, Block):
         raise ModelError("floor", floor, "its hertz need a block with a p", "give a Block")
     if within is None:
-        top = min(max(TOP, UPLIFTS * max(uplifts_of(sides_of(body, chosen)))), HIGHEST)
+        top = min(max(TOP, UPLIFTS * max(uplifts_of(chosen.sides(body)))), HIGHEST)
         within = lowest_of(block, unit, axis.points.tolist(), model=chosen, floor=floor), top
     low, high = range_of(within)
     hint = "give a part of the amplitude, as 0.002"
@@ -249,7 +248,7 @@ def lowest_of(
     """
     equations = chosen_model(model, block)
     if floor is None:
-        return min(*uplifts_of(sides_of(block, equations)), 1.0)
+        return min(*uplifts_of(equations.sides(block)), 1.0)
     return least_lift(floor, block, equations, replace(pulse, amplitude=1.0), ratios)
 
 

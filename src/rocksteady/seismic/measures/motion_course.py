@@ -7,8 +7,8 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history import base_motion
-from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.kernels.core import tables as columns
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Motion
 

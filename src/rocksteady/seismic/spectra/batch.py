@@ -20,8 +20,6 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.batch.left_over import run_left_over
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
-from rocksteady.dynamics.history.lowering import record_table
-from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
 from rocksteady.dynamics.history.simulate import FLIGHT_LIMIT
 from rocksteady.errors import InputError
 from rocksteady.kernels.batch.base_forces import record_forces
@@ -37,7 +35,9 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution
 from rocksteady.model.blocks.sides import Side, housner_ratio, wall_ratio
 from rocksteady.model.equations import Model
+from rocksteady.model.linear_tables import record_table
 from rocksteady.model.motions.record import Record
+from rocksteady.model.nonlinear_tables import lifted_table
 from rocksteady.outcomes import Status
 from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.outputs import Output
@@ -221,9 +221,9 @@ def told_apart(items: NDArray[np.object_]) -> tuple[list[Any], Integers]:
 def sides_in_si(block: Block, model: Model) -> Floats:
     """Return a block's sides with alpha g [m/s^2] for lean and p [rad/s] for rate.
 
-    Parameters, errors and shape are those of `dynamics.history.nonlinear_tables.sides_of`.
+    Parameters, errors and shape are those of the model's `sides`.
     """
-    sides = sides_of(block, model)
+    sides = model.sides(block)
     sides[:, tables.LEAN] *= block.uplift_acceleration
     sides[:, tables.RATE] *= block.p
     return sides

@@ -7,12 +7,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.dynamics.arrays import real_array
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import refuse_vertical
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.model.equations import Linear, Model
+from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.seismic.spectra.batch import GroundShaking
@@ -138,9 +136,6 @@ def check_grounds(
         If the linear model meets a vertical motion.
     """
     for ground, factor in zip(grounds, largest, strict=True):
-        if isinstance(model, Linear):
-            refuse_vertical(ground.vertical)
-        for component in (ground.record, ground.vertical):
-            for block in () if component is None else blocks:
-                assert component is not None
-                segment_table(component.scaled(factor), block)
+        lifting = None if ground.vertical is None else ground.vertical.scaled(factor)
+        for block in blocks:
+            model.lower(block, ground.record.scaled(factor), lifting)

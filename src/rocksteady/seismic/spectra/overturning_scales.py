@@ -10,11 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning.scan import MANY, scan
 from rocksteady.dynamics.overturning.window_cells import (
-    CLOSEST,
+    closest_of,
     follow,
     keep,
     kept_windows,
@@ -22,16 +20,17 @@ from rocksteady.dynamics.overturning.window_cells import (
     nothing_found,
     outputs,
     search_both_ways,
+    shaking_of,
 )
 from rocksteady.dynamics.overturning.window_lists import WindowLists
 from rocksteady.errors import InputError
-from rocksteady.kernels.core.tables import CEILING, LIFT, LIFT_SLOPE
+from rocksteady.kernels.core.tables import LIFT, LIFT_SLOPE
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, rising
-from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.result import words_module
@@ -240,7 +239,7 @@ def find_overturning_scales(
     step = in_range("resolution", part, 1e-6, 0.1, "[]", hint="give a part, as 0.002")
     check_grounds(grounds, [high] * len(grounds), [block], chosen)
     axis = Axis(name="record", values=names, long_name="record", items=grounds)
-    follow(np.empty(0), table=_table(block, chosen, grounds[0]), sides=sides_of(block, chosen))
+    follow(np.empty(0), table=_table(block, chosen, grounds[0]), sides=chosen.sides(block))
     data = compute_cells(
         functools.partial(
             search_both_ways,
@@ -308,7 +307,7 @@ def _windows_of(
             resolution,
             uplifts=lifts_of(ground.record.acceleration_m_s2 / block.uplift_acceleration, sides),
             keep=KEPT,
-            closest=0.0 if isinstance(model, Linear) else CLOSEST,
+            closest=closest_of(sides),
             most=round(MOST * max(1.0, RESOLUTION / resolution)),
             numbered=False,
         )
@@ -319,13 +318,7 @@ def _windows_of(
 
 def _table(block: Block, model: Model, ground: GroundShaking) -> Floats:
     """Return the segments of a ground motion, without the still base after it."""
-    if isinstance(model, Linear):
-        return np.ascontiguousarray(segment_table(ground.record, block)[:-1])
-    table = nonlinear_segment_table(ground.record, block, ground.vertical)
-    rows = np.ascontiguousarray(table[:-1])
-    # A ceiling ends a march that is lost before it lies; the margin needs its speed then.
-    rows[:, CEILING] = math.inf
-    return rows
+    return shaking_of(model.lower(block, ground.record, ground.vertical))
 
 
 def _largest_scale(table: Floats) -> float:

@@ -9,12 +9,12 @@ from matplotlib.figure import Figure
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history import base_motion
-from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record

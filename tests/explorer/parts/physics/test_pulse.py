@@ -7,12 +7,11 @@ import pytest
 
 from rocksteady import Block, Linear, Nonlinear, Pulse, Status, find_overturning_windows, simulate
 from rocksteady.dynamics.history import base_motion
-from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.overturning._cases import _table
 from rocksteady.dynamics.overturning.window_cells import follow
 from rocksteady.formulas import overturning_amplitude
 from rocksteady.model.equations import Model
+from rocksteady.model.linear_tables import segment_table
 from rocksteady.model.motions.pulses import PULSES
 from tests.explorer.in_node import InNode
 
@@ -96,7 +95,7 @@ def test_fates_over_frequency_and_amplitude_are_those_of_the_package(
         block, pulse = block_of(given), Pulse(shape=given["shape"], amplitude=1, frequency_ratio=1)
         body = block if nonlinear else block.dimensionless()
         model = MODELS[nonlinear]
-        table, sides = _table(body, model, pulse), sides_of(body, model)
+        table, sides = _table(body, model, pulse), model.sides(body)
         for first in range(0, 60, 20):
             part = slice(first, first + 20)
             amplitude = np.array(given["amplitudes"][part])

@@ -28,7 +28,6 @@ from rocksteady.dynamics.batch.attractors import (
     settled_cells,
     starting,
 )
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.dynamics.parameters import AXES, PARAMETERS, moved_to
@@ -38,7 +37,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.confidence import Confidence, share_interval
 from rocksteady.model.checks.validation import index_value
-from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import (
     PeriodicMotion,
     harmonics_of,
@@ -300,14 +299,13 @@ def compute_basin_shares(
     """
     block.dimensionless()  # refuses sides too unlike
     equations = chosen_model(model, block)
-    body = block if isinstance(equations, Linear) else slender_block(block)
     how = SamplingOptions() if sampling is None else sampling
     along = _axis(parameter, values)
     shaken = periodic_motion(motion)
-    line = [moved_to(body, shaken, parameter, value) for value in along.points.tolist()]
-    angle, velocity = _window(body, line, how)
+    line = [moved_to(block, shaken, parameter, value) for value in along.points.tolist()]
+    angle, velocity = _window(block, line, how)
     clocks = [moment(moved) for _, moved in line]
-    tables = np.array([sides_of(block_at, equations) for block_at, _ in line])
+    tables = np.array([equations.sides(block_at) for block_at, _ in line])
     cases = functools.partial(
         _settled_along,
         amplitudes=np.array([moved.amplitude for _, moved in line]),

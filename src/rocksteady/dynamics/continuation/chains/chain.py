@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.chains.predictor_corrector import null_vector
 from rocksteady.dynamics.grazing import grazes
-from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.orbit import ordered, squared
 from rocksteady.dynamics.steady.verdicts import NO_MULTIPLIERS
 from rocksteady.kernels.core.clock import clock
@@ -382,4 +381,4 @@ class Chain:
 @lru_cache(maxsize=64)
 def _sides_of(block: Block | DimensionlessBlock, model: Model) -> Floats:
     """Return a block's sides for the kernels."""
-    return sides_of(block, model)
+    return model.sides(block)
