@@ -216,7 +216,7 @@ def find_hilltop_saddles(
         row = table[0 if side > 0 else 1]
         lean, rate = float(row[columns.LEAN]), float(row[columns.RATE])
         swing, turn = shaken.amplitude / lean, shaken.frequency_ratio / rate
-        if isinstance(equations, Linear):
+        if not columns.is_nonlinear(table):
             solved: tuple[Course, float] | None = linear_course(swing, turn), 0.0
         else:
             solved = nonlinear_course(swing, turn, float(row[columns.ALPHA]))

@@ -10,14 +10,14 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.errors import ModelError
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.tables import LINEAR_LEFT_OUT
+from rocksteady.kernels.core.tables import LINEAR_LEFT_OUT, is_nonlinear
 from rocksteady.kernels.orbits import return_map, systems
 from rocksteady.kernels.orbits.systems import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.equations import Model, ModelChoice, Nonlinear, chosen_model
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion, shares_of
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import Event
@@ -230,7 +230,7 @@ def make_system(
     bound = systems.make_system(amplitude, motion.frequency_ratio, sides)
     lifts = np.empty((2, len(shares) // 2))
     systems.fill_uplifts(bound, shares, lifts)
-    left_out = bound.left_out if isinstance(model, Nonlinear) else LINEAR_LEFT_OUT
+    left_out = bound.left_out if is_nonlinear(sides) else LINEAR_LEFT_OUT
     return systems.SeriesSystem(*bound[:-3], left_out, shares, lifts)
 
 

@@ -19,7 +19,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import positive
-from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model, slender_block
+from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.model.units import framed
 from rocksteady.results.result import Result, words_module
@@ -249,8 +249,6 @@ def _asked(
     """
     moving.block.dimensionless()  # refuses sides too unlike
     harmonic(moving.motion)
-    if not isinstance(moving.model, Linear):
-        slender_block(moving.block)
     if moving.parameter not in PARAMETERS:
         valid = "orbits are followed over " + ", ".join(PARAMETERS)
         raise InputError("parameter", moving.parameter, valid, "name one of them")
