@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.sweep.executors.choice import WORKERS, validated_executor
 from rocksteady.sweep.store.store import Store
 
@@ -68,7 +69,7 @@ class Execution:
     rocksteady.errors.InputError: workers = 0 is not valid: ...
     """
 
-    executor: Annotated["str | Client", validated_executor] = "threads"
+    executor: Annotated["str | Client", validated_executor, INSIDE] = "threads"
     workers: Annotated[int | None, WORKERS] = None
     store: Store | Path | str | None = None
     progress: Progress | None = None

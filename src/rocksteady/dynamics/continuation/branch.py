@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from itertools import chain as joined
 from itertools import islice
+from typing import Annotated
 
 import numpy as np
 
@@ -35,6 +36,7 @@ from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import INSIDE
 
 AT_START = 1e-6
 """Arclength within which an event of the start's own kind is the start."""
@@ -46,7 +48,7 @@ BESIDE = 1e-5
 def follow_branch(
     origin: Orbit | BranchPoint,
     parameter: str,
-    within: tuple[float, float],
+    within: Annotated[tuple[float, float], INSIDE],
     *,
     direction: int = 1,
     switch: bool = False,

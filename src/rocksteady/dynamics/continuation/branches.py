@@ -23,7 +23,7 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.bounds import INSIDE, Whole
 from rocksteady.model.checks.validation import odd_order, whole_number
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.fourier import PeriodicMotion
@@ -115,7 +115,7 @@ class BranchOptions:
 def find_branches(
     origins: Iterable[Orbit | BranchPoint],
     parameter: str,
-    within: tuple[float, float],
+    within: Annotated[tuple[float, float], INSIDE],
     *,
     max_period: Annotated[int, MANY] = 4,
     max_impacts: Annotated[int, MANY] = 12,

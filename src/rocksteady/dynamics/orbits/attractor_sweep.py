@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import groupby
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,6 +27,7 @@ from rocksteady.kernels.orbits.systems import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import in_units
@@ -178,7 +179,7 @@ def sweep_attractor(
     block: Block | DimensionlessBlock,
     motion: PeriodicMotion,
     parameter: str,
-    values: ArrayLike,
+    values: Annotated[ArrayLike, INSIDE],
     *,
     start: Start | HasStart | None = None,
     max_cycles: int = 2000,

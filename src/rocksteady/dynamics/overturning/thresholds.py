@@ -11,6 +11,7 @@ this gives the equations below, each with the smallest a that fulfils it.
 
 import math
 from collections.abc import Callable
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,6 +23,7 @@ from rocksteady.kernels.elementary.arrays import cos, exp, expm1, log, log1p, si
 from rocksteady.kernels.elementary.roots import root
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.model.motions.pulses import PULSE_RATIO
 
@@ -91,7 +93,7 @@ def overturning_amplitude(shape: str, frequency_ratio: ArrayLike) -> Floats:
 
 
 @checked
-def overturning_impulse(block: Block, *, model: ModelChoice = None) -> float:
+def overturning_impulse(block: Annotated[Block, INSIDE], *, model: ModelChoice = None) -> float:
     r"""Return the change of base velocity that overturns a block at rest [m/s].
 
     The impulse gives the block the velocity ``p^2 v cos(alpha)/g``, which lifts its mass centre

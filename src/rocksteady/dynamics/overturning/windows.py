@@ -3,7 +3,7 @@
 import functools
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,6 +22,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.model.checks.validation import in_range, index_value, is_pair, rising
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.model.motions.floor import Floor
@@ -118,7 +119,7 @@ def find_overturning_windows(
     pulse: Pulse | str,
     frequency_ratios: ArrayLike,
     *,
-    within: tuple[float, float] | None = None,
+    within: Annotated[tuple[float, float] | None, INSIDE] = None,
     resolution: float | None = None,
     model: ModelChoice = None,
     floor: Floor | None = None,

@@ -36,7 +36,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.arrays import scalar_of
-from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.bounds import INSIDE, Whole
 from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
@@ -434,7 +434,7 @@ def steady_states(
     frequency_ratio: ArrayLike,
     restitution: ArrayLike,
     *,
-    order: ArrayLike = 1,
+    order: Annotated[ArrayLike, INSIDE] = 1,
     with_shapes: bool = True,
 ) -> SteadyStates:
     """Return both branches of symmetric steady states (eqs 12 to 25) over broadcast arrays.

@@ -30,7 +30,7 @@ from rocksteady.model.checks.arrays import (
     refuse_mask_and_unit,
     scalar_of,
 )
-from rocksteady.model.checks.bounds import Rule
+from rocksteady.model.checks.bounds import INSIDE, Rule
 
 T = TypeVar("T")
 
@@ -40,32 +40,6 @@ Fit = Callable[[str, Any], Any]
 
 CHECKED_INSIDE: Final = frozenset({"method"})
 """Texts whose own validator describes what is valid better than their types do."""
-
-CHECKED_INSIDE_OF: Final = frozenset(
-    {
-        ("Piecewise.__init__", "pieces"),
-        ("Prior.__init__", "defaults"),
-        ("sweep_attractor", "values"),
-        ("find_branches", "within"),
-        ("follow_bifurcation", "origin"),
-        ("follow_bifurcation", "within"),
-        ("fit_restitution", "peaks"),
-        ("follow_branch", "within"),
-        ("overturning_impulse", "block"),
-        ("find_overturning_windows", "within"),
-        ("steady_states", "order"),
-        ("Scatter.__init__", "deviation"),
-        ("Axis.__init__", "values"),
-        ("Execution.__init__", "executor"),
-        ("Grid.__init__", "axes"),
-        ("check_boundary", "labels"),
-        ("compute_basin_entropy", "labels"),
-        ("compute_uncertainty_exponent", "labels"),
-        ("compute_risk", "fragility"),
-        ("check_hazard_branches", "fragility"),
-    }
-)
-"""Likewise of other types, each in one function."""
 
 LONGEST_NAME: Final = 255
 """Bytes of a file's name, on any file system in use."""
@@ -110,7 +84,7 @@ def _checked(target: Any, *, numbers: bool) -> Any:
 def _guarded(function: Callable[..., Any], *, numbers: bool) -> Callable[..., Any]:
     """Return a function that checks its arguments first; the function itself if none has a type."""
     plan: list[tuple[str, int, bool, Fit]] | None = None
-    rules = _taken_rules(function)
+    rules, inside = _taken_rules(function)
     # The wrapper has the globals of the function's module, not of this one.
     made, inner = _plan, with_call_errors(function)
     broken, misfit = _BrokenRuleError, call_error
@@ -118,7 +92,7 @@ def _guarded(function: Callable[..., Any], *, numbers: bool) -> Callable[..., An
     def call(*args, **kwargs):  # type: ignore[no-untyped-def]
         nonlocal plan
         if plan is None:
-            plan = made(function, numbers, rules)
+            plan = made(function, numbers, rules, inside)
         given = args
         try:
             for name, place, variadic, fit in plan:
@@ -146,20 +120,22 @@ class _BrokenRuleError(Exception):
     """The error of a rule, which a call that does not fit the signature comes before."""
 
 
-def _taken_rules(function: Callable[..., Any]) -> dict[str, Rule]:
-    """Take rules and labels off the annotations of a function, and return the rules."""
-    rules = {}
+def _taken_rules(function: Callable[..., Any]) -> tuple[dict[str, Rule], set[str]]:
+    """Take rules and labels off a function's annotations; return the rules, and who is `INSIDE`."""
+    rules, inside = {}, set()
     for name, annotation in function.__annotations__.items():
         for rule in getattr(annotation, "__metadata__", ()):
             origin = annotation.__origin__
             function.__annotations__[name] = getattr(origin, "__forward_arg__", origin)
             if callable(rule):  # and no label
                 rules[name] = rule
-    return rules
+            elif rule == INSIDE:
+                inside.add(name)
+    return rules, inside
 
 
 def _plan(
-    function: Callable[..., Any], numbers: bool, rules: Mapping[str, Rule]
+    function: Callable[..., Any], numbers: bool, rules: Mapping[str, Rule], inside: set[str]
 ) -> list[tuple[str, int, bool, Fit]]:
     """Return name, place (-1 of a keyword), whether it is ``*args``, and the check of each.
 
@@ -182,7 +158,7 @@ def _plan(
         # A text for a model has its own hint, and a result stands for its start.
         chosen = parameter.name in ("model", "start") and parameter.default is None
         measured = Literal["housner"] in get_args(parameter.annotation)  # so has a restitution
-        if chosen or measured or (function.__qualname__, parameter.name) in CHECKED_INSIDE_OF:
+        if chosen or measured or parameter.name in inside:
             fit = _kept if get_origin(parameter.annotation) is not Mapping else _any_mapping
         plan.append((parameter.name, at, variadic, _reported(fit, parameter.default)))
     return plan + ruled

@@ -45,6 +45,9 @@ class Whole(NamedTuple):
 
 LARGEST_SEED: Final = 2**64 - 1
 
+INSIDE: Final = "checked inside"
+"""Label of an argument whose type the function itself checks, in better words than these."""
+
 Rule = Bounds | Whole | Callable[[str, Any], Any]
 
 

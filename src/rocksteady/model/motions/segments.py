@@ -12,7 +12,7 @@ from typing import Annotated, Protocol
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.checks.bounds import INSIDE, Bounds
 from rocksteady.model.checks.validation import LARGEST, in_range, non_negative, positive
 from rocksteady.model.motions.described_motion import DescribedMotion
 from rocksteady.model.motions.harmonics import LARGEST_PHASE, Harmonics, harmonics_value
@@ -298,7 +298,7 @@ class Piecewise(DescribedMotion):
     .. [1] G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963).
     """
 
-    pieces: tuple[Segment, ...] = field(default_factory=tuple)
+    pieces: Annotated[tuple[Segment, ...], INSIDE] = field(default_factory=tuple)
 
     def __post_init__(self) -> None:
         """Validate."""

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +14,7 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.caps import conserving_pair
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.free_rocking._steps import Estimate, Steps, errors_of, estimate, solved
@@ -41,7 +43,7 @@ FAR = 0.05
 
 @checked
 def fit_restitution(
-    peaks: ArrayLike | Release | Sequence[Release],
+    peaks: Annotated[ArrayLike | Release | Sequence[Release], INSIDE],
     block: Block,
     *,
     each_side: bool | None = None,

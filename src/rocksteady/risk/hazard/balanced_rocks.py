@@ -12,7 +12,7 @@ from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.checks.bounds import INSIDE, Bounds
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label
@@ -87,7 +87,7 @@ class HazardBranchCheck(Result):
 
 @checked
 def check_hazard_branches(
-    fragility: Given,
+    fragility: Annotated[Given, INSIDE],
     branches: Sequence[HazardCurve],
     age_years: Annotated[float, Bounds(0.0, OLDEST_YEARS, "(]", "give an age in years")],
     *,

@@ -10,7 +10,7 @@ from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.checks.bounds import INSIDE, Bounds
 from rocksteady.results.numbers import chance, number, quantity
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label
@@ -100,7 +100,7 @@ class Risk(Result):
 
 @checked
 def compute_risk(
-    fragility: Given,
+    fragility: Annotated[Given, INSIDE],
     hazard: HazardCurve,
     years: Annotated[float, Bounds(0.0, LONGEST_YEARS, "(]", "give a time in years")] = 50.0,
     *,

@@ -13,7 +13,7 @@ from rocksteady.dynamics.arrays import checked_array
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import LARGEST_SEED, Bounds, Whole
+from rocksteady.model.checks.bounds import INSIDE, LARGEST_SEED, Bounds, Whole
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
 from rocksteady.risk.observations._fate_cells import Shaken, fates_of_cells, streams_of
@@ -68,7 +68,7 @@ class Scatter:
     8
     """
 
-    deviation: Annotated[float | ArrayLike, lambda _, value: _deviations(value)]
+    deviation: Annotated[float | ArrayLike, lambda _, value: _deviations(value), INSIDE]
     draws: Annotated[int, Whole(1, MOST_DRAWS, "give the number of runs of each block, as 8")] = 1
     seed: Annotated[int, Whole(0, LARGEST_SEED, "give a whole number, as 7")] = 0
 

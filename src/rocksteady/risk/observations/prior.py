@@ -5,10 +5,11 @@ import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Final
+from typing import Annotated, Final
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.results.result import Result
 from rocksteady.risk.observations.files.toml_tables import in_file
 from rocksteady.risk.observations.object_prior import BOUNDS, ObjectPrior, possible
@@ -98,7 +99,9 @@ class Prior(Result):
     """
 
     noise: OutcomeErrors = OutcomeErrors()
-    defaults: Mapping[str, PriorRange | float | str] = field(default_factory=dict)
+    defaults: Annotated[Mapping[str, PriorRange | float | str], INSIDE] = field(
+        default_factory=dict
+    )
     sources: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Annotated, Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,6 +11,7 @@ from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.model.checks.validation import positive, whole_number
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
@@ -61,7 +62,7 @@ class Axis:
     """
 
     name: str
-    values: ArrayLike | Sequence[str]
+    values: Annotated[ArrayLike | Sequence[str], INSIDE]
     units: str = "1"
     long_name: str = ""
     items: Sequence[object] | None = None

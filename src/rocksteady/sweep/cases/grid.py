@@ -3,12 +3,14 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.model.checks.validation import whole_number, within_memory
 from rocksteady.sweep.cases.axes import Array, Axis, indices_of
 
@@ -43,7 +45,7 @@ class Grid:
     array([1., 2., 2.])
     """
 
-    axes: Sequence[Axis]
+    axes: Annotated[Sequence[Axis], INSIDE]
 
     def __post_init__(self) -> None:
         """Validate."""

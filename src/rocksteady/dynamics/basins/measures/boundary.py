@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,6 +11,7 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.basins.measures.entropy import label_array
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.result import Result
 
@@ -69,7 +70,7 @@ class BoundaryCheck(Result):
 
 @checked
 def check_boundary(
-    labels: ArrayLike, ball: int = RADIUS, *, balls: int = BALLS, seed: int = 0
+    labels: Annotated[ArrayLike, INSIDE], ball: int = RADIUS, *, balls: int = BALLS, seed: int = 0
 ) -> BoundaryCheck:
     """Test whether the boundary of labelled states is smooth at one scale.
 

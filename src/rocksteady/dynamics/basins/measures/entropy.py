@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +12,7 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.doubts import FEWEST_BOXES
 from rocksteady.results.result import Result
@@ -102,7 +103,9 @@ class BasinEntropies(Result):
 
 
 @checked
-def compute_basin_entropy(labels: ArrayLike, box: int | Sequence[int] = BOX) -> BasinEntropy:
+def compute_basin_entropy(
+    labels: Annotated[ArrayLike, INSIDE], box: int | Sequence[int] = BOX
+) -> BasinEntropy:
     """Compute the basin entropy and the boundary basin entropy of labelled states.
 
     The states are divided into boxes.  A box with shares p_j of its states in basin j has the

@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +13,7 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.basins.measures.entropy import label_array
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.model.checks.confidence import Confidence
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.doubts import FEWEST_SIZES
@@ -127,7 +128,10 @@ class UncertaintyExponent(Result):
 
 @checked
 def compute_uncertainty_exponent(
-    labels: ArrayLike, sizes: Sequence[int] | None = None, *, by: Probe = "states"
+    labels: Annotated[ArrayLike, INSIDE],
+    sizes: Sequence[int] | None = None,
+    *,
+    by: Probe = "states",
 ) -> UncertaintyExponent:
     """Compute the uncertainty exponent of labelled states, and the dimension of their boundary.
 

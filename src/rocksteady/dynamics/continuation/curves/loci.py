@@ -1,6 +1,7 @@
 """Bifurcation curves in two parameters."""
 
 from collections.abc import Iterator
+from typing import Annotated
 
 import numpy as np
 
@@ -27,6 +28,7 @@ from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import INSIDE
 from rocksteady.model.checks.validation import is_pair
 
 AT_START = 1e-6
@@ -35,9 +37,9 @@ AT_START = 1e-6
 
 @checked
 def follow_bifurcation(
-    origin: BranchPoint,
+    origin: Annotated[BranchPoint, INSIDE],
     parameters: tuple[str, str],
-    within: tuple[tuple[float, float], tuple[float, float]],
+    within: Annotated[tuple[tuple[float, float], tuple[float, float]], INSIDE],
     *,
     direction: int = 1,
     largest_step: float = LARGEST_STEP,
