@@ -305,7 +305,7 @@ def find_steady_states(
     >>> from rocksteady import Block, Harmonic
     >>> block = Block.rectangle(width=0.4, height=2.0)
     >>> motion = Harmonic.from_si(block, acceleration_m_s2=3.92, frequency_hz=2.0)
-    >>> print(find_steady_states(block, motion).describe().answer.sentence)
+    >>> print(find_steady_states(block, motion).describe().sentence)
     It can rock steadily at 1.59° (0.14 alpha), out of phase, and that is stable.
     """
     if not isinstance(motion, Harmonic):

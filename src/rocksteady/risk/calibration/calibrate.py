@@ -112,7 +112,7 @@ def calibrate(
     >>> column = Block.rectangle(width=0.3, height=1.2)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(3))
     >>> calibration = calibrate(tests, most_runs=200, model=Linear())
-    >>> calibration.describe().answer.sentence
+    >>> calibration.describe().sentence
     'No answer: 41 effective draws of the 200 that it takes, after 200 runs of a test.'
     """
     known = Prior() if prior is None else prior
