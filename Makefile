@@ -108,7 +108,7 @@ count: ## code lines by package, of tests, tools, benchmarks and JavaScript, and
 	@$(PYTHON) -m tools.count
 
 .PHONY: types
-types: .venv ## mypy --strict over src and tests, and tsc over the page where there is one
+types: .venv ## mypy --strict over src and tests, and tsc over the page where tsc or bun is
 	$(BIN)/python -m mypy --num-workers $(WORKERS)
 	@$(BIN)/python -m tools.page
 
