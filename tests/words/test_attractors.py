@@ -23,7 +23,7 @@ LIFTED = State(angle=0.5, velocity=0.0)
     [
         (SYMMETRIC, Rest(), "It settles to a symmetric steady motion, up to ", True),
         (UNSYMMETRIC, Rest(), "It settles to an unsymmetric steady motion, from ", True),
-        (WEAK, Rest(), "It rests throughout: the motion never lifts it.", False),
+        (WEAK, Rest(), "It never lifts under the motion.", False),
         (WEAK, LIFTED, "It comes to rest, and the motion does not lift it again.", True),
         (STRONG, Rest(), "It falls: from this start (rest) it reaches no steady motion.", False),
     ],

@@ -50,7 +50,7 @@ def test_the_sentence_says_when_it_falls_or_rests() -> None:
     assert falls.status == "overturned"
     assert first_line(falls) == f"It falls {falls.overturn_time_s:.3g} s into the pulse."
     assert rests.status == "at-rest"
-    assert first_line(rests) == f"It rests {rests.rest_time_s:.3g} s into the pulse."
+    assert first_line(rests) == f"It comes to rest {rests.rest_time_s:.3g} s into the pulse."
     assert "never lifts" in first_line(shaken(0.4))
 
 
@@ -63,7 +63,7 @@ def test_a_dimensionless_block_counts_periods_and_a_free_one_seconds() -> None:
     )
     assert " periods into the motion" in first_line(steady)
     free = simulate(BLOCK, Still(), start=State(angle=0.5, velocity=0.0))
-    assert first_line(free) == f"It rests {free.rest_time_s:.3g} s after it is let go."
+    assert first_line(free) == f"It comes to rest {free.rest_time_s:.3g} s after it is let go."
 
 
 LEANING = Block.asymmetric(left=0.1, right=0.3, height=1.2)
@@ -97,7 +97,9 @@ def test_a_block_that_ends_at_its_balance_says_so(
         assert not any("longer run" in note for note in words.notes)
 
 
-@pytest.mark.parametrize(("angle", "start"), [(0.99, "rests"), (1.01, "falls"), (0.3, "rests")])
+@pytest.mark.parametrize(
+    ("angle", "start"), [(0.99, "comes to rest"), (1.01, "falls"), (0.3, "comes to rest")]
+)
 def test_a_block_beside_its_balance_falls_or_rests(angle: float, start: str) -> None:
     run = simulate(BLOCK, Still(), start=State(angle=angle, velocity=0.0))
     assert first_line(run).startswith(f"It {start} ")

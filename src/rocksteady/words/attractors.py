@@ -161,7 +161,7 @@ def _settles(attractor: Attractor) -> str:
         return f"It falls: from this start ({start}) it reaches no steady motion."
     if kind is AttractorKind.REST:
         if isinstance(attractor.initial, Rest) and not attractor.after:
-            return "It rests throughout: the motion never lifts it."
+            return "It never lifts under the motion."
         return "It comes to rest, and the motion does not lift it again."
     grows = number(math.exp(attractor.lyapunov))
     return f"It rocks on and never repeats: a small difference grows {grows}-fold a period."

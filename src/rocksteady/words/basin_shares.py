@@ -226,7 +226,7 @@ def over_answer(shares: BasinShares, families: Sequence[dict[str, Any]]) -> tupl
     rows = []
     for each in ranked[:MOST_BASINS]:
         where = "" if each["values"] == len(shares.values) else _where(each, symbol)
-        name = "rests" if each["name"] == "rest" else each["name"]
+        name = "comes to rest" if each["name"] == "rest" else each["name"]
         rows.append(line(name, _range(each) + where))
     left = len(ranked) - len(rows)
     facts = [

@@ -162,7 +162,7 @@ def _reach(orbit: Orbit) -> float:
 
 def _name(attractor: BasinAttractor) -> str:
     """Return a basin in a word, with the letter that distinguishes mirror images."""
-    plain = {AttractorKind.OVERTURNED: "falls", AttractorKind.REST: "rests"}
+    plain = {AttractorKind.OVERTURNED: "falls", AttractorKind.REST: "comes to rest"}
     letter = attractor.name[-1] if attractor.orbit and attractor.name[-1].isalpha() else ""
     return f"{plain.get(attractor.kind, attractor.kind.value)} {letter}".strip()
 

@@ -93,7 +93,7 @@ def describe_edge(edge: EdgeState) -> Description:
 
 def _edge_answer(edge: EdgeState) -> tuple[str, list[Fact]]:
     """Return the least kick or a state of the edge, and the motion there."""
-    plain = {"rest": "rests"}
+    plain = {"rest": "comes to rest"}
     first, second = (plain.get(each, each.replace("overturned", "falls")) for each in edge.outcomes)
     start = "rest" if _pair(edge.start) == [0.0, 0.0] else _text(edge.start)
     if edge.kick is None:

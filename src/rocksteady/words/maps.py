@@ -67,14 +67,14 @@ def describe(dataset: "Labelled") -> Description:
 def _answer(
     dataset: "Labelled", counts: "dict[str, int]", longer: "dict[str, int]", cells: int
 ) -> tuple[str, list[Fact]]:
-    """Return in which share of a map the block falls, rocks and rests."""
+    """Return in which share of a map the block falls, rocks and comes to rest."""
     given = dataset.attrs
     falls, rests = counts["overturned"], counts.get("rest", 0) + counts.get("at-rest", 0)
     moving = {word: counts.get(word, 0) for word in ROCKING}
     rocks, undecided = sum(moving.values()), counts.get("undecided", 0)
     parts = [
         f"{verb} in {share(count, cells) if count < cells else 'all'} of the map"
-        for verb, count in (("falls", falls), ("rocks", rocks), ("rests", rests))
+        for verb, count in (("falls", falls), ("rocks", rocks), ("comes to rest", rests))
         if count
     ]
     words = " and ".join([", ".join(parts[:-1])] * (len(parts) > 1) + parts[-1:])

@@ -300,7 +300,7 @@ def sentence(run: Trajectory) -> str:
     if run.balanced:
         return f"It {BALANCED}"
     if run.status is Status.AT_REST and not run.peak:
-        return f"It {Status.AT_REST.plain} throughout: {name_of(run.motion)} never lifts it"
+        return f"It never lifts under {name_of(run.motion)}"
     if run.status is Status.OVERTURNED and run.overturn_time_pt == 0.0:
         return "It falls at once: it starts beyond its limit"
     if run.status is Status.UNDECIDED:
