@@ -72,7 +72,7 @@ class Status(_Outcome, IntEnum):
 
     @property
     def plain(self) -> str:
-        """The verb of sentences and legends: it rocks, rests, falls."""
+        """The verb of sentences and legends: it rocks, comes to rest, falls."""
         return _PLAIN[self]
 
     @property
@@ -83,7 +83,7 @@ class Status(_Outcome, IntEnum):
 
 _PLAIN = {
     Status.ROCKING: "rocks",
-    Status.AT_REST: "rests",
+    Status.AT_REST: "comes to rest",
     Status.OVERTURNED: "falls",
     Status.LOST_CONTACT: "leaves its base",
     Status.UNDECIDED: "undecided",
@@ -123,6 +123,40 @@ class AttractorKind(_Outcome, StrEnum):
     OVERTURNED = "overturned"
     APERIODIC = "aperiodic"
     UNDECIDED = "undecided"
+
+    @property
+    def plain(self) -> str:
+        """The verb of sentences, as of `Status`; of orbits that repeat every shake."""
+        return _PLAIN_KINDS[self]
+
+
+_PLAIN_KINDS = {
+    AttractorKind.SYMMETRIC: "rocks",
+    AttractorKind.UNSYMMETRIC: "rocks, further to one side",
+    AttractorKind.REST: "comes to rest",
+    AttractorKind.OVERTURNED: "falls",
+    AttractorKind.APERIODIC: "never repeats",
+    AttractorKind.UNDECIDED: "undecided",
+}
+NEVER_LIFTS = "never lifts"
+"""Of a block that the motion does not move at all."""
+ORDINALS = {
+    2: "second", 3: "third", 4: "fourth", 5: "fifth", 6: "sixth",
+    8: "eighth", 16: "sixteenth",
+}
+
+
+def motion_words(kind: AttractorKind, period: int | None) -> str:
+    """Return the verb of an attractor: of an orbit by its period in shakes.
+
+    Examples
+    --------
+    >>> motion_words(AttractorKind.SYMMETRIC, 3), motion_words(AttractorKind.REST, None)
+    ('rocks, alike every third shake', 'comes to rest')
+    """
+    if period is None or period < 2:
+        return kind.plain
+    return f"rocks, alike every {ORDINALS.get(period, f'{period}th')} shake"
 
 
 class Event(_Outcome, IntEnum):

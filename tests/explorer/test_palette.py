@@ -79,7 +79,7 @@ def test_no_part_of_the_page_holds_a_colour() -> None:
 def test_words_of_classes_are_the_plain_ones_of_outcomes() -> None:
     words = page_theme()["words"]
     assert list(words) == [one.name.lower().replace("_", "-") for one in CellClass]
-    assert words["rest"] == Status.AT_REST.plain == "rests"
+    assert words["rest"] == Status.AT_REST.plain == "comes to rest"
     assert words["overturned"] == Status.OVERTURNED.plain == "falls"
     assert words["rocking"] == Status.ROCKING.plain == "rocks"
     assert words["undecided"] == Status.UNDECIDED.plain

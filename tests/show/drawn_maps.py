@@ -21,7 +21,7 @@ BLOCK = DimensionlessBlock(restitution=0.8)
 CLASS_OF = {
     "symmetric": "symmetric",
     "unsymmetric": "unsymmetric",
-    "rest": "rests",
+    "rest": "comes to rest",
     "overturned": "falls",
     "aperiodic": "aperiodic",
     "undecided": "undecided",

@@ -173,7 +173,7 @@ def test_a_narrow_window_that_leans_is_a_band_and_no_stairs() -> None:
 
 def test_a_block_that_never_moves_says_so_in_its_phase_plane() -> None:
     axes = plots.phase_portrait(resting(), Figure().add_subplot())
-    assert "rests throughout" in axes.texts[0].get_text()
+    assert "never lifts" in axes.texts[0].get_text()
     assert axes.get_xlim() == (-1.0, 1.0)
 
 

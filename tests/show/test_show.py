@@ -188,7 +188,7 @@ def test_words_on_the_end_lie_in_axes_that_a_caller_has_made_longer() -> None:
         axes.set_xlim(0.0, 6.0 * whole[1])
         plots.trajectory(run, axes)
         assert axes.get_xlim() == (0.0, 6.0 * whole[1])
-        (words,) = (text for text in axes.texts if re.match("falls|rests", text.get_text()))
+        (words,) = (text for text in axes.texts if re.match("falls|at rest", text.get_text()))
         box = words.get_window_extent()
         assert axes.bbox.x0 <= box.x0 < box.x1 <= axes.bbox.x1
 
@@ -204,7 +204,7 @@ def test_the_end_is_marked() -> None:
     rest = coming_to_rest()
     assert rest.rest_time_s is not None
     axes = plots.trajectory(rest, Figure().add_subplot())
-    assert f"rests from {rest.rest_time_s:.3g} s" in texts_of(axes)
+    assert f"at rest from {rest.rest_time_s:.3g} s" in texts_of(axes)
     upright = [line for line in axes.lines if np.ptp(np.asarray(line.get_xdata(), float)) == 0.0]
     assert np.asarray(upright[0].get_xdata())[0] == pytest.approx(rest.rest_time_s)
     assert len(legend_of(plots.trajectory(rocking(), Figure().add_subplot()))) == 1

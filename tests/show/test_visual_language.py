@@ -24,7 +24,7 @@ SERIES = ("motion", "base", "risk", "subharmonic_line")
 KINDS = ("symmetric", "unsymmetric", "subharmonic", "aperiodic")
 MEANS = {
     ("area", "falls"): "falls.*",
-    ("area", "rest"): "rests",
+    ("area", "rest"): "comes to rest",
     ("area", "paper"): "stands|no such start|not computed|does not lift.*",
     ("area", "rocks"): "rocks",
     ("area", "undecided"): "undecided",
@@ -37,7 +37,7 @@ MEANS = {
     ("line", "risk"): "probability of falling|",
     ("band", "risk"): "middle of the risk|rate of falling by intensity not to scale",
     ("dot", "impact"): "impacts?|after an impact",
-    ("dot", "observed"): "fell|share .*|release|rests|saddle.*|chosen|stable|falls to .*",
+    ("dot", "observed"): "fell|share .*|release|comes to rest|saddle.*|chosen|stable|falls to .*",
     ("line", "motion"): "capacity a d|mean|not identified|score band|stable manifold|integrity .*"
     "|global integrity .*|(positive|negative) kick|branch .*",
     ("text", "risk"): "|● falls|lognormal median|logistic median",

@@ -6,16 +6,8 @@ from typing import Any
 
 from rocksteady.dynamics.maps.cell_classes import CellClass
 from rocksteady.explorer._units import page_units
-from rocksteady.outcomes import Status
+from rocksteady.show.plots.map_classes import LOOKS
 from rocksteady.show.style.tokens import DARK, LIGHT, Inks
-
-FATES = {
-    CellClass.REST: Status.AT_REST,
-    CellClass.ROCKING: Status.ROCKING,
-    CellClass.OVERTURNED: Status.OVERTURNED,
-    CellClass.UNDECIDED: Status.UNDECIDED,
-}
-"""Classes of motion that are the status of a run."""
 
 
 def page_theme() -> dict[str, Any]:
@@ -34,18 +26,14 @@ def page_theme() -> dict[str, Any]:
 
 
 def class_words() -> dict[str, str]:
-    """Return the word of each class of motion, by its name in the page.
+    """Return the words of each class of motion in pictures, by its name in the page.
 
     Examples
     --------
     >>> list(class_words().items())[:2]
-    [('rest', 'rests'), ('symmetric', 'symmetric')]
+    [('rest', 'comes to rest'), ('symmetric', 'symmetric')]
     """
-    names = {each: each.name.lower() for each in CellClass}
-    return {
-        name.replace("_", "-"): FATES[each].plain if each in FATES else name.replace("_", " ")
-        for each, name in names.items()
-    }
+    return {each.name.lower().replace("_", "-"): LOOKS[each].words for each in CellClass}
 
 
 def style_variables() -> str:

@@ -24,7 +24,7 @@ MOST_ROWS = 12
 
 ROLES = {
     "falls": r"^falls\b",
-    "rest": r"^rests\b",
+    "rest": r"^(comes to rest|never lifts)\b",
     "undecided": r"^undecided\b",
     "green": r"^green\b|(?<!not )\bsatisfied$",
     "amber": r"^amber\b",

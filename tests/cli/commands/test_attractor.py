@@ -118,7 +118,7 @@ def test_a_real_block_is_in_radians_and_seconds() -> None:
     ("command", "first"),
     [
         (POINT, "It settles to an unsymmetric steady motion, from 0.9 to -0.444 alpha."),
-        ("attractor -A 1 -W 4 -r 0.8", "It rests throughout: the motion never lifts it."),
+        ("attractor -A 1 -W 4 -r 0.8", "It never lifts under the motion."),
         (
             "attractor -A 2 -W 1.7 -r 0.8 --start steady",
             "It falls: from this start (steady) it reaches no steady motion.",

@@ -45,7 +45,7 @@ def test_the_table_has_the_shares_of_the_legend(tmp_path: Path) -> None:
         shares = {LOOKS[one].words: share for one, share in map_cells(found).shares().items()}
     for words, share in shares.items():
         plain = words.removesuffix(" (period ≥ 2)")
-        word = {"rests": "rest", "falls": "overturned"}.get(plain, plain)
+        word = {"comes to rest": "rest", "falls": "overturned"}.get(plain, plain)
         assert re.search(rf"^{word} +\d+ +{100.0 * share:.2f} %$", out, re.MULTILINE), word
     assert "subharmonic (period ≥ 2)" in shares
 
@@ -481,7 +481,8 @@ def test_the_answer_is_where_it_falls_rocks_and_rests(more: str) -> None:
         f"{100.0 * count / 144:.3g} %" for count in (counts["overturned"], rocks, rests)
     )
     assert lines[0] == (
-        f"From rest it falls in {falls}, rocks in {rocks_in} and rests in {rests_in} of the map."
+        f"From rest it falls in {falls}, rocks in {rocks_in} "
+        f"and comes to rest in {rests_in} of the map."
     )
     assert len(lines) <= 8
     assert lines[-1] == f"next: rocksteady {command} --plot map.png"
@@ -489,4 +490,4 @@ def test_the_answer_is_where_it_falls_rocks_and_rests(more: str) -> None:
 
 def test_the_answer_of_a_map_of_one_outcome_says_all() -> None:
     first = rocksteady("map -A 0.1:0.5:3 -W 2:3:3 -r 0.8").out.splitlines()[0]
-    assert first == "From rest it rests in all of the map."
+    assert first == "From rest it comes to rest in all of the map."

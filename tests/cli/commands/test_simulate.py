@@ -363,7 +363,7 @@ def test_the_answer_counts_time_in_periods_of_a_pulse() -> None:
     assert lines[-1] == "next: rocksteady overturn --pulse one-sine -W 3 -r 0.9"
 
 
-@every(("start", "words"), [("1.5,0", "It falls at once"), ("0.5,0", "It rests at pt ")])
+@every(("start", "words"), [("1.5,0", "It falls at once"), ("0.5,0", "It comes to rest at pt ")])
 def test_the_answer_of_a_block_let_go_is_followed_by_a_kick(start: str, words: str) -> None:
     lines = rocksteady(f"simulate -r 0.9 --start {start}").out.splitlines()
     assert lines[0].startswith(words)

@@ -83,7 +83,7 @@ def test_the_text_and_the_files(tmp_path: Path) -> None:
     command = "simulate -A 2 -W 5 -r 0.5 --pulse one-sine --speed 3"
     ran = rocksteady(f"{command} --plot", plot, "--csv", table, "--animate", film)
     assert ran.code == 0
-    assert ran.out.startswith("It rests 2.72 periods into the pulse.")
+    assert ran.out.startswith("It comes to rest 2.72 periods into the pulse.")
     with Image.open(plot) as picture:
         assert picture.size[0] > 1000
     with Image.open(film) as picture:

@@ -209,7 +209,7 @@ def test_plot_film_and_table(files: tuple[Path, Path], tmp_path: Path) -> None:
     command = f"simulate {SIZE} --model nonlinear --speed 6"
     ran = rocksteady(command, *files_out, "--record", across, "--vertical", up)
     assert ran.code == 0, ran.err
-    assert ran.out.startswith("It rests ")
+    assert ran.out.startswith("It comes to rest ")
     with Image.open(plot) as picture:
         assert picture.size[0] > 1000
     with Image.open(film) as picture:

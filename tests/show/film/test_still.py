@@ -290,7 +290,7 @@ def test_the_block_wears_its_state_and_names_it() -> None:
     rest = simulate(BLOCK, Still(), start=State(angle=0.5, velocity=0.0), model=Linear())
     assert rest.rest_time_pt is not None
     scene = scene_at(rest, rest.rest_time_pt)
-    assert scene.verdict.get_text() == "rests"
+    assert scene.verdict.get_text() == "at rest"
     assert to_hex(scene.body.get_facecolor()) == inks_of(scene.axes).rest
     assert scene_at(rest, 0.0).verdict.get_text() == "rocks"
 

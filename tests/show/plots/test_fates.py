@@ -50,7 +50,7 @@ def test_each_cell_has_the_fill_of_its_fate() -> None:
     legend = axes.get_legend()
     assert legend is not None
     texts = [text.get_text().rpartition("  ")[0] for text in legend.get_texts()]
-    assert texts == ["rests", "rocks", "falls", "no such start", "not computed"]
+    assert texts == ["comes to rest", "rocks", "falls", "no such start", "not computed"]
 
 
 def test_over_one_axis_the_fates_fill_the_axes() -> None:

@@ -59,7 +59,7 @@ def test_exponents_are_drawn_about_zero_and_the_rest_is_set_apart() -> None:
     assert low == -high
     middle = image.cmap(image.norm(0.0))
     assert middle == pytest.approx(to_rgba(LIGHT.paper), abs=0.01)
-    assert legend_of(axes) == ["rests  25.0 %", "falls  25.0 %"]
+    assert legend_of(axes) == ["comes to rest  25.0 %", "falls  25.0 %"]
     (bar,) = (other for other in axes.figure.axes if other is not axes)
     assert "per forcing period" in bar.get_ylabel()
 

@@ -192,7 +192,7 @@ def test_what_has_no_answer_has_a_pattern_and_a_legend_entry_with_it() -> None:
     legend = axes.get_legend()
     assert legend is not None
     assert [text.get_text() for text in legend.get_texts()] == [
-        "rests  25.0 %",
+        "comes to rest  25.0 %",
         "undecided  25.0 %",
         "no such start  25.0 %",
         "not computed  25.0 %",
@@ -287,7 +287,7 @@ def test_words_stand_on_their_own_areas_and_are_legible(dark: bool) -> None:
     inks = DARK if dark else LIGHT
     figure = Figure(figsize=(6.0, 4.5), facecolor=inks.paper)
     axes = plots.outcomes(found(), figure.add_subplot(facecolor=inks.paper))
-    assert {"rests", "symmetric", "falls"} <= {word.get_text() for word in axes.texts}
+    assert {"comes to rest", "symmetric", "falls"} <= {word.get_text() for word in axes.texts}
     for word in axes.texts:
         x, y = axes.transData.inverted().transform(axes.transAxes.transform(word.get_position()))
         (look,) = (one for one in LOOKS.values() if one.words.startswith(word.get_text()))

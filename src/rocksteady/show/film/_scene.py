@@ -399,7 +399,7 @@ class BlockScene:
         if isinstance(self.trajectory.block, Block):
             words.reverse()
         self.tilt.set_text(f"θ = {' = '.join(words)}")
-        self.verdict.set_text("rests" if state == "rest" else state)
+        self.verdict.set_text("at rest" if state == "rest" else state)
         return self.moving
 
     def _time(self, s: float) -> str:

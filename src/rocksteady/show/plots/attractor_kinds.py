@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 AREAS = {
     AttractorKind.OVERTURNED.value: ("falls", "falls"),
-    AttractorKind.REST.value: ("rest", "rests"),
+    AttractorKind.REST.value: ("rest", AttractorKind.REST.plain),
     AttractorKind.UNDECIDED.value: ("undecided", "undecided"),
 }
 """Role of the area, and plain word, of kinds that are no steady motion."""
@@ -51,7 +51,7 @@ def plot_attractor_kinds(attractors: Attractors, ax: "Axes | None" = None) -> "A
     >>> found = find_attractors([0.5, 2.0, 6.0], 4.0, 0.8)
     >>> axes = plot_attractor_kinds(found, Figure().add_subplot())
     >>> [name.get_text() for name in axes.get_yticklabels()]
-    ['rests', 'symmetric', 'falls']
+    ['comes to rest', 'symmetric', 'falls']
     """
     counts = Counter(attractors.labels.tolist()).most_common()
     if not counts:

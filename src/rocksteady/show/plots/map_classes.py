@@ -17,6 +17,7 @@ from rocksteady.dynamics.maps.cell_classes import (
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.gravity import in_g
+from rocksteady.outcomes import AttractorKind, Status
 from rocksteady.show.style import palette
 from rocksteady.show.style.areas import swatch
 from rocksteady.show.style.scales import Scale, scale_of
@@ -65,16 +66,20 @@ class Look:
 
 
 LOOKS = {
-    CellClass.REST: Look(words="rests", fill="rest"),
-    CellClass.SYMMETRIC: Look(words="symmetric", fill="symmetric", line="motion"),
-    CellClass.UNSYMMETRIC: Look(words="unsymmetric", fill="unsymmetric", line="unsymmetric_line"),
+    CellClass.REST: Look(words=AttractorKind.REST.plain, fill="rest"),
+    CellClass.SYMMETRIC: Look(words=AttractorKind.SYMMETRIC.label, fill="symmetric", line="motion"),
+    CellClass.UNSYMMETRIC: Look(
+        words=AttractorKind.UNSYMMETRIC.label, fill="unsymmetric", line="unsymmetric_line"
+    ),
     CellClass.SUBHARMONIC: Look(
         words="subharmonic (period ≥ 2)", fill="subharmonic", line="subharmonic_line"
     ),
-    CellClass.APERIODIC: Look(words="aperiodic", fill="aperiodic", line="aperiodic_line"),
-    CellClass.ROCKING: Look(words="rocks", fill="rocks", line="motion"),
-    CellClass.OVERTURNED: Look(words="falls", fill="falls", line="ink"),
-    CellClass.UNDECIDED: Look(words="undecided", fill="undecided"),
+    CellClass.APERIODIC: Look(
+        words=AttractorKind.APERIODIC.label, fill="aperiodic", line="aperiodic_line"
+    ),
+    CellClass.ROCKING: Look(words=Status.ROCKING.plain, fill="rocks", line="motion"),
+    CellClass.OVERTURNED: Look(words=Status.OVERTURNED.plain, fill="falls", line="ink"),
+    CellClass.UNDECIDED: Look(words=Status.UNDECIDED.plain, fill="undecided"),
     CellClass.NO_START: Look(
         words="no such start", fill="paper", pattern="no_start", outlined=True
     ),

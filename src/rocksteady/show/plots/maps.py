@@ -149,7 +149,7 @@ def plot_outcomes(
     >>> axes = plot_outcomes(result, Figure().add_subplot())
     >>> for entry in axes.get_legend().get_texts():
     ...     print(entry.get_text())
-    rests  33.3 %
+    comes to rest  33.3 %
     symmetric  33.3 %
     falls  33.3 %
     """

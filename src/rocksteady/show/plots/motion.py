@@ -53,7 +53,7 @@ from rocksteady.show.style.tokens import DASHED, inks_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-AT_REST = "rests throughout:\nno tilt, no velocity"
+AT_REST = "never lifts:\nno tilt, no velocity"
 """In the phase plane of a block that never moves."""
 LINE = 20.0
 """Height of a line of words or of a legend at the top [points]."""
@@ -183,7 +183,7 @@ def _end_of(
         at = overturn
         words = f"falls at {time.words(at)}" if at > 0.0 else "falls from the start"
     elif rest is not None and rest > 0.0:
-        at, words = rest, f"rests from {time.words(rest)}"
+        at, words = rest, f"at rest from {time.words(rest)}"
     else:
         return None
     return (at, words) if span[0] <= at <= span[1] else None

@@ -259,7 +259,7 @@ def plot_spectrum_map(
     return axes
 
 
-AREAS = (("falls", "falls"), ("rest", "rests"), ("undecided", "undecided"))
+AREAS = (("falls", "falls"), ("rest", "comes to rest"), ("undecided", "undecided"))
 """Roles and words of what has no peak."""
 
 

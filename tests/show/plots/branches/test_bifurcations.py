@@ -388,7 +388,7 @@ def test_the_bars_stand_where_a_sweep_overturned_or_came_to_rest() -> None:
     axes = plots.bifurcations((), [trail], Figure().add_subplot())
     for kind, colour in (("overturned", LIGHT.falls), ("rest", LIGHT.rest)):
         assert covered(trail.values, bars(axes, colour)) == [each == kind for each in trail.kinds]
-    assert legend_of(axes)[-2:] == ["falls", "rests"]
+    assert legend_of(axes)[-2:] == ["falls", "comes to rest"]
     hatched = [bool(patch.get_hatch()) for patch in axes.collections]
     assert hatched == [True, False], "what falls has its hatch"
     _, top = axes.get_ylim()

@@ -130,7 +130,7 @@ def test_the_legend_has_every_share() -> None:
     for text, one, part in zip(texts, given.attractors, given.fractions(), strict=True):
         name = plain_name(one.kind, one.name)
         assert text == f"{name}  {100.0 * part.share:.1f} %"
-    assert {"falls", "rests"} <= {text.partition("  ")[0] for text in texts}
+    assert {"falls", "comes to rest"} <= {text.partition("  ")[0] for text in texts}
 
 
 def lightness(colour: str) -> float:

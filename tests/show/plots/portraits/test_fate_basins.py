@@ -36,7 +36,7 @@ def test_cells_have_the_fill_of_their_fate_and_the_legend_its_share() -> None:
     sides = [hatches[f"falls to the {side} side"] for side in ("positive", "negative")]
     assert sides == [HATCHES["falls"], HATCHES["falls_negative"]]
     rest = FOUND.fate == Status.AT_REST
-    shares = [float(text.split()[-2]) for text in texts if text.startswith("rests")]
+    shares = [float(text.split()[-2]) for text in texts if text.startswith("comes to rest")]
     assert abs(sum(shares) - 100.0 * rest.mean()) < 0.2
     assert texts[-1] == "safe on a still base"
 

@@ -75,7 +75,7 @@ def test_every_family_is_named_in_its_band_in_the_legend_or_counted() -> None:
     legend = axes.get_legend()
     assert legend is not None
     listed = [text.get_text() for text in legend.get_texts()]
-    assert {"falls", "rests"} <= {*named, *listed}
+    assert {"falls", "comes to rest"} <= {*named, *listed}
     names = [plain_name(one.typical.kind, one.name) for one in shares.families]
     thin = [name for name in names if name not in named + listed]
     assert not thin or f"and {len(thin)} below" in listed[-1]

@@ -57,5 +57,5 @@ def test_the_share_that_falls_is_in_steps_of_risk() -> None:
         assert {to_hex(cell) for cell in drawn[share == wanted]} == {LIGHT.risk_ramp[step]}
     legends = [axes.get_legend() for axes in (upper, lower)]
     words = [[text.get_text() for text in each.get_texts()] for each in legends if each]
-    assert {"rests", "falls"} <= set(words[0])
+    assert {"comes to rest", "falls"} <= set(words[0])
     assert words[1] == list(RISKS[::-1])

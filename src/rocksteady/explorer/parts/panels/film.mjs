@@ -281,8 +281,8 @@ export function makeFilmPanel(app) {
       pen.fillText(text, right ? size.width - 4 : 4, 14 + 18 * line);
     };
     put(timeText(time), 0, theme.ink);
-    const { rest, overturned } = theme.words;
-    const tilt = pose.side === 0 ? rest : `θ = ${angleText(pose.angle)}`;
+    const { overturned } = theme.words;
+    const tilt = pose.side === 0 ? 'at rest' : `θ = ${angleText(pose.angle)}`;
     put(pose.fallen ? overturned : tilt, 1, pose.fallen || pose.side === 0 ? theme.ink : theme.motion);
     const pushed = state.units === 'si'
       ? `${signedText(pose.push * alpha, 3)} g`

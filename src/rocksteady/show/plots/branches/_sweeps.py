@@ -22,8 +22,8 @@ SWEEPS = {1: ("upward sweep", "^", "quiet", "up"), -1: ("downward sweep", "v", "
 """Name, marker, colour role and short name of each sweep, by direction."""
 SIZE, CLOUD = 3.6, 1.5
 """Size of dots, and of those of motions that do not repeat."""
-APERIODIC = "aperiodic"
-FATES = {"falls": AttractorKind.OVERTURNED, "rests": AttractorKind.REST}
+APERIODIC = AttractorKind.APERIODIC.label
+FATES = {kind.plain: kind for kind in (AttractorKind.OVERTURNED, AttractorKind.REST)}
 """The kind of attractor that each bar along the upper edge shows; one row per sweep."""
 ASIDE = 2.0
 """Distance of the dots of a sweep from what they mean, up or down [points]."""

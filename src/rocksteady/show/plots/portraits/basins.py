@@ -266,12 +266,11 @@ def plain_name(kind: AttractorKind, name: str) -> str:
     Examples
     --------
     >>> plain_name(AttractorKind.OVERTURNED, "overturned"), plain_name(AttractorKind.REST, "rest")
-    ('falls', 'rests')
+    ('falls', 'comes to rest')
     >>> plain_name(AttractorKind.SYMMETRIC, "symmetric-1")
     'symmetric-1'
     """
-    plain = {AttractorKind.OVERTURNED: "falls", AttractorKind.REST: "rests"}
-    return plain.get(kind, name)
+    return kind.plain if kind in (AttractorKind.OVERTURNED, AttractorKind.REST) else name
 
 
 def areas_of(attractors: Sequence[BasinAttractor], inks: Inks) -> list[Area]:

@@ -126,7 +126,9 @@ def _draw(
                 ls="none",
                 zorder=3.5,
                 label="from here: "
-                + ("rests" if outcome == "rest" else outcome.replace("overturned", "falls")),
+                + (
+                    "comes to rest" if outcome == "rest" else outcome.replace("overturned", "falls")
+                ),
             )
 
 

@@ -28,9 +28,9 @@ AREAS = {
 }
 """Words, role and pattern of each fate and side; states that rest have steps by their peaks."""
 PEAKS = (
-    (0.5, "rests, tilt up to α/2", 0),
-    (1.0, "rests, tilt up to α", 1),
-    (np.inf, "rests, tilt above α", 3),
+    (0.5, "comes to rest, tilt up to α/2", 0),
+    (1.0, "comes to rest, tilt up to α", 1),
+    (np.inf, "comes to rest, tilt above α", 3),
 )
 """Largest |theta|/alpha of the states at rest at the end, in words, and their step of the ramp."""
 
@@ -73,9 +73,9 @@ def plot_fate_basins(
     >>> axes = plot_fate_basins(basins, Figure().add_subplot())
     >>> for text in axes.get_legend().get_texts():
     ...     print(text.get_text())
-    rests, tilt up to α/2  7.1 %
-    rests, tilt up to α  12.4 %
-    rests, tilt above α  7.1 %
+    comes to rest, tilt up to α/2  7.1 %
+    comes to rest, tilt up to α  12.4 %
+    comes to rest, tilt above α  7.1 %
     falls to the positive side  42.2 %
     falls to the negative side  31.1 %
     safe on a still base

@@ -94,7 +94,7 @@ def plot_basin_shares(
     ... )
     >>> axes = plot_basin_shares(shares, Figure().add_subplot())
     >>> sorted(text.get_text() for text in axes.texts)[:2]
-    ['falls', 'rests']
+    ['comes to rest', 'falls']
     """
     from matplotlib.patches import Patch
 

@@ -49,7 +49,7 @@ SLIVER = -0.4
 AWAY = 0.01
 """Part of the plane's height by which a graze may miss the end of the bands."""
 FATE_LOOKS = {
-    "rest": ("rests", "rest", None),
+    "rest": ("comes to rest", "rest", None),
     "symmetric, period 1": ("symmetric", "symmetric", None),
     "unsymmetric, period 1": ("unsymmetric", "unsymmetric", None),
     "period 1 with rests": ("period 1\nwith rests", "rocks", "with_rests"),

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 LOOKS = {
-    Kind.REST: ("rests", "rest"),
+    Kind.REST: ("comes to rest", "rest"),
     Kind.SYMMETRIC: ("symmetric", "symmetric"),
     Kind.UNSYMMETRIC: ("unsymmetric", "unsymmetric"),
     Kind.SUBHARMONIC: ("subharmonic", "subharmonic"),

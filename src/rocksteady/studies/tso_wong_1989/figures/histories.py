@@ -248,7 +248,7 @@ class History:
         return figure
 
     def _heading(self, side: int, fate: Fate) -> str:
-        words = fate.label.replace("overturns", "falls").replace("at rest", "rests")
+        words = fate.label.replace("overturns", "falls").replace("at rest", "comes to rest")
         if self.stable:
             return f"stable: {words}"
         later = KICK * self.growth < 0.1 and fate.kind is not Kind.OVERTURNED

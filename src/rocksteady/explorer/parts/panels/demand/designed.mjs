@@ -8,6 +8,7 @@ import { fillClass } from '../../draw/classes.mjs';
 import { numeral } from '../../draw/scale.mjs';
 import { DESIGN_FATE, feltBy } from '../../physics/demand/design.mjs';
 import { make } from '../../shell/layout.mjs';
+import { MOTION_NAMES, NEVER_LIFTS, STANDS } from '../../words.mjs';
 import { drawCourse } from './course.mjs';
 import { demandOf, demandWords, designOf } from './design.mjs';
 import { unitsOf } from './words.mjs';
@@ -31,10 +32,10 @@ const DESIGN_SEEN = 14; // pivot time after a pulse up to which a block that sta
 function designVerdict(fate, peak, alpha, limit) {
   if (fate === DESIGN_FATE.impossible) return 'does not rock: Housner’s restitution is not above 0';
   if (fate === DESIGN_FATE.undecided) return 'undecided';
-  if (fate === DESIGN_FATE.overturns) return 'falls';
-  if (peak === 0) return 'does not lift';
+  if (fate === DESIGN_FATE.overturns) return MOTION_NAMES.overturned;
+  if (peak === 0) return NEVER_LIFTS;
   const degrees = `${numeral((peak * alpha * 180) / Math.PI, 3)}° = ${numeral(100 * peak, 3)} % of α`;
-  return `${peak <= limit ? 'safe' : 'stands, beyond the limit'}: peak ${degrees}`;
+  return `${STANDS}${peak <= limit ? '' : ', beyond the limit'}: peak ${degrees}`;
 }
 
 /**

@@ -9,6 +9,7 @@ import { pulseHistory } from '../../physics/demand/pulse.mjs';
 import { make } from '../../shell/layout.mjs';
 import { equationsOf } from '../../shell/state.mjs';
 import { tableOf } from '../../shell/tables.mjs';
+import { MOTION_NAMES } from '../../words.mjs';
 import { drawCourse } from './course.mjs';
 import { struckOf, windowWords } from './pulse.mjs';
 import { impactWords, sideWords, timeText, unitsOf } from './words.mjs';
@@ -28,10 +29,10 @@ export function pulseVerdict(run, units) {
     return `Falls ${impactWords(count)}, ${sideWords(run.side)}, at ${timeText(run.overturns, units)}, ${when}.`;
   }
   if (run.status === 'undecided' || run.status === 'lost contact') return `Undecided: ${run.status} after ${run.flights} flights.`;
-  if (run.peak === 0) return 'Stands: the pulse does not lift the block.';
+  if (run.peak === 0) return 'Stands: the pulse never lifts the block.';
   const peak = `${numeral(run.peak * units.angle, 4)}${units.u}`;
   const share = units.si ? ` (${numeral(run.peak, 4)} α)` : '';
-  const rest = run.rests === null ? '' : `, rests from ${timeText(run.rests, units)}`;
+  const rest = run.rests === null ? '' : `, ${MOTION_NAMES.rest} at ${timeText(run.rests, units)}`;
   return `Stands: peak |θ| = ${peak}${share}${rest}.`;
 }
 

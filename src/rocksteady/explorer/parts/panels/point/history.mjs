@@ -6,6 +6,7 @@ import { numeral } from '../../draw/scale.mjs';
 import { FULL_TURN } from '../../physics/start.mjs';
 import { make } from '../../shell/layout.mjs';
 import { tableOf } from '../../shell/tables.mjs';
+import { MOTION_NAMES, NEVER_LIFTS } from '../../words.mjs';
 import { FOLLOWED_KEYS, cursorState, followIn } from './followed.mjs';
 import { angleWords, panelUnits, roundLimit } from './units.mjs';
 
@@ -194,7 +195,7 @@ export function statusWords(app, { history, given, block }) {
   };
   if (history.overturnTime !== null) return `falls at ${when(history.overturnTime)}`;
   if (history.restTime !== null) {
-    return history.restTime === 0 ? 'rests' : `rests from ${when(history.restTime)}`;
+    return history.restTime === 0 ? NEVER_LIFTS : `${MOTION_NAMES.rest} at ${when(history.restTime)}`;
   }
   return app.theme.words[history.status === 'rocking' ? 'rocking' : 'undecided'];
 }

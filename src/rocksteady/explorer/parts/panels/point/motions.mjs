@@ -2,6 +2,7 @@
 
 import { coexistingOf, sameEnding, startOn } from '../../physics/coexisting.mjs';
 import { caseOf, equationsOf } from '../../shell/state.mjs';
+import { motionWords } from '../../words.mjs';
 import { orbitCourse } from './followed.mjs';
 import { angleWords } from './units.mjs';
 
@@ -173,38 +174,6 @@ export function motionClass({ kind, period }) {
 }
 
 /**
- * What names a motion.
- * @typedef {{ kind: string, period: number | null, highest: number | null,
- *   lowest: number | null, rests?: number }} Named
- */
-
-/**
- * Return the name of a motion in a few words: `harmonic` where it has the period of the shaking.
- * @param {Named} motion
- */
-export function motionName({ kind, period, highest, lowest, rests }) {
-  if (kind !== 'symmetric' && kind !== 'unsymmetric') {
-    return { rest: 'rest', aperiodic: 'aperiodic rocking', overturned: 'falling' }[kind]
-      ?? 'undecided';
-  }
-  const count = period ?? 1;
-  const rocking = count === 1 ? 'harmonic rocking' : `1/${count} subharmonic rocking`;
-  // Positive rotation is about the left corner.
-  const left = (highest ?? 0) >= -(lowest ?? 0);
-  const lean = kind === 'symmetric' ? '' : `, leaning ${left ? 'left' : 'right'}`;
-  return `${rocking}${lean}${rests ? ', with rests' : ''}`;
-}
-
-/**
- * Return the same in a sentence.
- * @param {Named} motion
- */
-export function motionWords(motion) {
-  const long = 'rocking with the period of the shaking';
-  return motionName(motion).replace(/^harmonic rocking/, long);
-}
-
-/**
  * Return the largest |theta|/alpha of a motion; null without an orbit.
  * @param {{ highest: number | null, lowest: number | null }} motion
  */
@@ -214,41 +183,23 @@ export function motionPeak({ highest, lowest }) {
 }
 
 /**
- * Return the sentence on what coexists.
+ * Return the sentence on what the block does, depending on how it begins.
  * @param {App} app
  * @param {Measures} block
  * @param {Motions} motions
  */
 export function motionsSentence(app, block, { fault, found, given }) {
   if (fault) return `Which motions coexist here is not known: ${fault}.`;
-  const staying = found.filter(({ kind }) => kind !== 'overturned' && kind !== 'undecided');
-  const falling = found.find(({ kind }) => kind === 'overturned')?.share ?? 0;
-  const doubt = found.find(({ kind }) => kind === 'undecided')?.share ?? 0;
-  const words = staying.map((motion, k) => {
-    const peak = motionPeak(motion), { twin } = motion;
-    if (twin >= 0 && found[twin] === staying[k - 1]) return 'the mirror image of that';
-    const size = motion.kind === 'rest' || peak === null ? ''
-      : `, peak ${angleWords(app, block, peak)}`;
+  const words = found.map((motion, k) => {
+    const peak = motionPeak(motion), { kind, twin } = motion;
+    if (kind === 'undecided') {
+      return given.restitution < 1 ? 'stays undecided' : 'never settles without loss (restitution 1)';
+    }
+    if (twin >= 0 && found[twin] === found[k - 1]) return 'does the mirror image of that';
+    const size = kind === 'rest' || peak === null ? '' : ` (peak ${angleWords(app, block, peak)})`;
     return `${motionWords(motion)}${size}`;
   });
-  const counts = ['No', 'One', 'Two', 'Three', 'Four', 'Five', 'Six'];
-  const many = counts[words.length] ?? String(words.length);
-  const list = words.length < 2 ? words.join('')
-    : `${words.slice(0, -1).join(', ')}, and ${words[words.length - 1]}`;
-  let text = `${many} motions coexist here: ${list}.`;
-  if (words.length === 1) text = `One motion is found here: ${list}.`;
-  if (words.length === 0) {
-    text = falling === 1 ? 'The block falls here, from every start tried.' : '';
-  }
-  if (falling > 0 && falling < 1) text += ` ${percentText(falling)} of the starts fall.`;
-  if (doubt > 0) {
-    text += given.restitution < 1 ? ` ${percentText(doubt)} of the starts stay undecided.`
-      : ' Without loss (restitution 1) motions do not settle.';
-  }
-  return text.trim();
-}
-
-/** Return a share in percent. @param {number} share */
-export function percentText(share) {
-  return share > 0 && share < 0.01 ? 'under 1 %' : `${Math.round(100 * share)} %`;
+  const last = words.pop();
+  if (!words.length) return `However it begins, it ${last}.`;
+  return `It ${words.join(', ')} or ${last}: how it begins decides.`;
 }

@@ -7,7 +7,8 @@ import { startOn } from '../../physics/coexisting.mjs';
 import { startText } from '../../shell/state.mjs';
 import { tableOf } from '../../shell/tables.mjs';
 import { FOLLOWED_KEYS, cursorState, followIn, ghostsOf } from './followed.mjs';
-import { motionName, motionWords, otherMotions } from './motions.mjs';
+import { motionName, motionWords } from '../../words.mjs';
+import { otherMotions } from './motions.mjs';
 import { panelUnits, roundLimit } from './units.mjs';
 
 /** @import { App, Panel } from '../../shell/app.mjs' */
@@ -121,9 +122,8 @@ export function makePhasePanel(app) {
     sentence() {
       if (!followed) return 'No phase portrait.';
       const others = coexisting().map(({ motion }) => motionName(motion)).join(' and ');
-      const name = motionWords({ ...followed.attractor, rests: followed.attractor.orbit?.rests });
-      const also = others ? ` Also here: ${others}.` : '';
-      return `Velocity over angle: the block comes to ${name}.${also}`;
+      const also = others ? ` From other starts: ${others}.` : '';
+      return `Velocity over angle: the block ${motionWords(followed.attractor)}.${also}`;
     },
     table() {
       if (!followed) return { columns: [], rows: [] };

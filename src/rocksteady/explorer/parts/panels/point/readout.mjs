@@ -6,11 +6,11 @@ import { startOn } from '../../physics/coexisting.mjs';
 import { FULL_TURN } from '../../physics/start.mjs';
 import { make, say, setOn } from '../../shell/layout.mjs';
 import { startText } from '../../shell/state.mjs';
+import { NEVER_LIFTS, motionName, motionWords } from '../../words.mjs';
 import { FOLLOWED_KEYS, followIn, orbitCourse } from './followed.mjs';
 import { statusWords } from './history.mjs';
 import {
-  askMotions, isAlike, isPresent, motionClass, motionName, motionPeak, motionWords,
-  motionsSentence, percentText, presentMotions,
+  askMotions, isAlike, isPresent, motionClass, motionPeak, motionsSentence, presentMotions,
 } from './motions.mjs';
 import { multiplierText } from './section.mjs';
 import { angleWords, topDisplacement } from './units.mjs';
@@ -99,21 +99,14 @@ function chipsOf(app, { block }, { found, given }) {
   return found.map((motion) => {
     const peak = motionPeak(motion), start = startOn(motion);
     const size = motion.kind === 'rest' || peak === null ? '' : angleWords(app, block, peak);
-    const share = `${percentText(motion.share)} of starts`;
     return {
       motion,
-      name: chipName(motion),
-      size: size ? `${size}, ${share}` : share,
+      name: motionName(motion),
+      size,
       start: start && startText(start),
       line: sparkLine(app, given, motion, largest),
     };
   });
-}
-
-/** @param {Coexisting} motion */
-function chipName(motion) {
-  const name = motionName(motion);
-  return `${name[0].toUpperCase()}${name.slice(1)}`;
 }
 
 /**
@@ -179,18 +172,18 @@ function startWords(app, followed) {
   const { attractor, start, block, history } = followed;
   const from = { rest: 'From rest', steady: 'From the steady state',
     state: 'From the chosen state', impact: 'From the chosen motion' }[start.kind];
-  if (history.overturnTime !== null) return `${from}: ${statusWords(app, followed)}.`;
+  if (history.overturnTime !== null) return `${from}: it ${statusWords(app, followed)}.`;
   if (attractor.kind === 'undecided') {
     return followed.whole ? `${from}: undecided, ${attractor.reason}.`
       : `${from}: not known yet, followed for ${attractor.after} periods so far.`;
   }
-  const name = motionWords({ ...attractor, rests: attractor.orbit?.rests });
+  if (attractor.kind === 'rest' && history.restTime === 0) return `${from}: it ${NEVER_LIFTS}.`;
   const peak = attractor.kind === 'rest' ? null : motionPeak(attractor);
   const size = peak === null ? '' : `, peak ${angleWords(app, block, peak)}`;
   const followedFor = attractor.kind === 'aperiodic' ? 'followed for' : 'known after';
   const known = attractor.after === 0 ? ''
     : `, ${followedFor} ${attractor.after} period${attractor.after === 1 ? '' : 's'}`;
-  return `${from}: ${name}${size}${known}.`;
+  return `${from}: it ${motionWords(attractor)}${size}${known}.`;
 }
 
 /**
@@ -297,7 +290,7 @@ function readoutElements(body, choose) {
       offered = all;
       all.forEach(({ motion, name, size, start, line }, k) => {
         const chip = /** @type {HTMLButtonElement} */ (chips.children[k]);
-        for (const key of /** @type {const} */ (['kind', 'period', 'highest', 'share'])) {
+        for (const key of /** @type {const} */ (['kind', 'period', 'highest'])) {
           setOn(chip, `data-${key}`, String(motion[key]));
         }
         chip.disabled = start === null;

@@ -13,6 +13,7 @@ import { curve, drawMark, note, rule } from '../../draw/marks.mjs';
 import { make } from '../../shell/layout.mjs';
 import { tableOf } from '../../shell/tables.mjs';
 import { pageUnits } from '../../shell/units.mjs';
+import { MOTION_NAMES } from '../../words.mjs';
 import { makeFileOpener } from './files.mjs';
 import { few, motionChoices, shakenBy } from './shaken.mjs';
 
@@ -134,8 +135,8 @@ export function makeQuakePanel(app) {
     const met = `${impactCount} ${impactCount === 1 ? 'impact' : 'impacts'}`;
     const seconds = (/** @type {number} */ pt) => `${few(pt / block.p)} s`;
     if (overturned !== null) return `${what}. The block falls at ${seconds(overturned)} after ${met}.`;
-    if (peak === 0) return `${what}. The block does not lift: that takes ${few(upliftOf(block))} g.`;
-    const end = rested !== null ? `, rests from ${seconds(rested)}`
+    if (peak === 0) return `${what}. The block never lifts: that takes ${few(upliftOf(block))} g.`;
+    const end = rested !== null ? `, ${MOTION_NAMES.rest} at ${seconds(rested)}`
       : status === 'undecided' ? ', undecided: too many flights' : '';
     return `${what}. The block stands: peak ${few(peak * degrees)}° = ${few(100 * peak)} % of α, ${met}${end}.`;
   }

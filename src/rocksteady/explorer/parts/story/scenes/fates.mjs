@@ -11,6 +11,7 @@ import { fillClass } from '../../draw/classes.mjs';
 import { element } from '../../shell/app.mjs';
 import { drawCurve, drawGround, drawLine, drawRing, inArea, write } from '../draw.mjs';
 import { NARROW, drawReel, makePlayer, reelShape, sceneOf, tieSlider } from '../scene.mjs';
+import { MOTION_NAMES, motionWords } from '../../words.mjs';
 import { dragOn, makeView } from '../view.mjs';
 
 const SECONDS = 12, REACH = 1.2, SIDE = 120, ROWS = 10; // cells along an axis, rows of one job
@@ -18,7 +19,7 @@ const FARTHEST = 1.1; // of the start
 /** @type {Record<Fate, string>} */
 const ANSWERS = {
   rest: 'From here it comes to rest, though the ground goes on.',
-  rocking: 'From here it rocks for ever, in step with the ground.',
+  rocking: `From here it ${motionWords({ kind: 'symmetric', period: 1 })}.`,
   overturned: 'From here it falls.',
   undecided: 'From here it is not known after 300 periods.',
 };
@@ -27,9 +28,10 @@ const ANSWERS = {
 const FATES = ['rest', 'rocking', 'overturned', 'undecided'];
 /** Word of a region, its colour and that below it. @type {Record<Fate, [string, Role, Role]>} */
 const WORDS = {
-  rest: ['rests', 'ink', 'rest'], rocking: ['rocks', 'onRocks', 'rocks'],
-  overturned: ['falls', 'onFalls', 'falls'], undecided: ['', 'ink', 'paper'],
+  rest: [MOTION_NAMES.rest, 'ink', 'rest'], rocking: [MOTION_NAMES.symmetric, 'onRocks', 'rocks'],
+  overturned: [MOTION_NAMES.overturned, 'onFalls', 'falls'], undecided: ['', 'ink', 'paper'],
 };
+const WORD = 44; // [px] half of the widest word
 const LEAST_ROOM = 10; // [px] of a region on each side of its word's middle
 const CLEAR = [28, 30]; // [px] from the middle of a word to the curve and the ring: across, up
 
@@ -157,7 +159,7 @@ export function makeFates(app) {
     }
     for (const { fate, share, column, row, room } of words) {
       if ((room * width) / SIDE < LEAST_ROOM) continue;
-      const x = left + ((column + 0.5) / SIDE) * width, y = top + (1 - (row + 0.5) / SIDE) * height;
+      const x = Math.min(left + width - WORD, Math.max(left + WORD, left + ((column + 0.5) / SIDE) * width)), y = top + (1 - (row + 0.5) / SIDE) * height;
       const [word, role, over] = WORDS[fate], how = { bold: true, align: /** @type {const} */ ('center'), role, over };
       write(pen, app.theme, word, x, y - 3, how);
       write(pen, app.theme, `${Math.round(100 * share)} %`, x, y + 12, how);

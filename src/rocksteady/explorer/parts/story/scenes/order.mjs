@@ -7,14 +7,12 @@ import { ORDER_PERIODS, ORDER_RATIO, ORDER_RESTITUTION } from '../../physics/sto
 import { rectangle } from '../../physics/story/pulses.mjs';
 import { drawCurve, drawLine, drawRing, inArea, write } from '../draw.mjs';
 import { sceneOf, tieSlider } from '../scene.mjs';
+import { motionWords } from '../../words.mjs';
 import { dragOn, makeView } from '../view.mjs';
 
 const FIRST = 2, LAST = 2.75, COUNT = 301; // amplitudes over alpha g
 const LOWEST = -8; // power of ten of a distance
 const TOP = 1.5; // |theta|/alpha
-
-/** @type {Record<number, string>} */
-const EVERY = { 2: 'second', 3: 'third', 4: 'fourth', 8: 'eighth', 16: 'sixteenth' };
 
 /**
  * Return the answer at an amplitude.
@@ -22,10 +20,7 @@ const EVERY = { 2: 'second', 3: 'third', 4: 'fourth', 8: 'eighth', 16: 'sixteent
  * @param {number} period  of the shaking [s]
  */
 export function orderAnswer({ kind, period: repeats, parted }, period) {
-  if (kind === 'overturned') return 'It falls.';
-  if (kind === 'symmetric') return 'One steady motion, alike to both sides.';
-  if (kind === 'unsymmetric' && repeats === 1) return 'One steady motion, unlike to the two sides.';
-  if (kind === 'unsymmetric') return `It repeats only every ${EVERY[repeats] ?? `${repeats}th`} period.`;
+  if (kind !== 'aperiodic') return `It ${motionWords({ kind, period: repeats })}.`;
   if (parted === null) return `It never repeats; two blocks part slowly, over more than ${ORDER_PERIODS} periods.`;
   return 'It never repeats: two blocks a millionth apart differ by a tenth of the tipping angle after '
     + `${parted} periods, ${(parted * period).toFixed(0)} s.`;

@@ -12,6 +12,7 @@ import { element } from '../../shell/app.mjs';
 import { drawGround, inArea, write } from '../draw.mjs';
 import { NARROW, drawHistory, drawReel, makePlayer, reelShape, sceneOf, tieSlider } from '../scene.mjs';
 import { drawHandle, drawStrip } from '../strips.mjs';
+import { NEVER_LIFTS, STANDS, fallName } from '../../words.mjs';
 import { dragOn, makeView } from '../view.mjs';
 import { gText, impactText } from '../words.mjs';
 
@@ -22,13 +23,13 @@ const CELLS = 260;
 /**
  * Return the answer of a run.
  * @param {{ falls: boolean, peak: number, impacts: number }} run  impacts: until it falls
- * @param {number} weaker  strength [g] of a weaker push that topples it; nan where none is known
+ * @param {number} weaker  strength [g] of a weaker push that fells it; nan where none is known
  */
 export function waysAnswer({ falls, peak, impacts }, weaker) {
-  if (peak === 0) return 'It does not lift.';
-  if (falls) return impacts ? `It falls, after ${impactText(impacts)}.` : 'It falls at once, without an impact.';
-  if (weaker > 0) return `It stands, though a weaker push of ${gText(weaker)} topples it.`;
-  return 'It rocks, and stands.';
+  if (peak === 0) return `It ${NEVER_LIFTS}.`;
+  if (falls) return impacts > 1 ? `It falls after ${impactText(impacts)}.` : `It ${fallName(impacts)}.`;
+  if (weaker > 0) return `It stands, though a weaker push of ${gText(weaker)} fells it.`;
+  return 'It rocks and stands.';
 }
 
 /** Return how many impacts come before a fall, or in all. @param {Reel} reel */
@@ -116,9 +117,9 @@ export function makeWays(app) {
     cells = strengths.map((strength, k) => {
       if (found.status[k] === FATE.overturned) {
         return { name: 'overturned', words: found.impacts[k]
-          ? ['falls after an impact', 'after an impact', 'after'] : ['falls at once', 'at once'] };
+          ? [fallName(1), 'after an impact', 'after'] : [fallName(0), 'at once'] };
       }
-      return strength > lift ? { name: 'rocking', words: ['stands'] } : { name: 'rest', words: ['rests'] };
+      return strength > lift ? { name: 'rocking', words: [STANDS] } : { name: 'rest', words: [NEVER_LIFTS] };
     });
     speak();
     view.ask();
