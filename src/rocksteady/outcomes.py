@@ -141,8 +141,13 @@ _PLAIN_KINDS = {
 NEVER_LIFTS = "never lifts"
 """Of a block that the motion does not move at all."""
 ORDINALS = {
-    2: "second", 3: "third", 4: "fourth", 5: "fifth", 6: "sixth",
-    8: "eighth", 16: "sixteenth",
+    2: "second",
+    3: "third",
+    4: "fourth",
+    5: "fifth",
+    6: "sixth",
+    8: "eighth",
+    16: "sixteenth",
 }
 
 
