@@ -28,8 +28,8 @@ import { FULL_TURN, NoStart, mirroredImpact, steadyStart } from './start.mjs';
 
 /**
  * A motion that coexists with others, from the first start that leads to it.
- * @typedef {Ending & { count: number, share: number, twin: number }} Coexisting
- * `share` is that of the starts; `twin` is the place of its mirror image in the list, or -1.
+ * @typedef {Ending & { count: number, twin: number }} Coexisting
+ * `count` is that of the starts; `twin` is the place of its mirror image in the list, or -1.
  */
 
 const IMPACT_PHASES = 12;
@@ -153,7 +153,7 @@ export function coexistingOf(endings) {
   const add = (/** @type {Ending} */ ending) => {
     const known = motions.find((motion) => sameEnding(motion, ending));
     if (known) known.count += 1;
-    else motions.push({ ...ending, count: 1, share: 0, twin: -1 });
+    else motions.push({ ...ending, count: 1, twin: -1 });
   };
   for (const ending of endings) {
     add(ending);
@@ -163,7 +163,6 @@ export function coexistingOf(endings) {
   motions.sort((one, other) => places.indexOf(one.kind) - places.indexOf(other.kind)
     || one.period - other.period || one.from - other.from);
   motions.forEach((motion) => {
-    motion.share = motion.count / (2 * endings.length);
     if (motion.kind !== 'unsymmetric') return;
     const image = mirrorEnding(motion);
     motion.twin = motions.findIndex((other) => other !== motion && sameEnding(other, image));
