@@ -254,7 +254,6 @@ def test_only_flags_that_are_given_count() -> None:
     assert ShakingFlags(freq_hz="2").given
     assert not BlockFlags().given
     assert BlockFlags(gravity_m_s2=9.8).given
-    assert BlockFlags(left_m=0.1, gyration_m=0.2).asymmetric == {"left": 0.1, "gyration": 0.2}
     words = str(BlockFlags(restitution="0.8,0.9").refuse_sides("they must be alike", "give one"))
     assert words.startswith("--restitution/-r makes a block whose sides differ: ")
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any
 
 from rocksteady.cli.console import terminal
@@ -32,6 +32,8 @@ FASTER = 5
 """How many times faster long maps and basins are in the linear model, rounded."""
 LENGTHS = ("width", "height", "radius")
 """Measures in metres."""
+EDGES = ("left", "right", "mass_centre_height", "gyration")
+"""Measures of a block with its mass centre off the middle."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -207,6 +209,59 @@ def _felt(
     return Harmonic.from_si(block, acceleration_m_s2=acceleration_m_s2, frequency_hz=hertz)
 
 
+def _off_centre(*, width: float, height: float, offset: float = 0.0, **others: Any) -> Block:
+    """Return the block of --width-m and --height-m with its mass off the middle."""
+    length("give the full width in metres")("width", width)
+    half = 0.5 * width
+    hint = "give metres from the middle of the base, positive to the right"
+    in_range("--offset-m", offset, -half, half, "()", hint=hint)
+    return Block.asymmetric(left=half + offset, right=half - offset, height=height, **others)
+
+
+WAYS: tuple[tuple[set[str], set[str], Callable[..., Block]], ...] = (
+    ({"name"}, set(), Block.named),
+    ({"width", "height"}, set(), Block.rectangle),
+    ({"width", "height", "offset"}, {"mass_centre_height", "gyration"}, _off_centre),
+    ({"width", "height", "mass_centre_height"}, {"gyration"}, _off_centre),
+    ({"left", "right", "height"}, {"mass_centre_height", "gyration"}, Block.asymmetric),
+    ({"alpha", "radius"}, set(), Block.from_radius),
+    ({"alpha", "p"}, set(), Block.from_p),
+)
+"""Ways to describe a block: the measures that one needs, those it may have, and what makes it."""
+
+
+def _build(name: str | None, measures: dict[str, list[float]], **others: Any) -> Block:
+    """Return the block that a name or measures describe.
+
+    Raises
+    ------
+    InputError
+        If a measure is an axis, or outside its range.
+    FlagError
+        If no way to describe a block has these measures.
+    """
+    flags = {measure: FLAG_OF_ARGUMENT.get(measure, f"--{measure}-m") for measure in measures}
+    values: dict[str, Any] = {
+        measure: single(flags[measure], axis) for measure, axis in measures.items()
+    }
+    if name is not None:
+        flags, values = {"name": "--block"} | flags, values | {"name": name}
+    for edge in EDGES if name is None else ():
+        if edge in values:  # the width that follows has no flag
+            in_range(edge, values[edge], 0.0, LARGEST, hint="give a distance in metres, as 0.3")
+    for needed, optional, make in WAYS:
+        if needed <= values.keys() <= needed | optional:
+            return make(**values, **others)
+    raise FlagError(
+        finding=f"no block is described by {' '.join(flags.values())} alone",
+        valid="it is described by --width-m with --height-m (and --offset-m, "
+        "--mass-centre-height-m), by --alpha-rad with "
+        "--radius-m, by --alpha-rad with --p-rad-s, by --left-m and --right-m with "
+        "--height-m, or by --block alone",
+        hint="give one of these pairs, or the three",
+    )
+
+
 @dataclass(frozen=True, kw_only=True)
 class BlockFlags:
     """A block, or its restitution alone."""
@@ -288,10 +343,7 @@ class BlockFlags:
             return self._against_wall()
         if self.columns is not None or self.cap_mass_ratio is not None:
             return self._framed()
-        gravity = STANDARD_GRAVITY if self.gravity_m_s2 is None else self.gravity_m_s2
-        given = [FLAG_OF_ARGUMENT[name] for name in (*self.sizes, *self.asymmetric)]
-        given += [] if self.offset_m is None else ["--offset-m"]
-        if not given and self.block is None:
+        if self.block is None and not self._measures:
             refuse(
                 {"--gravity-m-s2": self.gravity_m_s2},
                 "without a block gravity has no meaning",
@@ -301,20 +353,11 @@ class BlockFlags:
             return DimensionlessBlock(restitution=first, negative_restitution=second)
         ratio = restitution_from(self.restitution, default="housner")
         pair = Impacts.of(ratio).pair
-        make = self._maker()
-        if make is None:
-            flags_given = " ".join(["--block", *given] if self.block is not None else given)
-            raise FlagError(
-                finding=f"no block is described by {flags_given} alone",
-                valid="it is described by --width-m with --height-m (and --offset-m, "
-                "--mass-centre-height-m), by --alpha-rad with "
-                "--radius-m, by --alpha-rad with --p-rad-s, by --left-m and --right-m with "
-                "--height-m, or by --block alone",
-                hint="give one of these pairs, or the three",
-            )
+        gravity = STANDARD_GRAVITY if self.gravity_m_s2 is None else self.gravity_m_s2
+        impacts: dict[str, Any] = {"restitution": ratio if pair is None else pair[0]}
         if self.block is not None and self.restitution is None:
-            return make(gravity=gravity)  # with the restitution of its source
-        block = make(restitution=ratio if pair is None else pair[0], gravity=gravity)
+            impacts = {}  # those of its source
+        block = _build(self.block, self._measures, gravity=gravity, **impacts)
         return block if pair is None else block.with_restitution(pair)
 
     def _check_lengths(self) -> None:
@@ -325,15 +368,12 @@ class BlockFlags:
         InputError
             With the flag, if a size is above 50 m.
         """
-        lengths = {
-            name: (axis[0], axis[-1]) for name, axis in self.sizes.items() if name in LENGTHS
-        }
-        lengths |= {name: (value, value) for name, value in self.asymmetric.items()}
-        for name, ends in lengths.items():
-            for end in ends:
+        for name in (*LENGTHS, *EDGES):
+            values = self._measures.get(name, [])
+            for end in values[:1] + values[-1:]:
                 if end > TALL:
                     raise InputError(
-                        FLAG_OF_ARGUMENT.get(name, name),
+                        FLAG_OF_ARGUMENT[name],
                         end,
                         f"a size here is at most {TALL:g} m",
                         f"{METRES}, or describe a larger block by --alpha-rad and --p-rad-s",
@@ -370,43 +410,6 @@ class BlockFlags:
             restitution=restitution_from(self.restitution, default="housner"),
         )
 
-    def _maker(self) -> Callable[..., Block] | None:
-        """Return what makes the block of a restitution; None where the sizes describe none."""
-        sizes = {name: single(FLAG_OF_ARGUMENT[name], self.sizes[name]) for name in self.sizes}
-        if self.block is not None:
-            named = not sizes and not self.asymmetric and self.offset_m is None
-            return partial(Block.named, self.block) if named else None
-        edges = self.asymmetric
-        for name, value in edges.items():  # the width that follows has no flag
-            in_range(name, value, 0.0, LARGEST, hint="give a distance in metres, as 0.3")
-        moved = self.offset_m is not None or "mass_centre_height" in edges
-        if moved and tuple(sizes) == ("width", "height") and not {"left", "right"} & edges.keys():
-            return self._off_centre(**sizes)
-        makers: dict[tuple[str, ...], Callable[..., Block]] = {
-            ("width", "height"): Block.rectangle,
-            ("alpha", "radius"): Block.from_radius,
-            ("alpha", "p"): Block.from_p,
-        }
-        if edges or moved:
-            whole = {"left", "right"} <= edges.keys() and self.offset_m is None
-            makers = {("height",): Block.asymmetric} if whole else {}
-        make = makers.get(tuple(sizes))
-        return None if make is None else partial(make, **sizes, **edges)
-
-    def _off_centre(self, width: float, height: float) -> Callable[..., Block]:
-        """Return what makes a block of --width-m and --height-m, its mass off the middle."""
-        length("give the full width in metres")("width", width)
-        half, offset = 0.5 * width, self.offset_m or 0.0
-        hint = "give metres from the middle of the base, positive to the right"
-        in_range("--offset-m", offset, -half, half, "()", hint=hint)
-        return partial(
-            Block.asymmetric,
-            left=half + offset,
-            right=half - offset,
-            height=height,
-            **self.asymmetric,
-        )
-
     def refuse_sides(self, valid: str, hint: str) -> FlagError:
         """Return the error of a block whose sides differ, with the flags that make them differ."""
         if self.one_sided:
@@ -421,16 +424,11 @@ class BlockFlags:
         finding = f"{flags_given} {verb} a block whose sides differ"
         return FlagError(finding=finding, valid=valid, hint=hint)
 
-    @property
-    def asymmetric(self) -> dict[str, float]:
-        """The measures that are given of a block with its mass centre off the middle."""
-        values = {
-            "left": self.left_m,
-            "right": self.right_m,
-            "mass_centre_height": self.mass_centre_height_m,
-            "gyration": self.gyration_m,
-        }
-        return {name: value for name, value in values.items() if value is not None}
+    @cached_property
+    def _measures(self) -> dict[str, list[float]]:
+        """All measures that are given, each an axis or one value."""
+        numbers = {name: getattr(self, f"{name}_m") for name in (*EDGES, "offset")}
+        return self.sizes | {name: [value] for name, value in numbers.items() if value is not None}
 
     @cached_property
     def sizes(self) -> dict[str, list[float]]:
