@@ -24,7 +24,7 @@ from rocksteady.histories import Trajectory
 from rocksteady.model.motions.segments import Motion
 from tests.cli.program import rocksteady
 from tests.descriptions import as_json, fits
-from tests.dynamics.history.test_physical import GROUND, LIFT
+from tests.dynamics.history.test_trajectory_quantities import GROUND, LIFT
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)

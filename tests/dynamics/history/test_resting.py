@@ -18,7 +18,7 @@ from rocksteady.dynamics.history import base_motion
 from rocksteady.errors import ModelError
 from rocksteady.histories import Trajectory
 from rocksteady.motions import Segment
-from tests.dynamics.history.test_physical import GROUND, LIFT
+from tests.dynamics.history.test_trajectory_quantities import GROUND, LIFT
 
 RECTANGLE = Block.rectangle(width=0.4, height=1.2)
 SKEWED = Block.asymmetric(left=0.1, right=0.4, height=1.2)
