@@ -8,7 +8,6 @@ list where each name is defined; a name is imported when it is first used, so th
 
 import lazy_loader
 
-from rocksteady.results.gridded import use_describers
 from rocksteady.results.result import use_plots, use_words
 
 __version__ = "0.1.0"
@@ -105,6 +104,10 @@ use_plots(
 )
 use_words(
     {
+        "rocksteady.certify.proof_words": ("Certificate", "CheckedCertificate", "ProvedRegion"),
+        "rocksteady.facades.check_words": (
+            *("DescribedFacade", "FacadeCheck", "FacadeRuns", "Mechanism"),
+        ),
         "rocksteady.words.assessment": ("Assessment",),
         "rocksteady.words.attractors": ("Attractor", "AttractorSweep", "Attractors"),
         "rocksteady.words.back_analysis": ("BackAnalysis", "Survey"),
@@ -114,12 +117,15 @@ use_words(
         "rocksteady.words.basin_shares": ("BasinFamily", "BasinShares"),
         "rocksteady.words.basins": ("BasinAttractor", "BasinShare", "Basins"),
         "rocksteady.words.bifurcation_curves": ("BifurcationCurve", "BifurcationCurves"),
+        "rocksteady.words.blocks": ("Block", "DimensionlessBlock"),
         "rocksteady.words.branches": ("Branch", "BranchPoint", "Cascade"),
         "rocksteady.words.calibration": ("Calibration", "Posterior", "StoredPosterior"),
         "rocksteady.words.diagrams": ("Bifurcation", "BifurcationDiagram"),
         "rocksteady.words.edges": ("EdgeState", "HilltopSaddle", "Manifold"),
         "rocksteady.words.fragility": ("Fragility", "FragilityCurve", "StateFragility"),
+        "rocksteady.words.gridded": ("Gridded",),
         "rocksteady.words.hazard": ("HazardBranchCheck", "HazardCurve", "Risk"),
+        "rocksteady.words.installation": ("Installation",),
         "rocksteady.words.kicks": ("FatalKicks",),
         "rocksteady.words.motions": ("DescribedMotion",),
         "rocksteady.words.neighbours": ("Neighbours",),
@@ -132,6 +138,7 @@ use_words(
         "rocksteady.words.overturning_scales": ("OverturningScales",),
         "rocksteady.words.predictions": ("Predictions", "Scores", "Validation"),
         "rocksteady.words.records": ("IntegratedRecord", "Measures", "ResponseSpectrum"),
+        "rocksteady.words.recordings": ("RecordSet", "Recording"),
         "rocksteady.words.resting": ("RestingBranch", "RestingBranches", "RestingPoint"),
         "rocksteady.words.restitution": ("RestitutionFit",),
         "rocksteady.words.safe_basins": ("Erosion", "FateBasins", "FateShare", "IntegrityDrop"),
@@ -140,19 +147,5 @@ use_words(
             *("RegionBoundaries", "RegionMap", "ResponseCurve", "SteadyOrbit", "SteadyStates"),
         ),
         "rocksteady.words.trajectory": ("Trajectory",),
-    }
-)
-use_describers(
-    {
-        "attractor map": ({"kind", "period", "after"}, "rocksteady.words.maps"),
-        "fate map": ({"fate", "cycles"}, "rocksteady.words.maps"),
-        "rocking ensemble": (
-            {"status", "peak_angle", "uplift_time_s"},
-            "rocksteady.words.ensembles",
-        ),
-        "rocking spectrum": (
-            {"status", "peak_angle", "peak_velocity"},
-            "rocksteady.words.spectra",
-        ),
     }
 )

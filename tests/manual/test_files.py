@@ -14,8 +14,8 @@ import pytest
 
 import rocksteady as rs
 from rocksteady.errors import InputError, RocksteadyError
-from rocksteady.facades.checks._facade_schema import FILE as FACADE_FILE
 from rocksteady.facades.checks.actions import BOUNDS as FACADE_BOUNDS
+from rocksteady.facades.checks.facade_schema import FILE as FACADE_FILE
 from rocksteady.facades.checks.spectrum_table import COLUMNS as SPECTRUM_COLUMNS
 from rocksteady.model.blocks.sizes import TALL
 from rocksteady.records.core.units import UNITS

@@ -19,8 +19,8 @@ from matplotlib.axes import Axes
 
 import rocksteady as rs
 from rocksteady.results import result as results
-from rocksteady.results.gridded import described, describers, kind_of
 from rocksteady.results.result import Result
+from rocksteady.sweep.cases.accessor import KINDS, kind_of
 from tests.every import every
 from tests.public.things import things
 from tools.namespace import THINGS
@@ -87,7 +87,8 @@ def test_json_holds_the_values_of_every_result(made: dict[str, Any]) -> None:
 def test_a_table_of_any_result_that_is_cut_keeps_its_worst_rows(made: dict[str, Any]) -> None:
     ranked, counted = set(), set()
     for name, result in made.items():
-        content = described(result) if isinstance(result, xr.Dataset) else None
+        known = isinstance(result, xr.Dataset) and kind_of(result)
+        content = result.rocksteady.describe() if known else None
         if isinstance(result, Result):
             content = result.describe()
         for whole in content.tables if content else ():
@@ -274,7 +275,7 @@ def test_every_result_of_which_there_is_a_picture_draws_it_without_an_argument(
     kind: str, drawable: dict[str, Any]
 ) -> None:
     thing = drawable[kind]
-    axes = thing.rocksteady.plot() if kind in describers else thing.plot()
+    axes = thing.rocksteady.plot() if kind in KINDS else thing.plot()
     try:
         assert isinstance(axes, Axes)
         assert axes.has_data()

@@ -11,7 +11,7 @@ import xarray
 from rocksteady import Block, Status, compute_rocking_spectrum, simulate_many
 from rocksteady.measures import compute_suite_spectrum
 from rocksteady.results.rendering import as_text
-from rocksteady.words.spectra import _course, _severity, describe, shortened
+from rocksteady.words.spectra import _course, _severity, describe_spectrum, shortened
 from tests.every import every
 from tests.seismic.grounds import ground
 
@@ -25,7 +25,7 @@ def spectrum_of(records: int) -> xarray.Dataset:
 
 
 def test_there_is_a_row_a_cell() -> None:
-    values = describe(spectrum_of(2)).to_dict()
+    values = describe_spectrum(spectrum_of(2)).to_dict()
     assert values["cells"] == len(values["values"]) == 2 * 3 * 2
     for row in values["values"]:
         place = {"record": row["record"], "alpha": row["alpha_rad"], "period": row["period_s"]}
@@ -43,8 +43,8 @@ def test_there_is_a_row_a_cell() -> None:
 
 
 def test_a_suite_has_a_row_a_block_and_a_single_record_none() -> None:
-    assert "suite" not in describe(spectrum_of(1)).to_dict()
-    values = describe(spectrum_of(2)).to_dict()
+    assert "suite" not in describe_spectrum(spectrum_of(1)).to_dict()
+    values = describe_spectrum(spectrum_of(2)).to_dict()
     assert len(values["suite"]) == 3 * 2
     for row in values["suite"]:
         fell = [
@@ -60,7 +60,7 @@ def test_a_suite_has_a_row_a_block_and_a_single_record_none() -> None:
 @pytest.mark.parametrize("scales", [None, [1.0, 2.0]])
 def test_a_row_has_a_scale_where_there_are_several(scales: list[float] | None) -> None:
     suite = [ground(1), ground(2, name="other")]
-    values = describe(
+    values = describe_spectrum(
         compute_rocking_spectrum(suite, alpha=0.1, periods_s=1.0, scales=scales)
     ).to_dict()
     for rows, each in ((values["values"], 2), (values["suite"], 1)):
@@ -80,7 +80,7 @@ def test_a_name_is_shortened_in_its_middle_to_the_length_allowed(most: int) -> N
 
 def test_the_table_has_a_row_a_size_and_a_column_a_slenderness() -> None:
     spectrum = spectrum_of(1)
-    text = as_text(describe(spectrum))
+    text = as_text(describe_spectrum(spectrum))
     assert max(map(len, text.splitlines())) <= 80
     *_, heading, first, second = text.splitlines()
     assert all(f"{math.degrees(alpha):.3g}°" in heading for alpha in ALPHA)
@@ -100,7 +100,7 @@ def test_the_table_has_a_row_a_size_and_a_column_a_slenderness() -> None:
 def test_the_answer_has_the_size_of_the_largest_block_that_falls() -> None:
     spectrum = compute_rocking_spectrum(ground(1, 9.0), alpha=ALPHA, periods_s=PERIODS)
     fell = (spectrum.status == int(Status.OVERTURNED)).to_numpy()
-    said = describe(spectrum)
+    said = describe_spectrum(spectrum)
     words = r"of ([\d.]+)° fall .* 2 pi/p = ([\d.]+) s \(([\d.]+) x ([\d.]+) m\)"
     found = re.search(words, said.sentence)
     assert found is not None, said
@@ -120,7 +120,7 @@ def test_rows_are_ranked_by_falls_and_then_by_medians() -> None:
 
 
 def test_the_table_of_a_suite_has_medians_and_shares() -> None:
-    text = as_text(describe(spectrum_of(3)))
+    text = as_text(describe_spectrum(spectrum_of(3)))
     assert max(map(len, text.splitlines())) <= 80
     assert "median of the largest" in text
     summary = compute_suite_spectrum(spectrum_of(3))
@@ -137,7 +137,7 @@ def test_of_many_blocks_those_that_fall_are_shown_first() -> None:
         spectrum = compute_rocking_spectrum(
             grounds, alpha=np.linspace(0.1, 0.3, columns), periods_s=periods
         )
-        described = describe(spectrum)
+        described = describe_spectrum(spectrum)
         assert len(described.to_dict()["values"]) == spectrum["status"].size
         lines = as_text(described).splitlines()
         assert max(map(len, lines)) <= 80
@@ -159,7 +159,7 @@ def test_of_many_blocks_those_that_fall_are_shown_first() -> None:
 def test_blocks_of_given_sizes_have_an_answer_for_several_records(scale: float) -> None:
     blocks = [Block.rectangle(width=width, height=1.1) for width in (0.3, 0.45)]
     cells = simulate_many(blocks, [ground(1), ground(2, name="other")], scales=scale)
-    answer = describe(cells)
+    answer = describe_spectrum(cells)
     fell = (cells["status"] == int(Status.OVERTURNED)).sum("record").values.ravel()
     shares = [f"falls in {count} of 2 records" if count else "stands" for count in fell]
     rows = {fact[0]: str(fact[1]) for fact in answer.screen}
@@ -170,10 +170,10 @@ def test_blocks_of_given_sizes_have_an_answer_for_several_records(scale: float) 
 def test_the_headline_names_what_is_not_the_default() -> None:
     plain = spectrum_of(1)
     words = "Rocking spectrum: hut-0, Housner's restitution, nonlinear"
-    assert describe(plain).headline == words
+    assert describe_spectrum(plain).headline == words
     other = plain.assign_attrs(direction="reversed", vertical="up", restitution=0.85)
     other = other.assign_coords(scale=1.5)
-    assert describe(other).headline == (
+    assert describe_spectrum(other).headline == (
         "Rocking spectrum: hut-0 and vertical, scaled by 1.5, reversed, restitution 0.85, nonlinear"
     )
 
@@ -182,7 +182,7 @@ def test_runs_of_many_blocks_have_their_levels() -> None:
     blocks = [Block.rectangle(width=0.4, height=height) for height in (1.2, 1.6)]
     suite = [ground(1), ground(2, name="other")]
     result = simulate_many(blocks, suite, pga_g=[0.3, 0.6], reverse="both")
-    values = describe(result).to_dict()
+    values = describe_spectrum(result).to_dict()
     assert len(values["values"]) == 16
     for row in values["values"]:
         cell = result.sel(
@@ -193,9 +193,9 @@ def test_runs_of_many_blocks_have_their_levels() -> None:
         assert row["height_m"] == pytest.approx(float(cell.height))
     assert values["scale"] is None
     assert len(values["suite"]) == 8
-    assert "both directions" in describe(result).headline
+    assert "both directions" in describe_spectrum(result).headline
     leaning = Block.asymmetric(left=0.2, right=0.3, height=1.8)
-    single = describe(simulate_many(leaning, ground()))
+    single = describe_spectrum(simulate_many(leaning, ground()))
     assert len(single.to_dict()["values"]) == 1
     assert "peak_rad" not in single.to_dict()["values"][0]
     assert "1 block" in single.headline
@@ -217,7 +217,7 @@ def test_a_list_has_a_column_for_what_differs() -> None:
             ["width", "height", "PGA [g]", "scale"],
         ),
     ):
-        table = describe(simulate_many(blocks, **given)).tables[-1]
+        table = describe_spectrum(simulate_many(blocks, **given)).tables[-1]
         assert [column.heading for column in table.columns] == [*expected, "peak"], expected
 
 

@@ -15,8 +15,6 @@ from rocksteady.errors import InputError, with_call_errors
 from rocksteady.installation._recorded import Call, Difference, differences, loaded, replayed
 from rocksteady.kernels.machine_code.types import signature_of
 from rocksteady.leaves import NO_GPU, import_if_present
-from rocksteady.results.description import Description, Fact, Table, line
-from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result, read_only
 
 RECORDED = Path(__file__).parent / "recorded-calls.bin.gz"
@@ -51,11 +49,6 @@ class KernelCheck:
     def equal(self) -> bool:
         """Whether every value is the recorded one."""
         return self.first_difference is None
-
-
-FOLLOW_UP = "rocksteady simulate --width-m 0.6 --height-m 2 --start 0.6,0"
-"""First command to run on a sound installation."""
-RUNNERS = {"library": "library, compiled ahead of time", "python": "plain Python, not compiled"}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -114,86 +107,6 @@ class Installation(Result):
     def differing(self) -> int:
         """Number of values that differ."""
         return sum(check.differing for check in self.checks)
-
-    def describe(self) -> Description:
-        """Return what runs the kernels, and the kernels that differ."""
-        wrong = [check for check in self.checks if not check.equal]
-        verdict = "all equal, bit for bit"
-        if wrong:
-            verdict = (
-                f"{self.differing:,} values of {plural(len(wrong), 'kernel')} differ; the other "
-                f"{plural(len(self.checks) - len(wrong), 'kernel')} equal"
-            )
-        library = None if self.library is None else str(self.library)
-        runs_on = f"Python {self.versions['python']}, NumPy {self.versions['numpy']}"
-        level = f"CPU level {self.cpu_level or 'unknown'}"
-        repeated = (
-            f"{plural(self.calls, 'recorded call')} of {plural(len(self.checks), 'kernel')}, "
-            f"{self.values:,} values"
-        )
-        facts = (
-            Fact("equal", self.equal),
-            Fact("", None, "rocksteady", str(self.versions["rocksteady"])),
-            Fact("versions", self.versions, "runs on", runs_on),
-            Fact("system", self.system, "system", f"{self.system}, {level}"),
-            Fact("cpu_level", self.cpu_level),
-            Fact("kernels", self.kernels, "kernels", RUNNERS[self.kernels]),
-            Fact("sources", self.sources, "sources"),
-            Fact("target", self.target, "target" if library else ""),
-            Fact("library", library, "library" if library else ""),
-            Fact("gpu", self.gpu, "GPU", self.gpu or f"none: {self.no_gpu}"),
-            Fact("no_gpu", self.no_gpu),
-            Fact("calls", self.calls),
-            Fact("values", self.values, "repeated", repeated),
-            Fact("differing", self.differing),
-        )
-        rows = [
-            {
-                "kernel": check.name,
-                "equal": check.equal,
-                "calls": check.calls,
-                "values": check.values,
-                "differing": check.differing,
-                "first_difference": check.first_difference,
-            }
-            for check in self.checks
-        ]
-        notes = tuple(
-            f"{check.name}: {check.differing:,} of {check.values:,} values differ; the first in\n"
-            f"  {check.first_difference}"
-            for check in wrong
-        )
-        return Description(
-            verdict,
-            [*self._screen(runs_on), *facts],
-            (Table("checks", rows),),
-            notes,
-            self._sentence(len(wrong)),
-            follow_up="rocksteady doctor --more" if wrong else FOLLOW_UP,
-        )
-
-    def _sentence(self, wrong: int) -> str:
-        """Return whether every value is the recorded one."""
-        sentence = (
-            f"All {self.values:,} recorded values agree bit for bit: this installation is sound."
-        )
-        if wrong:
-            sentence = (
-                f"{self.differing:,} of {self.values:,} recorded values differ, in "
-                f"{plural(wrong, 'kernel')}: this installation is faulty."
-            )
-        if not self.checks:
-            sentence = "No answer yet: no recorded call was repeated."
-        return sentence
-
-    def _screen(self, runs_on: str) -> list[Fact]:
-        """Return what computes here, and what differs."""
-        return [
-            line("runs on", f"{runs_on}, {self.cpu_level or self.system}"),
-            line("kernels", RUNNERS[self.kernels]),
-            line("GPU", self.gpu or f"none: {self.no_gpu}"),
-            line("differing", ", ".join(each.name for each in self.checks if not each.equal)),
-        ]
 
 
 @with_call_errors

@@ -6,18 +6,14 @@ Networks publish them as three files or as one, and not always of one length or 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from os import PathLike
-from pathlib import Path
 from typing import Final, Literal
 
 from rocksteady.errors import InputError, Words
-from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.records.core.directions import TAIL, direction
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.read import read_recordings
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 
 _SQUARE: Final = 1.0
@@ -78,41 +74,6 @@ class RecordSet(Result):
         if len(starts) < len(self.recordings):
             return (0.0,) * len(self.recordings)
         return tuple((start - min(starts)).total_seconds() for start in starts)
-
-    def describe(self) -> Description:
-        """Return the channels, and what keeps them from being used together."""
-        rows = [
-            {
-                "place": place,
-                "file": str(each.path),
-                "component": each.component,
-                "azimuth_deg": each.azimuth_deg,
-                "npts": len(each.record.acceleration_m_s2),
-                "dt_s": each.record.dt_s,
-                "pga_m_s2": each.record.peak_acceleration_m_s2,
-            }
-            for place, channels in (
-                ("horizontal", self.horizontal),
-                ("vertical", () if self.vertical is None else (self.vertical,)),
-                ("other", self.other),
-            )
-            for each in channels
-        ]
-        columns = [
-            Column("place", "channel", left=True),
-            Column("file", "file", lambda file: Path(file).name, left=True),
-            Column("component", "component", left=True),
-            Column("npts", "samples"),
-            Column("dt_s", "dt [s]", lambda value: f"{value:g}"),
-            Column("pga_m_s2", "PGA [g]", lambda value: number(value / STANDARD_GRAVITY)),
-        ]
-        return Description(
-            headline=f"{self.name}: {plural(len(self.horizontal), 'horizontal channel')}, "
-            + ("no vertical one" if self.vertical is None else "a vertical one"),
-            facts=[Fact("name", self.name), Fact("warnings", list(self.warnings))],
-            tables=[Table("recordings", rows, columns)],
-            notes=self.warnings,
-        )
 
     def motions(self) -> tuple[BaseMotion, ...]:
         """Return a base motion for each horizontal channel, with the vertical one beside it.

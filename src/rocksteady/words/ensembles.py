@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-def describe(dataset: "xarray.Dataset") -> Description:
+def describe_ensemble(dataset: "xarray.Dataset") -> Description:
     """Describe an ensemble.
 
     Parameters

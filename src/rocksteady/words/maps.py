@@ -37,7 +37,7 @@ FEW = 1e-3
 START = ("start", "branch", "order", "side", "kick", "angle", "velocity")
 
 
-def describe(dataset: "Labelled") -> Description:
+def describe_map(dataset: "Labelled") -> Description:
     """Return the cells of each class of a map, its grid, and what is no axis."""
     fates = "fate" in dataset
     name = "fate" if fates else "kind"

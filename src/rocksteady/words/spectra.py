@@ -46,7 +46,7 @@ MEASURES = {
 """Coordinates of a block, and their keys."""
 
 
-def describe(dataset: "Labelled") -> Description:
+def describe_spectrum(dataset: "Labelled") -> Description:
     """Describe rocking spectra, or the runs of many blocks.
 
     Parameters

@@ -24,7 +24,6 @@ from rocksteady import (
 from rocksteady.errors import InputError, ModelError
 from rocksteady.measures import compute_measure
 from rocksteady.model.equations import Linear
-from rocksteady.results.gridded import described
 from rocksteady.risk import Levels, RestitutionBand, Ways, count_fragility
 from rocksteady.risk.ensemble.qualification import FORCES, SHARE
 from tests.every import every
@@ -150,8 +149,7 @@ def test_forces_of_a_mass_are_those_of_each_time_history() -> None:
         got = [float(cell[name]) for name in FORCES]
         assert got == pytest.approx(forces, rel=1e-9 * run.growth, nan_ok=True)
     assert finite > 10
-    description = described(found.isel(level=[1]))
-    assert description is not None
+    description = found.isel(level=[1]).rocksteady.describe()
     (row,) = description.tables[0].rows
     known = found["base_force_down_kn"].isel(level=1).values
     assert row["base_force_down_kn"] == np.quantile(known[np.isfinite(known)], SHARE)
@@ -295,8 +293,7 @@ def test_blocks_of_an_ensemble_keep_their_gravity_when_some_are_taken() -> None:
 
 
 def test_an_ensemble_describes_itself() -> None:
-    found = described(ensemble())
-    assert found is not None
+    found = ensemble().rocksteady.describe()
     assert found.headline.startswith("Ensemble: 3 blocks, 3 records at 3 levels")
     values = found.to_dict()
     assert values["runs"] == 96

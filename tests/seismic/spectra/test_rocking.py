@@ -23,7 +23,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.pulses import Pulse
-from rocksteady.words.spectra import describe as described
+from rocksteady.words.spectra import describe_spectrum
 from tests.every import every
 from tests.records import ABSENT, FOLDER, peer
 from tests.records.published import AT_PACOIMA_DAM, PEAKS
@@ -80,7 +80,7 @@ def test_a_spectrum_against_a_wall_is_named_and_refused_where_no_wall_turns_a_bl
         ground(), alpha=0.2, periods_s=[2.0, 3.0], restitution=("wall", 0.4)
     )
     assert found.attrs["one_sided"] == 1
-    assert "against a wall" in described(found).headline
+    assert "against a wall" in describe_spectrum(found).headline
     assert found.attrs["restitution"] == 0.4
     with pytest.raises(InputError, match="not turned back by a wall"):
         compute_rocking_spectrum(

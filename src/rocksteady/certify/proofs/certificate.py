@@ -15,7 +15,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.equations import Linear, Model
-from rocksteady.results.description import Description, Fact, line
+from rocksteady.results.description import Fact
 from rocksteady.results.result import Result
 
 FORMAT = "rocking-certificate/1"
@@ -102,25 +102,6 @@ class Certificate(Result):
         values = {"format": FORMAT, "kind": self.kind, "model": model, "bits": self.bits}
         values |= self.content
         return json.dumps(values, indent=1, default=dict) + "\n"
-
-    def describe(self) -> Description:
-        """Return the claim, the verdict, and what is known beside it."""
-        headline = f"{self.verdict}: {self.claim}"
-        why = f"{headline}; {self.reason}" if self.reason else headline
-        shown = [line(fact.label, fact.words) for fact in self.facts if fact.label]
-        facts = [
-            *shown[:4],
-            line("holds for", f"{meaning(self.model)}; linear equations"),
-            Fact("proved", self.proved, "proved"),
-            Fact("verdict", self.verdict),
-            Fact("claim", self.claim, "claim"),
-            Fact("reason", self.reason, "reason" if self.reason else ""),
-            Fact("bits", self.bits, "bits"),
-            *self.facts,
-            Fact("numbers", {name: list(texts) for name, texts in self.model.items()}),
-        ]
-        notes = [meaning(self.model)] if self.proved else []
-        return Description(headline, facts, notes=notes, sentence=why[:1].upper() + why[1:])
 
 
 def meaning(model: Mapping[str, Stated]) -> str:

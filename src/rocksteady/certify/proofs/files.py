@@ -22,7 +22,6 @@ from rocksteady.certify.proofs.certificate import FORMAT, NAMES, place
 from rocksteady.certify.proofs.region import WORDS, Arithmetic, Leaves, region_from
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 from rocksteady.small_files import content_of
@@ -68,23 +67,6 @@ class CheckedCertificate(Result):
     def holds(self) -> bool:
         """Whether all of the certificate holds."""
         return self.verdict == HOLDS
-
-    def describe(self) -> Description:
-        """Return the verdict and the reason."""
-        headline = f"the certificate {'holds' if self.holds else f'is {self.verdict}'}: {self.kind}"
-        if self.verdict == SAMPLED:
-            headline = f"sampled, and not refuted: {self.kind}"
-        further = "; ".join(filter(None, (self.reason or self.claim, self.coverage)))
-        sentence = f"{headline}; {further}" if further else headline
-        facts = [
-            Fact("holds", self.holds, "holds"),
-            Fact("kind", self.kind, "kind"),
-            Fact("verdict", self.verdict, "verdict"),
-            Fact("reason", self.reason, "reason" if self.reason else ""),
-            Fact("claim", self.claim, "claim" if self.claim else ""),
-            *([Fact("coverage", self.coverage, "checked")] if self.coverage else []),
-        ]
-        return Description(headline, facts, sentence=sentence[:1].upper() + sentence[1:])
 
 
 @checked

@@ -23,7 +23,6 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import finite, whole_number
-from rocksteady.results.description import Description, Fact, line
 from rocksteady.results.result import Result
 
 BITS = 53
@@ -272,25 +271,6 @@ class ProvedRegion(Result):
         read, whole = (sum(0.5 ** len(path) for path, _ in each) for each in (chosen, rows))
         share = f"{100.0 * read / whole:.3g} % of the area that it claims"
         return f"sampled: {len(chosen):,} of {len(rows):,} boxes checked, {share}"
-
-    def describe(self) -> Description:
-        """Return the shares of the area, and the ranges."""
-        (low, high), (slow, fast) = self.amplitude, self.frequency_ratio
-        ranges = f"A {low:.15g} to {high:.15g}, W {slow:.15g} to {fast:.15g}"
-        what = f"order {self.order}, branch 1, restitution {self.restitution[0]}"
-        headline = f"proved on {100.0 * self.decided:.2f} % of {ranges}: {what}"
-        parts = [line(words, f"{100.0 * share:.2f} %") for words, share in self.shares.items()]
-        count = sum(letter != SPLIT for letter in self.tree)
-        return Description(
-            headline,
-            [
-                Fact("decided", self.decided, "decided", f"{100.0 * self.decided:.2f} %"),
-                Fact("shares", self.shares),
-                *parts,
-                Fact("boxes", count, "boxes", f"{count:,}"),
-            ],
-            sentence=headline[:1].upper() + headline[1:],
-        )
 
 
 @checked

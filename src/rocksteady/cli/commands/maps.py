@@ -103,7 +103,7 @@ def maps(
     from rocksteady.dynamics.maps.fate_map import FATES
     from rocksteady.dynamics.maps.grid_map import map_of
     from rocksteady.sweep.cases.labelled import as_dataset
-    from rocksteady.words.maps import FEW, describe
+    from rocksteady.words.maps import FEW, describe_map
 
     with (
         sweep.running(context, run, "following motions", case.cells) as (shown, meter),
@@ -120,7 +120,7 @@ def maps(
             model=equations,
             run=shown,
         )
-    description = describe(cells)
+    description = describe_map(cells)
     values = {"computed": meter.computed, **description.to_dict(), **case.values}
     values |= {"store": run.place and str(run.place.path), "seconds": meter.seconds}
     output.write_cells(lambda: as_dataset(cells))

@@ -126,7 +126,7 @@ def spectrum(
 
     from rocksteady.seismic.spectra.many import cells_of_many
     from rocksteady.seismic.spectra.rocking import spectrum_cells
-    from rocksteady.words.spectra import describe
+    from rocksteady.words.spectra import describe_spectrum
 
     count = len(blocks) or len(slenderness) * len(periods)
     motions_run = len(motions) * count * len(recorded.scales)
@@ -141,7 +141,7 @@ def spectrum(
             cells = spectrum_cells(motions, **sizes, **common)
     cells = cells.load()
     cells.attrs["direction"] = "reversed" if recorded.reverse else "as recorded"
-    described = describe(cells)
+    described = describe_spectrum(cells)
     factor = Impacts.of(ratio).factor
     names = zip(cells["record"].values.tolist(), recorded.record or [], strict=True)
     values = {

@@ -1,35 +1,21 @@
 """Checks of a facade side by side: each limit state by each method, and why methods disagree."""
 
-import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final, Literal
 
 from rocksteady.facades.checks.facade import Facade
 from rocksteady.facades.checks.facade_demand import FacadeDemand, LimitState
 from rocksteady.facades.checks.facade_runs import FacadeRuns
-from rocksteady.facades.checks.mechanism import SHARE_SLV, Mechanism
+from rocksteady.facades.checks.mechanism import Mechanism
 from rocksteady.facades.checks.remark import Remark
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.description import Column, Description, Fact, Table, line
-from rocksteady.results.numbers import length, number, plural, quantity
 from rocksteady.results.result import Result
 
 Method = Literal["linear", "nonlinear static", "dynamic"]
 
 PAGES: Final = "272-277"
 """Pages of the circular."""
-IN_TABLE: Final = ("no_demand", "q", "mean_of_runs", "eta")
-"""Remarks that a text leaves out: its table shows them, or they follow from a formula."""
-MECHANISM: Final = (Column("name", "quantity", left=True), Column("value", "value", left=True))
-"""Columns of the table of the mechanism."""
-
-
-KEYS = (
-    "limit_state", "method", "formula", "page", "demand_name", "capacity_name", "unit", "demand",
-    "capacity", "satisfied", "remark",
-)  # fmt: skip
-"""Columns of a row of JSON and CSV."""
 
 
 @checked_result
@@ -163,7 +149,7 @@ class FacadeCheck(Result):
             else:
                 words = "satisfied" if passed else "not satisfied"
             outcomes.setdefault(words, []).append(state)
-        parts = [f"{_joined(states)} {words}" for words, states in outcomes.items()]
+        parts = [f"{enumerated(states)} {words}" for words, states in outcomes.items()]
         if self.runs is not None and not self.runs.enough:
             parts.append("no verdict by dynamic, which needs 7 records or more")
         return f"{self.facade.name}: {'; '.join(parts) or 'capacity alone, without a demand'}"
@@ -203,119 +189,6 @@ class FacadeCheck(Result):
                 remarks.append(Remark("in_line"))
         return tuple(remarks)
 
-    def describe(self) -> Description:
-        """Return the verdict, a row for each check, the mechanism, the reasons and remarks."""
-        mechanism = self.mechanism.describe()
-        rows = [_row(check) for check in self.checks]
-        shown = [
-            {
-                **row,
-                "check": check.name,
-                "compared": f"{check.demand_name} <= {check.capacity_name}",
-                "demand": _words(check, check.demand),
-                "capacity": _words(check, check.capacity),
-            }
-            for check, row in zip(self.checks, rows, strict=True)
-        ]
-        columns = [
-            Column("check", "check", left=True),
-            Column("compared", "compared", left=True),
-            Column("demand", "demand"),
-            Column("capacity", "capacity"),
-            Column("satisfied", "satisfied"),
-        ]
-        # People read the checks first: the facts are a table below them.
-        facts = [replace(fact, label="") for fact in mechanism.facts]
-        facts.append(Fact("verdict", self.sentence))
-        facts.append(Fact("ending", [each.name for each in self.facade.ending]))
-        curve = [{"displacement_m": d, "capacity_g": a} for d, a in self.mechanism.curve]
-        sizes = [
-            {"name": fact.label, "value": fact.words}
-            for fact in mechanism.facts
-            if fact.label and fact.key not in ("name", "d_slv_m", "d_slc_m")
-        ]
-        if self.runs is not None:
-            facts.append(Fact("runs", self.runs.describe().to_dict()))
-        sentence, screen, decided = self._answer()
-        return Description(
-            headline=self.verdict,
-            facts=[*screen, *facts],
-            tables=[
-                Table("checks", rows),
-                Table("", shown, columns),
-                Table("", sizes, MECHANISM, title="Mechanism"),
-                Table("capacity_curve", curve),
-            ],
-            notes=[*map(str, self.reasons), *self._of_checks(), *map(str, self.remarks)],
-            sentence=sentence,
-            rows=decided,
-        )
-
-    def _answer(self) -> tuple[str, list[Fact], list[tuple[str, str]]]:
-        """Return the verdict, the checks, and runs beyond d0."""
-        decided = [check for check in self.checks if check.satisfied is not None]
-        decided.sort(key=lambda check: (check.satisfied is True, -_ratio(check)))
-        sentence = self.verdict
-        if not decided:
-            sentence = "No answer yet: no check has a demand, capacity alone is known"
-        refused = [
-            str(remark)
-            for check in self.checks
-            for remark in check.remarks
-            if check.satisfied is None and remark.key == "weak_records"
-        ]
-        sentence += "; no verdict by runs" if refused and decided else ""
-        if self.runs is not None and self.runs.refusal is not None:
-            refused = [self.runs.refusal]
-        facts = [line("runs", " ".join(refused))]
-        if self.runs is not None and self.runs.beyond:
-            records = plural(len(self.runs.records), "record")
-            facts.append(line("beyond d0", f"runs under {len(self.runs.beyond)} of {records}"))
-        if self.runs is None:
-            d0, slv = length(self.mechanism.d0_m), length(self.mechanism.d_slv_m)
-            facts.append(line("d0", f"{d0}, and d_SLV = {SHARE_SLV:g} d0 = {slv}"))
-        open_states = {each.limit_state: None for each in self.checks if each.satisfied is None}
-        missing = _joined([each for each in open_states if each not in self.states])
-        facts.append(line("no demand", f"for {missing}" if missing else ""))
-        facts.append(line("not counted", ", ".join(each.name for each in self.facade.ending)))
-        rows = [(each.name, self._compared(each)) for each in decided]
-        return f"{sentence}.", facts, rows
-
-    def _compared(self, check: LimitStateCheck) -> str:
-        """Return demand and capacity of a check with their names and their ratio."""
-        if check.demand == math.inf:
-            return f"beyond d0 = {length(self.mechanism.d0_m)}: not satisfied"
-        demand = f"{check.demand_name} {_words(check, check.demand)}"
-        capacity = f"{check.capacity_name} {_words(check, check.capacity)}"
-        ratio = number(_ratio(check), 2)
-        return f"{demand} of {capacity} ({ratio}){'' if check.satisfied else ': not satisfied'}"
-
-    def _of_checks(self) -> Iterator[str]:
-        """Yield how demands were made, as far as the table does not show it."""
-        missing = [
-            check.limit_state
-            for check in self.checks
-            if any(remark.key == "no_demand" for remark in check.remarks)
-        ]
-        if missing:
-            yield f"No demand is given for {_joined(list(dict.fromkeys(missing)))}: capacity alone."
-        for check in self.checks:
-            words = "; ".join(str(each) for each in check.remarks if each.key not in IN_TABLE)
-            if words:
-                yield f"{check.name}: {words}."
-
-
-def _row(check: LimitStateCheck) -> dict[str, object]:
-    """Return a check as plain values."""
-    row = {key: getattr(check, key) for key in KEYS}
-    return {**row, "demand": None if check.demand == math.inf else check.demand}
-
-
-def _ratio(check: LimitStateCheck) -> float:
-    """Return demand over capacity of a check with a demand."""
-    assert check.ratio is not None
-    return check.ratio
-
 
 def _texts(*values: float) -> tuple[str, ...]:
     """Return numbers as a remark has them."""
@@ -327,15 +200,6 @@ def _listed(checks: tuple[LimitStateCheck, ...]) -> str:
     return ", ".join(check.method for check in checks)
 
 
-def _joined(names: list[str]) -> str:
+def enumerated(names: list[str]) -> str:
     """Return an enumeration."""
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
-
-
-def _words(check: LimitStateCheck, value: float | None) -> str:
-    """Return a demand or a capacity of a check as people read it."""
-    if value is None:
-        return "—"
-    if value == math.inf:
-        return "beyond d0"
-    return quantity(value, "g") if check.unit == "g" else length(value)

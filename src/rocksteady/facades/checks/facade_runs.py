@@ -1,9 +1,8 @@
 """Runs of a facade under records: the dynamic check of Circolare 2019 n. 7, C8.7.1.2.1.9."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Final, Literal
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +19,7 @@ from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
-from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import length, number, number_or_none, plural
+from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 from rocksteady.seismic.spectra.grounds import grounds_of, names_of
 from rocksteady.seismic.spectra.many import DIRECTIONS, cells_of_many
@@ -137,87 +135,6 @@ class FacadeRuns(Result):
             f"The mean of the largest displacements needs {FEWEST} records and there "
             f"{'is' if self._different == 1 else 'are'} {given}: no verdict; add records."
         )
-
-    def describe(self) -> Description:
-        """Return the mean beside its limit, and a row for each record and each run."""
-        mechanism = self.facade.mechanism
-        mean, beyond, ratio = self.mean_m, self.beyond, mechanism.block().restitution
-        limit = f"d_{self.limit_state} = {length(self.limit_m)}"
-        facts = [
-            Fact("limit_state", self.limit_state, "limit state of the records"),
-            Fact("model", self.model.name, "equations of motion"),
-            Fact("d0_m", mechanism.d0_m, "d0", length(mechanism.d0_m)),
-            Fact("limit_m", self.limit_m, "the mean may reach", limit),
-            Fact("mean_m", number_or_none(mean), "mean of the largest", _mean_words(self)),
-            Fact("beyond", list(beyond), "records beyond d0", ", ".join(beyond) or "none"),
-            Fact("satisfied", self.satisfied, "dynamic check", _verdict(self.satisfied)),
-            Fact("base_factor", mechanism.base_factor, "factor of the base acceleration"),
-            Fact("restitution", ratio, "restitution", number(ratio)),
-        ]
-        rows, runs = list(self._by_record()), list(self._by_run())
-        criterion = (
-            "Circolare 2019 n. 7, C8.7.1.2.1.9 (pp. 272-277, not checked against the printed "
-            "standard): no run "
-            f"beyond d0, and a mean of the largest displacements of at most d_{self.limit_state}; "
-            "of each record the larger of both signs counts."
-        )
-        columns = (
-            Column("record", "record", left=True),
-            Column("pga_g", "PGA [g]", number),
-            *(Column(key, f"d {key}", _length) for key in self.directions),
-            Column("share_d0", "d/d0", _share),
-        )
-        return Description(
-            headline=f"{self.facade.name}: {plural(len(self.records), 'record')}, "
-            f"{plural(len(runs), 'run')}, {_mean_words(self)}, limit {limit}",
-            facts=facts,
-            tables=[
-                Table("runs", runs),
-                Table(
-                    "records",
-                    rows,
-                    columns,
-                    title="Largest displacement of each record",
-                    severity=lambda row: math.inf if row["share_d0"] is None else row["share_d0"],
-                    kind=lambda row: BEYOND if row["beyond_d0"] else "within d0",
-                    alarm=BEYOND,
-                ),
-            ],
-            notes=[*self.remarks, criterion],
-        )
-
-    def _by_record(self) -> Any:
-        """Yield a row for each record."""
-        for place, name in enumerate(self.records):
-            signs = zip(self.directions, self.displacement_m[place].tolist(), strict=True)
-            worst = float(self.share[place].max())
-            yield {
-                "record": name,
-                "pga_g": float(self.pga_g[place]),
-                "scale": float(self.scale[place]),
-                "vertical": self.vertical[place],
-                **{sign: number_or_none(value) for sign, value in signs},
-                "largest_m": number_or_none(float(self.largest_m[place])),
-                "share_d0": number_or_none(worst),
-                "beyond_d0": worst > 1.0,
-            }
-
-    def _by_run(self) -> Any:
-        """Yield a row for each run."""
-        for place, name in enumerate(self.records):
-            for sign, direction in enumerate(self.directions):
-                ratio = float(self.share[place, sign])
-                yield {
-                    "record": name,
-                    "direction": direction,
-                    "pga_g": float(self.pga_g[place]),
-                    "scale": float(self.scale[place]),
-                    "status": Status(int(self.status[place, sign])).label,
-                    "uplift": ratio > 0.0,
-                    "displacement_m": number_or_none(ratio * self.facade.mechanism.d0_m),
-                    "share_d0": number_or_none(ratio),
-                    "beyond_d0": ratio > 1.0,
-                }
 
     @property
     def remarks(self) -> list[str]:
@@ -357,28 +274,3 @@ def _factors(scale: float | None, pga_g: float | None, peaks: Floats) -> Floats:
     level = in_range("pga_g", pga_g, 0.0, LARGEST, hint="give a PGA in g, as 0.3")
     factors: Floats = level * STANDARD_GRAVITY / peaks
     return factors
-
-
-def _length(value: float | None) -> str:
-    """Return a displacement of a row as people read it."""
-    return "beyond d0" if value is None else length(value)
-
-
-def _share(value: float | None) -> str:
-    """Return a part of d0 of a row as people read it."""
-    return "beyond" if value is None else number(value)
-
-
-def _mean_words(runs: FacadeRuns) -> str:
-    """Return the mean as people read it."""
-    mean = runs.mean_m
-    if mean is None:
-        return f"no mean of fewer than {FEWEST} records"
-    if not np.isfinite(mean):
-        return "mean beyond d0"
-    return f"mean {length(mean)} ({number(mean / runs.facade.mechanism.d0_m)} d0)"
-
-
-def _verdict(satisfied: bool | None) -> str:
-    """Return a verdict as people read it."""
-    return "no verdict" if satisfied is None else "satisfied" if satisfied else "not satisfied"

@@ -17,10 +17,9 @@ from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_text
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range, non_negative, positive
-from rocksteady.results.description import Description
-from rocksteady.results.numbers import angle, length, number, quantity
+from rocksteady.results.numbers import angle, length, number
 from rocksteady.results.result import Result
-from rocksteady.results.words import Label, facts_of
+from rocksteady.results.words import Label
 
 SHARE_SLV, SHARE_SLC = 0.4, 0.6
 """Displacement capacities d_SLV and d_SLC as shares of d0 (Circolare 2019 n. 7, C8.7.1.2.1)."""
@@ -328,17 +327,3 @@ class Mechanism(Result):
                 f"{self.name} has theta0 = {math.degrees(alpha):.3g} degrees: {error.valid}",
                 "give the restitution as a number, or check the ties",
             ) from None
-
-    def describe(self) -> Description:
-        """Return what the formulas of the circular give, and the equivalent block."""
-        facts = facts_of(
-            self,
-            "name alpha0 uplift_g e_star e_star_lumped mass_kg confidence_factor a0_g a0_lumped_g "
-            "linear_g elastic_period_s arm_m d0_m d_slv_m d_slc_m t_slv_s t_slc_s theta0_rad "
-            "p_rad_s base_factor run_activation_g",
-        )
-        return Description(
-            headline=f"{self.name}: a0 {quantity(self.a0_g, 'g')}, d0 {length(self.d0_m)}, "
-            f"T_SLV {quantity(self.t_slv_s, 's')}",
-            facts=facts,
-        )

@@ -9,20 +9,19 @@ from typing import Annotated, Any, Final, TypeVar
 import msgspec
 
 from rocksteady.errors import InputError, ModelError, RocksteadyError, Words
-from rocksteady.facades.checks._facade_schema import (
+from rocksteady.facades.checks.actions import Load, PushingMass, Thrust, Tie
+from rocksteady.facades.checks.facade import KNOWLEDGE_LEVELS, Facade
+from rocksteady.facades.checks.facade_demand import DemandSpectrum, FacadeDemand
+from rocksteady.facades.checks.facade_schema import (
     FILE,
     FacadeInput,
     FacadeTable,
     SpectrumKeys,
 )
-from rocksteady.facades.checks.actions import Load, PushingMass, Thrust, Tie
-from rocksteady.facades.checks.facade import KNOWLEDGE_LEVELS, Facade
-from rocksteady.facades.checks.facade_demand import DemandSpectrum, FacadeDemand
 from rocksteady.facades.checks.spectrum_table import read_spectrum_table
 from rocksteady.model.blocks.housner_forms import VALID_TEXT, form_of_text
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import nonempty_text
-from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
 from rocksteady.risk.observations.files.toml_tables import named
 from rocksteady.risk.spectra.elastic_spectrum import ElasticSpectrum
@@ -68,31 +67,6 @@ class DescribedFacade(Result):
     source: Annotated[str, nonempty_text] = "facade"
     sha256: str | None = None
     files: tuple[Path, ...] = ()
-
-    def describe(self) -> Description:
-        """Return the sizes, what acts, and which limit states have a demand."""
-        facade = self.facade
-        ending = [each.name for each in facade.ending]
-        facts = [
-            Fact("name", facade.name, "facade"),
-            Fact("kind", facade.kind, "kind"),
-            Fact("thickness_m", facade.thickness_m, "thickness", f"{facade.thickness_m:g} m"),
-            Fact("height_m", facade.height_m, "height", f"{facade.height_m:g} m"),
-            Fact("weight_kn", facade.weight_kn, "own weight", f"{facade.weight_kn:.4g} kN"),
-            *(Fact(key, len(getattr(facade, key)), key) for key in FILE.lists),
-            Fact("ending", ending, "not counted in d0", ", ".join(ending) or "none"),
-            Fact("base_height_m", facade.base_height_m),
-            Fact("elastic_modulus_mpa", facade.elastic_modulus_mpa),
-            Fact("t0_s", facade.t0_s),
-            Fact("confidence_factor", facade.confidence_factor, "confidence factor FC"),
-            Fact("one_sided", facade.one_sided, "one-sided"),
-            Fact("demand", list(self.demand.given), "demand", ", ".join(self.demand.given) or "—"),
-            Fact("sha256", self.sha256),
-        ]
-        return Description(
-            headline=f"{facade.name}: {facade.kind} {facade.thickness_m:g} x {facade.height_m:g} m",
-            facts=facts,
-        )
 
 
 @checked

@@ -5,8 +5,6 @@ from dataclasses import dataclass, replace
 from rocksteady.errors import ModelError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import RESTITUTION, Bounds, restitution_of_wall
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 
 SideRow = tuple[float, float, float]
@@ -129,29 +127,3 @@ class DimensionlessBlock(Result):
     def dimensionless(self) -> "DimensionlessBlock":
         """Return itself."""
         return self
-
-    def describe(self) -> Description:
-        """Return its restitution, and the ratios of its sides where they differ."""
-        if self.one_sided:
-            facts = [
-                Fact("restitution", self.restitution, "restitution"),
-                Fact("one_sided", True, "sides", "positive (left) alone, a wall behind"),
-            ]
-            return Description(
-                headline=f"dimensionless block against a wall, restitution "
-                f"{number(self.restitution)}",
-                facts=facts,
-            )
-        first, second = self.sides
-        ratios = " and ".join(dict.fromkeys((number(first[0]), number(second[0]))))
-        facts = [Fact("restitution", first[0], "restitution", ratios)]
-        words = f"dimensionless block, restitution {ratios}"
-        if second[0] != first[0]:
-            facts.append(Fact("negative_restitution", second[0]))
-        if second[1:] != first[1:]:
-            facts += [
-                Fact("alpha_ratio", second[1], "alpha, negative / positive side"),
-                Fact("p_ratio", second[2], "p, negative / positive side"),
-            ]
-            words += f", alpha ratio {number(second[1])}, p ratio {number(second[2])}"
-        return Description(headline=words, facts=facts)

@@ -7,8 +7,6 @@ from typing import Literal
 
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.motions.record import Record
-from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import quantity
 from rocksteady.results.result import Result
 
 Orientation = Literal["horizontal", "vertical", "unknown"]
@@ -132,45 +130,6 @@ class Recording(Result):
         """Event, station and component, or the file."""
         parts = [part for part in (self.event, self.station, self.component) if part]
         return ", ".join(" ".join(part.split()) for part in parts) or self.path.name
-
-    def describe(self) -> Description:
-        """Return what the file states, and how it was read."""
-        record = self.record
-        count = len(record.acceleration_m_s2)
-        stated = self.stated_peak_m_s2
-        facts = [
-            Fact("file", str(self.path), "file", f"{self.path.name} ({self.format})"),
-            Fact("format", self.format),
-            Fact("component", self.component),
-            Fact("orientation", self.orientation),
-            Fact("azimuth_deg", self.azimuth_deg),
-            Fact("quantity", self.quantity),
-            Fact("position", self.position),
-            Fact("station", self.station),
-            Fact("event", self.event),
-            Fact("start_time", self.start_time and self.start_time.isoformat()),
-            Fact(
-                "npts",
-                count,
-                "samples",
-                f"{count:,} every {record.dt_s:g} s, {record.duration_s:g} s, "
-                f"in {self.units_in_file}",
-            ),
-            Fact("dt_s", record.dt_s),
-            Fact("duration_s", record.duration_s),
-            Fact("units_in_file", self.units_in_file),
-            Fact(
-                "stated_peak_m_s2",
-                stated,
-                "" if stated is None else "peak stated",
-                "" if stated is None else quantity(stated, "m/s^2"),
-            ),
-            *(Fact("", done, "processing", done) for done in self.processing),
-            Fact("processing", list(self.processing)),
-            Fact("left_out", [each.to_dict() for each in self.left_out]),
-            Fact("warnings", list(self.warnings)),
-        ]
-        return Description(headline=self.title, facts=facts, notes=self.warnings)
 
     def processed(self, record: Record, note: str) -> "Recording":
         """Return the recording with another record, and a note on how it came about."""
