@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, Piecewise, Record
+from rocksteady import Block, DimensionlessBlock, Harmonic, Linear, Piecewise, Record
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.tables import ALIKE, DURATION
-from rocksteady.model.linear_tables import record_table, segment_table
+from rocksteady.model.linear_tables import only_side, record_table, segment_table
 from rocksteady.motions import Segment
 
 BLOCK = Block.from_p(alpha=0.2, p=2.5, restitution=0.8)
@@ -70,3 +70,11 @@ def test_samples_beyond_what_the_block_can_be_asked_for_are_refused() -> None:
         segment_table(Record(acceleration_m_s2=VALUES, dt_s=1e6), BLOCK)
     with pytest.raises(InputError, match=r"^acceleration_m_s2 = 1e\+60 "):
         segment_table(Record(acceleration_m_s2=np.array([0.0, 1e60]), dt_s=0.01), BLOCK)
+
+
+def test_the_one_side_of_a_block_against_a_wall_is_named_by_its_sign() -> None:
+    free, leaning = (
+        Linear().sides(DimensionlessBlock(restitution=0.6, one_sided=wall))
+        for wall in (False, True)
+    )
+    assert (only_side(free), only_side(leaning), only_side(leaning[::-1])) == (0, 1, -1)

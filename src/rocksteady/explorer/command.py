@@ -1,14 +1,16 @@
 """`rocksteady explore`: the explorer, a page that computes while it is touched."""
 
+import os
 import shutil
+import sys
 import tempfile
+import webbrowser
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rocksteady.cli.commands.record import all_recordings
-from rocksteady.cli.console.browser import show
 from rocksteady.cli.console.outputs import announce_file
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.console.shell import quoted
@@ -303,3 +305,23 @@ def opening(view: "ExplorerView", state: dict[str, str]) -> str:
             ratio = quantity(view.motion.frequency_hz(block), "Hz")
         words.append(f"{peak_unit(block, view.motion.amplitude)} and {ratio}")
     return ", ".join([*words, f"tab {state['tab']}"])
+
+
+def show(file: Path) -> bool:
+    """Open a file in the browser; return whether there was one.
+
+    Without a window system nothing is opened: a browser in the terminal shows no page with a
+    script, and would hold the program.
+    """
+    if not has_window():
+        return False
+    try:
+        return webbrowser.open(file.as_uri())
+    except (webbrowser.Error, OSError):
+        return False
+
+
+def has_window() -> bool:
+    """Return whether there is a window system, or a browser that the user has named."""
+    named = ("BROWSER", "DISPLAY", "WAYLAND_DISPLAY")
+    return sys.platform in {"win32", "darwin"} or any(map(os.environ.get, named))

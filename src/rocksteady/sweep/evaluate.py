@@ -4,14 +4,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from typing import TYPE_CHECKING, Any, Protocol
 
+import numpy as np
+
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.sweep.cases.axes import identifier
-from rocksteady.sweep.cases.grid import Grid, each_once
-from rocksteady.sweep.cases.inputs import constants_of
+from rocksteady.sweep.cases.cells import Cells, cells_of
+from rocksteady.sweep.cases.grid import Grid, each_once, within
+from rocksteady.sweep.cases.inputs import attributes_of, constants_of, inputs_of
 from rocksteady.sweep.cases.labelled import as_dataset
-from rocksteady.sweep.cases.memory import Memory
 from rocksteady.sweep.cases.outputs import Output, outputs_of
 from rocksteady.sweep.cases.queue import Queue
 from rocksteady.sweep.cases.task import Answer, Cases, CellRange, Task
@@ -23,6 +25,47 @@ if TYPE_CHECKING:
     import xarray
 
     from rocksteady.sweep.cases.cells import Labelled
+
+MOST_CELLS = 50_000_000
+"""Of a grid whose results have to fit into memory."""
+
+
+class Memory:
+    """Arrays over all cells.
+
+    Parameters
+    ----------
+    task
+        What is computed.
+    attributes
+        Attributes of the result.
+
+    Raises
+    ------
+    InputError
+        If there are more cells than memory is taken for.
+    """
+
+    def __init__(self, task: Task, attributes: Mapping[str, Any]) -> None:
+        within("50 million", task.grid, MOST_CELLS, hint="take fewer points, or give a store")
+        self._task = task
+        self._attributes = attributes_of(inputs_of(task), attributes)
+        size = task.grid.size
+        self._arrays = {output.name: np.empty(size, output.dtype) for output in task.outputs}
+
+    def missing(self) -> Sequence[CellRange]:
+        """Return the ranges of cells that are to be computed: all of them."""
+        return [(0, self._task.grid.size)]
+
+    def put(self, answer: Answer) -> None:
+        """Keep the results of a job."""
+        for name, array in answer.arrays.items():
+            self._arrays[name][answer.job[0] : answer.stop] = array
+
+    def cells(self) -> Cells:
+        """Return the result."""
+        return cells_of(self._task.grid, self._task.outputs, self._arrays, self._attributes)
+
 
 BATCH = 1024
 """Default largest number of cells in one call of the case function.  Calls grow to it only while

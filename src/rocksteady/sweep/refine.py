@@ -22,10 +22,9 @@ from rocksteady.sweep.cases.axes import Array, Axis
 from rocksteady.sweep.cases.cells import Cells, cells_of
 from rocksteady.sweep.cases.grid import Grid, within
 from rocksteady.sweep.cases.inputs import attributes_of, inputs_of
-from rocksteady.sweep.cases.memory import MOST_CELLS
 from rocksteady.sweep.cases.outputs import Output, outputs_of
 from rocksteady.sweep.cases.task import Cases, Task
-from rocksteady.sweep.evaluate import BATCH, compute_cells
+from rocksteady.sweep.evaluate import BATCH, MOST_CELLS, compute_cells
 from rocksteady.sweep.run import Execution, Progress
 
 COARSEST = 1024

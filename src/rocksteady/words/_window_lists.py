@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
+from rocksteady.dynamics.history.samples import COUNTED_IMPACTS
 from rocksteady.dynamics.overturning.window_lists import WindowLists
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import block_text, block_values, side_attributes

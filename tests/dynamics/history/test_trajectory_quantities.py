@@ -25,13 +25,13 @@ from rocksteady import (
     floor_motion,
     simulate,
 )
-from rocksteady.dynamics.history.lowering import mass_centres
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import steady_states
 from rocksteady.histories import Neighbours, Samples, Trajectory
 from rocksteady.kernels.core import tables as columns_of
 from rocksteady.kernels.march.forces import FORCES, FRICTION, fill_forces
 from rocksteady.model.equations import Model
+from rocksteady.model.linear_tables import mass_centres
 from rocksteady.model.motions.segments import Motion
 from rocksteady.motions import Segment
 from rocksteady.risk.screens.friction import needed_friction

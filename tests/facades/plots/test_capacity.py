@@ -14,8 +14,8 @@ from rocksteady.facades.checks.actions import Tie
 from rocksteady.facades.checks.check_facade import check_facade
 from rocksteady.facades.checks.facade import Facade
 from rocksteady.facades.checks.facade_demand import FacadeDemand
-from rocksteady.facades.plots._lettering import symbol
 from rocksteady.facades.plots.capacity import plot_facade_capacity
+from rocksteady.facades.plots.languages import symbol
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.style.tokens import DARK
 from tests.facades.page.checked_facades import alone, site, thin, tied

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from rocksteady import BaseMotion, Block, Linear, Nonlinear, Record, Status, simulate
-from rocksteady.dynamics.history.lowering import mass_centres
 from rocksteady.model.equations import Model
+from rocksteady.model.linear_tables import mass_centres
 from rocksteady.seismic.spectra.batch import GroundShaking, shaken_forces, sides_in_si
 from tests.every import every
 from tests.records import synthetic

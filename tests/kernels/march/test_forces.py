@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import Block, Linear, Nonlinear, Pulse, Record, simulate
-from rocksteady.dynamics.history.lowering import mass_centres
 from rocksteady.histories import Trajectory
 from rocksteady.kernels.march.forces import FORCES, fill_forces, largest_forces
 from rocksteady.model.equations import Model
+from rocksteady.model.linear_tables import mass_centres
 from tests.every import every
 from tests.records import synthetic
 

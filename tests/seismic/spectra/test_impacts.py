@@ -24,7 +24,7 @@ from rocksteady import (
     simulate,
     simulate_many,
 )
-from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
+from rocksteady.dynamics.history.samples import COUNTED_IMPACTS
 from rocksteady.histories import Trajectory
 from rocksteady.overturning import OverturningWindow
 from tests.records import synthetic

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.basins.labels import BasinAttractor
 from rocksteady.dynamics.batch.attractors import Attractors, settled_cells, starting
-from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.model.checks.bounds import LARGEST_SEED, Whole
+from rocksteady.model.linear_tables import only_side
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import AttractorKind
 from rocksteady.sweep.cases.draws import uniform

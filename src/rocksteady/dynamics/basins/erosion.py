@@ -19,7 +19,6 @@ from rocksteady.dynamics.basins.window import (
     moment,
     window_axes,
 )
-from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
@@ -31,6 +30,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, positive
 from rocksteady.model.equations import Linear, Model, ModelChoice, Nonlinear, chosen_model
+from rocksteady.model.linear_tables import only_side
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion, harmonics_of
 from rocksteady.results.result import Result, words_module
 from rocksteady.sweep.cases.axes import Axis

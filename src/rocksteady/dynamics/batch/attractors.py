@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.batch.left_over import run_left_over
-from rocksteady.dynamics.history.lowering import alike
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.attractor import KINDS, kind_codes
 from rocksteady.errors import ModelError
@@ -22,6 +21,7 @@ from rocksteady.kernels.nonlinear_lanes.settling import nonlinear_lane_attractor
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import OfLinear
+from rocksteady.model.linear_tables import alike
 from rocksteady.model.motions.fourier import shares_of
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import INFINITELY_MANY, NO_START, NO_START_LABEL, AttractorKind

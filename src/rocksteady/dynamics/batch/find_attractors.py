@@ -6,7 +6,6 @@ from numpy.typing import ArrayLike
 from rocksteady.dynamics.arrays import checked_array, real_array, validated_grid
 from rocksteady.dynamics.batch.attractors import Attractors, settled_cells
 from rocksteady.dynamics.batch.initial_states import at_phases
-from rocksteady.dynamics.history.lowering import symmetric_sides
 from rocksteady.dynamics.history.start import refuse_behind_wall
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.errors import InputError
@@ -15,6 +14,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import WALL_RESTITUTION
 from rocksteady.model.checks.validation import LARGEST
+from rocksteady.model.linear_tables import symmetric_sides
 
 MAX_CYCLES = 2000
 """Default largest number of forcing periods that a motion is followed."""

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.base_motion import motion_after, refuse_endless
-from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
+from rocksteady.dynamics.history.samples import COUNTED_IMPACTS
 from rocksteady.dynamics.history.simulate import FLIGHT_LIMIT
 from rocksteady.dynamics.history.start import set_going
 from rocksteady.kernels.core import tables as columns

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.grazing import grazes
 from rocksteady.dynamics.history.base_motion import lift
-from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.samples import Impacts
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.elementary.arrays import cos, exp, log, sin
 from rocksteady.kernels.march.replay import fill_states
+from rocksteady.model.linear_tables import only_side
 
 LARGEST_LOGARITHM = 700.0
 """Of a growth that is still a float."""

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
+from rocksteady.kernels.core.tables import COUNTED
 from rocksteady.model.checks.arguments import checked_result
 
 
@@ -113,3 +114,6 @@ class Impacts:
     def __len__(self) -> int:
         """Return the number of impacts."""
         return len(self.pt)
+
+
+COUNTED_IMPACTS = f"impacts that leave with {COUNTED:g} or more in du/d(pt)"

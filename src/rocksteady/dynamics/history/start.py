@@ -9,7 +9,6 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.departure import set_off, states_to_start_on
-from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.steady.states import refuse_asymmetric, validated_branch
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.clock import clock
@@ -26,6 +25,7 @@ from rocksteady.model.checks.validation import (
     positive,
     side_value,
 )
+from rocksteady.model.linear_tables import only_side
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion, segments_of

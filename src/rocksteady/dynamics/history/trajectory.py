@@ -13,7 +13,6 @@ from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history._growth import Course, growth_of
 from rocksteady.dynamics.history._resting import resting_ratio
-from rocksteady.dynamics.history.lowering import mass_centres, weight_kn
 from rocksteady.dynamics.history.samples import Flights, Impacts, Samples
 from rocksteady.dynamics.history.start import Rest, Start, State
 from rocksteady.errors import InputError, ModelError, Words
@@ -39,6 +38,7 @@ from rocksteady.model.checks.validation import (
     within_memory,
 )
 from rocksteady.model.equations import Linear, Model
+from rocksteady.model.linear_tables import mass_centres, weight_kn
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still

@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.overturning.scan import Fates, Found
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.core.tables import (
@@ -24,6 +23,7 @@ from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Model
+from rocksteady.model.linear_tables import only_side
 from rocksteady.outcomes import Status
 from rocksteady.sweep.cases.outputs import Output
 

@@ -16,8 +16,7 @@ from rocksteady.facades.checks.remark import Remark
 from rocksteady.facades.checks.spectrum_table import SpectrumTable
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
-from rocksteady.risk.spectra.damping import damping_factor
-from rocksteady.risk.spectra.elastic_spectrum import LONGEST_NTC_S, ElasticSpectrum
+from rocksteady.risk.spectra.elastic_spectrum import LONGEST_NTC_S, ElasticSpectrum, damping_factor
 
 LEAST_PGA = 0.9
 """Mean PGA of records over that of the demand, below which their runs are no answer."""

@@ -14,11 +14,11 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.results.numbers import number
 from rocksteady.risk.observations.files.csv_table import Columns, number_in, read_csv_table
-from rocksteady.risk.spectra.damping import damping_factor
 from rocksteady.risk.spectra.elastic_spectrum import (
     DAMPING,
     LONGEST_S,
     PERIOD,
+    damping_factor,
     displacement_of,
 )
 from rocksteady.risk.spectra.tabulated import (

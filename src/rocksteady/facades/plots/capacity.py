@@ -10,8 +10,7 @@ from rocksteady.facades.checks.check_facade import DAMPINGS
 from rocksteady.facades.checks.facade_check import FacadeCheck, LimitStateCheck
 from rocksteady.facades.checks.facade_demand import FacadeDemand
 from rocksteady.facades.checks.mechanism import Mechanism
-from rocksteady.facades.plots._lettering import decimal_marks, symbol
-from rocksteady.facades.plots.languages import Language, language_of
+from rocksteady.facades.plots.languages import Language, decimal_marks, language_of, symbol
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.style.layout import axes_or_new

@@ -1,12 +1,15 @@
 """Languages of the pages and plots of facades: their words, and how they write numbers."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import InputError
 from rocksteady.facades.plots._words_en import ENGLISH
 from rocksteady.facades.plots._words_it import ITALIAN
 from rocksteady.results.numbers import number
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 TABLES = {
     code: {key: text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}") for key, text in table.items()}
@@ -79,3 +82,25 @@ def language_of(code: str) -> Language:
             "language", code, "the languages are en and it", "write en for English, it for Italian"
         )
     return Language(code)
+
+
+def decimal_marks(axes: "Axes", words: Language, *, vertical: bool = True) -> None:
+    """Write the ticks of one axis or both with the decimal mark of a language."""
+    from matplotlib.ticker import FuncFormatter
+
+    for axis in (axes.xaxis, *([axes.yaxis] if vertical else [])):
+        axis.set_major_formatter(
+            FuncFormatter(lambda value, _: words.number(value).replace("-", "\N{MINUS SIGN}"))
+        )
+
+
+def symbol(name: str) -> str:
+    r"""Return a symbol of the circular as mathematics.
+
+    Examples
+    --------
+    >>> symbol("d_SLV"), symbol("d_0")
+    ('$d_\\mathrm{SLV}$', '$d_\\mathrm{0}$')
+    """
+    letter, _, index = name.partition("_")
+    return rf"${letter}_\mathrm{{{index}}}$"

@@ -7,8 +7,7 @@ import numpy as np
 
 from rocksteady.facades.checks.facade_runs import FacadeRuns
 from rocksteady.facades.checks.mechanism import SHARE_SLC, SHARE_SLV
-from rocksteady.facades.plots._lettering import decimal_marks, symbol
-from rocksteady.facades.plots.languages import language_of
+from rocksteady.facades.plots.languages import decimal_marks, language_of, symbol
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal

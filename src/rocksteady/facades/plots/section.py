@@ -5,8 +5,7 @@ from typing import TYPE_CHECKING
 
 from rocksteady.facades.checks.facade import Facade
 from rocksteady.facades.checks.read_facade import DescribedFacade
-from rocksteady.facades.plots._lettering import decimal_marks
-from rocksteady.facades.plots.languages import Language, language_of
+from rocksteady.facades.plots.languages import Language, decimal_marks, language_of
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal

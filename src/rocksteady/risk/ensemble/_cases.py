@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats, Integers, Objects
-from rocksteady.dynamics.history.lowering import mass_centres
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.equations import Model
+from rocksteady.model.linear_tables import mass_centres
 from rocksteady.outcomes import Status
 from rocksteady.risk.ensemble.qualification import FORCES
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.lowering import mass_centres, weight_kn
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.tops import clearance, top_displacement
 from rocksteady.model.equations import chosen_model
+from rocksteady.model.linear_tables import mass_centres, weight_kn
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status

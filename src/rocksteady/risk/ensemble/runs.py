@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rocksteady.arrays import Floats
-from rocksteady.dynamics.history.lowering import weight_kn
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import MASS
 from rocksteady.model.equations import Linear, ModelChoice, chosen_model
+from rocksteady.model.linear_tables import weight_kn
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.ensemble._cases import Body, copies_of, fates, ways_to_run, whole

@@ -15,9 +15,13 @@ from rocksteady.model.checks.validation import non_negative
 from rocksteady.results.numbers import number_or_none
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label
-from rocksteady.risk.fits._stripes import Row, compare_stripes
-from rocksteady.risk.fits._totals import totals_of
+from rocksteady.risk.fits._totals import Totals, totals_of
 from rocksteady.risk.fits.maximum import ALWAYS, FITTED, NEVER, NOT_RISING, SEPARATED, maximum_of
+
+Row = tuple[float, int, int, float | None]
+FEWEST = 10
+"""Trials of a stripe, on average, and the number of stripes that are made otherwise."""
+
 
 SHARE = Bounds(0.0, 1.0, "()", "give a share, as 0.5")
 QUANTILE = 1.645
@@ -241,4 +245,28 @@ def fit_curve(
         sampled=(float(totals.levels[0]), float(totals.levels[-1])),
         stripes=stripes,
         measure=measure,
+    )
+
+
+def compare_stripes(totals: Totals, probability: Floats) -> tuple[tuple[Row, ...], float]:
+    """Return intensity, trials, failures and probability by stripe, and the largest misfit.
+
+    Levels are stripes where they have ten trials each on average; of scattered intensities,
+    neighbours are joined to about ten stripes, each at the mean of ln im and with the mean of the
+    probabilities.
+    """
+    levels, failures, trials = totals
+    total, place = trials.sum(), np.arange(len(trials))
+    if total < FEWEST * len(trials):
+        number_of = max(1, min(FEWEST, int(total) // FEWEST))
+        middle = np.cumsum(trials) - 0.5 * trials
+        place = np.unique((number_of * middle / total).astype(np.intp), return_inverse=True)[1]
+    weight = np.bincount(place, weights=trials)
+    at = np.exp(np.bincount(place, weights=trials * np.log(levels)) / weight)
+    failed = np.bincount(place, weights=failures)
+    curve = np.bincount(place, weights=trials * probability) / weight
+    rows = zip(at.tolist(), weight.tolist(), failed.tolist(), curve.tolist(), strict=True)
+    return (
+        tuple((x, int(n), int(k), number_or_none(p)) for x, n, k, p in rows),
+        float(np.abs(failed / weight - curve).max()),
     )

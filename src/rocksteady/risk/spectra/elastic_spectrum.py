@@ -10,7 +10,6 @@ from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.gravity import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
-from rocksteady.risk.spectra.damping import damping_factor
 
 Soil = Literal["A", "B", "C", "D", "E"]
 Topography = Literal["T1", "T2", "T3", "T4"]
@@ -214,3 +213,14 @@ def displacement_of(sa_g: float, period_s: float) -> float:
     """Return the displacement [m] of a spectral acceleration [g] at a period [s]."""
     rate = 2.0 * math.pi
     return sa_g * STANDARD_GRAVITY * period_s * period_s / (rate * rate)
+
+
+def damping_factor(damping: float) -> float:
+    """Return eta = sqrt(10/(5 + xi)), xi in per cent, at least 0.55 (EN 1998-1:2004 eq. 3.6).
+
+    Examples
+    --------
+    >>> print(f"{damping_factor(0.05)} {damping_factor(0.02):.4f} {damping_factor(0.5)}")
+    1.0 1.1952 0.55
+    """
+    return max(0.55, math.sqrt(10.0 / (5.0 + 100.0 * damping)))

@@ -25,7 +25,7 @@ from rocksteady.risk.spectra.code_spectra import (
     formula_of,
     formulas_words,
 )
-from rocksteady.risk.spectra.damping import damping_factor
+from rocksteady.risk.spectra.elastic_spectrum import damping_factor
 from rocksteady.seismic.measures.response_spectrum import (
     LONGEST_S,
     SHORTEST,

@@ -11,13 +11,13 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import exp, log
+from rocksteady.kernels.linear.oscillator import fill_largest
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.model.motions.oscillator import DEFAULT_DAMPING
+from rocksteady.model.motions.oscillator import DEFAULT_DAMPING, rate_of, states
 from rocksteady.model.motions.record import Record
 from rocksteady.results.result import Result, words_module
-from rocksteady.seismic.measures._oscillators import peaks
 from rocksteady.seismic.measures.time_course import refuse_extreme
 
 if TYPE_CHECKING:
@@ -211,3 +211,36 @@ def compute_average_acceleration(
     periods = period_s * np.linspace(low, high, count)
     spectrum = compute_response_spectrum(record, periods, damping=damping)
     return exp(float(np.mean(log(spectrum.pseudo_acceleration_m_s2))))
+
+
+def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> Floats:
+    """Return the largest absolute displacement, velocity and total acceleration of an oscillator.
+
+    They are those of `rocksteady.kernels.linear.oscillator.fill_largest`.
+
+    Parameters
+    ----------
+    acceleration
+        Acceleration of the ground, shape (samples,).
+    dt
+        Time between two of them.
+    frequency
+        w, circular, undamped; in the inverse of the unit of `dt`.
+    damping
+        zeta, in [0, 1).
+
+    Returns
+    -------
+    ndarray, shape (3,)
+        Of u and u' relative to the ground, and of u'' + a.
+    """
+    rate = rate_of(frequency, damping)
+    # Steps of less than half a damped period: each derivative then has one extremum at most in it.
+    parts = int(rate.imag * dt / math.pi) + 1
+    a = np.array(acceleration)
+    if parts > 1:
+        within = np.diff(a)[:, np.newaxis] * (np.arange(parts) / parts)
+        a = np.append(a[:-1, np.newaxis] + within, a[-1])
+    largest, h = np.empty(3), dt / parts
+    fill_largest(a, np.array(states(a, h, rate)), h, tuple(rate), largest)
+    return largest

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.batch.left_over import run_left_over
-from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
+from rocksteady.dynamics.history.samples import COUNTED_IMPACTS
 from rocksteady.dynamics.history.simulate import FLIGHT_LIMIT
 from rocksteady.errors import InputError
 from rocksteady.kernels.batch.base_forces import record_forces
@@ -159,7 +159,7 @@ def shaken_forces(
     grounds, ground, scale, sides, gravity
         As for `shaken_fates`.
     centres
-        Mass centres of the blocks, as from `dynamics.history.lowering.mass_centres`, shape
+        Mass centres of the blocks, as from `model.linear_tables.mass_centres`, shape
         (cells, 2, 2).
     """
     forces = np.empty((len(scale), 2))
