@@ -17,6 +17,7 @@ from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.show.assessment.object_report import report_html, write_assessment_page
 from rocksteady.show.export.manifest import make_manifest
+from rocksteady.words.assessment import lines_of
 from tests.every import every
 from tests.outputs import unrendered
 from tests.show.assessment.pages import Page, check_alone, drawn_once
@@ -109,7 +110,7 @@ def test_its_first_page_is_the_screen(
     text = first_page(Page(page_of(each)))
     word = each.verdict.replace("-", " ")
     said = [each.sentence]
-    for line in each.lines:
+    for line in lines_of(each):
         said += [replace(line, condition="").words.removeprefix(f"{word}: "), line.condition]
     places = [text.lower().find(words.lower()) for words in said if words]
     assert min(places) >= 0

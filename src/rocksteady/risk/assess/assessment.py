@@ -12,7 +12,6 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.floor import Floor
 from rocksteady.model.motions.record import Record
 from rocksteady.results.result import Result, words_module
-from rocksteady.results.stated import Stated
 from rocksteady.risk.assess._remedies import is_helped, remedies_of
 from rocksteady.risk.assess.described.building import Building
 from rocksteady.risk.assess.described.facts import ObjectFacts, compute_object_facts
@@ -126,12 +125,6 @@ class Assessment(Result):
         sentence: str = self.screen.sentence
         return sentence
 
-    @property
-    def demand(self) -> str:
-        """The demand in words."""
-        words: str = words_module(Assessment).demand_words(self)
-        return words
-
     @cached_property
     def screen(self) -> Any:
         """Sentence and lines, in the words of `rocksteady.words`."""
@@ -169,18 +162,6 @@ class Assessment(Result):
         """What is varied alone, and the shares at its low and high ends, the widest first."""
         bars = bars_of(self.cases)
         return [(f"{bar.parameter}, {bar.ends}", bar.low, bar.high) for bar in bars]
-
-    @property
-    def scope_words(self) -> str:
-        """Which published formulas stand beside the answer, and a kind that chooses none."""
-        words: str = words_module(Assessment).scope_words(self)
-        return words
-
-    @property
-    def lines(self) -> list[Stated]:
-        """The facts below the sentence."""
-        lines: list[Stated] = words_module(Assessment).lines_of(self)
-        return lines
 
 
 @checked

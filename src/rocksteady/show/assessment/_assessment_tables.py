@@ -33,6 +33,7 @@ from rocksteady.show.style.wording import (
     span,
     state_words,
 )
+from rocksteady.words.assessment import lines_of
 
 PASSES = {True: badge("passes", "plain"), False: badge("does not pass", "plain"), None: ""}
 """Verdicts of formulas; the colours are those of the answer."""
@@ -42,7 +43,7 @@ FURTHER: Final = ("qualification", "base_force_kn")
 
 def verdict_words(assessment: Assessment) -> str:
     """Return what the verdict rests on; empty of no answer, whose sentence says it."""
-    for line in assessment.lines:
+    for line in lines_of(assessment):
         if line.quantity == "verdict":
             word = BADGES[assessment.decision.verdict][0]
             return sentence(greek(line.words.removeprefix(f"{word}: ")))
@@ -53,7 +54,7 @@ def answer_rows(assessment: Assessment) -> list[dict[str, str]]:
     """Return the lines of the screen, that of the verdict excepted."""
     return [
         _row(line.quantity, replace(line, condition="").words, line.condition)
-        for line in assessment.lines
+        for line in lines_of(assessment)
         if line.quantity != "verdict" and line.words
     ]
 

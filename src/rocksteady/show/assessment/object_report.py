@@ -30,7 +30,7 @@ from rocksteady.show.export.provenance import provenance
 from rocksteady.show.report import render
 from rocksteady.show.style.markup import badge
 from rocksteady.show.style.wording import BADGES, cleaned, greek, plain_name, sentence, span
-from rocksteady.words.assessment import CAVEATS
+from rocksteady.words.assessment import CAVEATS, scope_words
 
 
 @checked
@@ -123,7 +123,7 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
         "provenance": provenance(manifest, described.source, described.sha256),
         "remedies": remedy_rows(assessment),
         "running": plain_name(described.name),
-        "scope": greek(assessment.scope_words),
+        "scope": greek(scope_words(assessment)),
         "screens": screen_rows(assessment),
         "shares": [] if fragility is None else share_rows(assessment),
         "sides": side_rows(assessment),
@@ -141,7 +141,7 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
 def _warnings(assessment: Assessment) -> list[str]:
     """Return sentences on what is assumed of the object, and on what limits the runs."""
     notes = assessment.describe().notes
-    warnings = [each for each in notes if each not in (*CAVEATS, assessment.scope_words)]
+    warnings = [each for each in notes if each not in (*CAVEATS, scope_words(assessment))]
     return [sentence(greek(each)) for each in dict.fromkeys(warnings)]
 
 
