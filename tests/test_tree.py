@@ -121,6 +121,16 @@ def test_a_module_that_only_its_own_folder_imports_has_an_underscore_and_no_othe
     assert is_private(name) == (not elsewhere and not public and name not in STARTED), elsewhere
 
 
+def test_words_know_the_type_of_what_they_describe() -> None:
+    """Nothing in `words` is typed Any."""
+    named = {
+        str(file.relative_to(SOURCE))
+        for file in (SOURCE / "words").rglob("*.py")
+        if any(isinstance(node, ast.Name) and node.id == "Any" for node in nodes_of(file))
+    }
+    assert named == set()
+
+
 def test_what_is_public_stands_in_modules_without_underscore() -> None:
     assert [name for name in sorted(PUBLIC) if "._" in name] == []
 

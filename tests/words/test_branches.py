@@ -78,7 +78,7 @@ def test_a_point_has_the_extremes_and_multipliers_of_its_orbit_or_its_mirror_ima
     lean: float, high: float, low: float, block: AnyBlock
 ) -> None:
     row = branches.point_row(7, point_of(), lean, block)
-    values = branches.point_values(point_of(), lean, block)
+    values: dict[str, Any] = branches.point_values(point_of(), lean, block)
     assert (row["highest"], row["lowest"]) == tuple(values["peaks"]) == (high, low)
     assert [row[f"multiplier_{name}"] for name in ("1_re", "1_im", "2_re", "2_im")] == [
         2.0, 0.5, 0.25, -0.125
@@ -106,7 +106,7 @@ def test_a_branch_lists_where_it_is_stable_from_low_to_high() -> None:
         points=[point_of(amplitude=5.0), *3 * [None], point_of(amplitude=2.5)],
         period=1, impacts=2, symmetric=True,
     )  # fmt: skip
-    values = branches.branch_values(branch)
+    values: dict[str, Any] = branches.branch_values(branch)
     assert list(map(list, values["stable_ranges"])) == [[2.0, 2.5], [3.0, 5.0]]
     assert (values["within"], values["points"]) == ([2.0, 5.0], 5)
     table = diagrams.branches_table([{"branch": 1, **values}], "amplitude")
@@ -151,11 +151,11 @@ def test_a_doubling_stands_with_the_distance_to_the_next_and_the_ratio_of_both_i
 ) -> None:
     distances = np.diff(values).tolist()
     ratios = [a / b for a, b in pairwise(distances)]
-    cascade = {
-        "periods": [2**k for k in range(len(values))], "values": values,
-        "distances": distances, "ratios": ratios, "limit": 1.25,
-    }  # fmt: skip
-    table = branches.cascade_table(cascade, "amplitude")
+    cascade: Any = SimpleNamespace(
+        parameter="amplitude", points=[point_of(period=2**k) for k in range(len(values))],
+        values=np.array(values), distances=np.array(distances), ratios=np.array(ratios), limit=1.25,
+    )  # fmt: skip
+    table = branches.cascade_table(cascade)
     assert table.title == title
     expected = []
     for k, value in enumerate(values):

@@ -2,6 +2,7 @@
 
 import math
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -33,7 +34,8 @@ def test_rows_of_a_point_have_its_peaks_and_place_in_si_too(
     branch = branch_of(block)
     point = branch.points[len(branch.points) // 2]
     first, second = point.excursions
-    row, beside = resting.resting_row(3, point), resting.diagram_row(3, point)
+    row: dict[str, Any] = resting.resting_row(3, point)
+    beside: dict[str, Any] = resting.diagram_row(3, point)
     for each in (row, beside):
         assert (each["branch"], each["amplitude"]) == (3, point.amplitude)
         assert (each["frequency_ratio"], each["restitution"], each["period"]) == (2.0, 0.8, 1)

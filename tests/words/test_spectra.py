@@ -11,7 +11,7 @@ import xarray
 from rocksteady import Block, Status, compute_rocking_spectrum, simulate_many
 from rocksteady.measures import compute_suite_spectrum
 from rocksteady.results.rendering import as_text
-from rocksteady.words.spectra import _course, _severity, describe_spectrum, shortened
+from rocksteady.words.spectra import Cell, Over, _course, _severity, describe_spectrum, shortened
 from tests.every import every
 from tests.seismic.grounds import ground
 
@@ -114,7 +114,7 @@ def test_the_answer_has_the_size_of_the_largest_block_that_falls() -> None:
 
 
 def test_rows_are_ranked_by_falls_and_then_by_medians() -> None:
-    quantiles = {"peaks": [0.1, 0.2, 0.4], "overturned": 0.0}
+    quantiles: Cell = {"peaks": [0.1, 0.2, 0.4], "overturned": 0.0}
     assert _severity([quantiles, quantiles]) == (0.0, 0.2)
     assert _severity([quantiles, {**quantiles, "overturned": 0.5}]) == (0.5, 0.2)
 
@@ -241,19 +241,20 @@ def test_a_list_has_a_column_for_what_differs() -> None:
     ],
 )
 def test_fates_over_sizes_and_scales_are_said_from_the_gentlest_on(
-    key: str, fates: dict[float, float | None], words: str
+    key: Over, fates: dict[float, float | None], words: str
 ) -> None:
     """Larger scales and smaller blocks fall first."""
-    rows = [
-        {key: at, "peak": math.inf if peak is None else peak, "status": "overturned"}
-        | ({} if peak is None else {"status": "rocking"})
-        for at, peak in fates.items()
-    ]
+    rows: list[Cell] = []
+    for at, peak in fates.items():
+        rows.append({"peak": math.inf, "status": "overturned"})
+        if peak is not None:
+            rows[-1] = {"peak": peak, "status": "rocking"}
+        rows[-1][key] = at
     assert _course(rows, key, 1) == words
 
 
 def test_fates_of_a_suite_count_records() -> None:
-    rows = [
+    rows: list[Cell] = [
         {"period_s": at, "overturned": share, "peaks": [0.25, peak]}
         for at, share, peak in ((1.0, 0.75, math.inf), (2.0, 0.25, 0.5), (4.0, 0.0, 0.375))
     ]

@@ -24,8 +24,7 @@ from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.results.answer import left_out
-from rocksteady.results.description import MOST_FACTS, Column, Description, Table, line
+from rocksteady.results.description import MOST_FACTS, Column, Description, Table, left_out, line
 from rocksteady.results.numbers import plural
 from rocksteady.show.export.files import check_apart, check_writable, save_text
 from rocksteady.small_files import content_of

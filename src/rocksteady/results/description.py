@@ -1,10 +1,11 @@
 """Content of a result: facts, tables and notes, from which every rendering is made."""
 
 import math
+import textwrap
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 from rocksteady.results.numbers import number, plural
 
@@ -17,6 +18,8 @@ MOST_FACTS = 6
 """Facts of the first screen."""
 GIVEN = "block"
 """Label of what was given, which is left out first where there are too many facts."""
+SHORT: Final = 55
+"""Letters of a doubt on a screen, which fit on one line beside its label."""
 MOST_ALARMS = 20
 """Rows of an alarm that are shown however few rows a table has."""
 
@@ -41,7 +44,7 @@ class Fact:
     """
 
     key: str
-    value: Any = field(default=None, hash=False)
+    value: object = field(default=None, hash=False)
     label: str = ""
     text: str | Callable[[], str] = ""
     first: bool = False
@@ -62,7 +65,7 @@ class Column:
     text: Callable[[Any], str] | None = None
     left: bool = False
 
-    def words(self, row: Mapping[str, Any]) -> str:
+    def words(self, row: Mapping[str, object]) -> str:
         """Return the cell of a row as people read it."""
         value = row.get(self.key)
         return shown(value) if self.text in (None, number) else self.text(value)
@@ -93,7 +96,7 @@ class Table:
     """
 
     key: str
-    rows: Sequence[Mapping[str, Any]]
+    rows: Sequence[Mapping[str, object]]
     columns: Sequence[Column] = ()
     title: str = ""
     most: int = MOST_ROWS
@@ -102,7 +105,7 @@ class Table:
     alarm: str = ""
 
     @property
-    def shown(self) -> list[Mapping[str, Any]]:
+    def shown(self) -> list[Mapping[str, object]]:
         """The rows that people read."""
         return self._parts[0]
 
@@ -118,7 +121,7 @@ class Table:
         return f"{rest}: {kinds}" if kinds else rest
 
     @property
-    def _parts(self) -> tuple[list[Mapping[str, Any]], list[Mapping[str, Any]]]:
+    def _parts(self) -> tuple[list[Mapping[str, object]], list[Mapping[str, object]]]:
         """The rows that people read, and those left out; the worst first where some are."""
         rows, most = list(self.rows), self.most
         if self.alarm and self.kind:
@@ -133,7 +136,7 @@ class Table:
         """The names of all values of a row."""
         return list(dict.fromkeys(key for row in self.rows for key in row))
 
-    def records(self) -> Iterator[list[Any]]:
+    def records(self) -> Iterator[list[object]]:
         """Yield the values of each row in the order of `header`."""
         header = self.header
         for row in self.rows:
@@ -143,6 +146,49 @@ class Table:
 def line(label: str, text: str | Callable[[], str]) -> Fact:
     """Return a fact of the first screen, which people alone read."""
     return Fact("", label=label, text=text, first=True)
+
+
+def left_out(count: int, kinds: str = "") -> Fact:
+    """Return the fact that counts the rows that an answer leaves to ``--more``, by their kinds.
+
+    Examples
+    --------
+    >>> left_out(4, "1 red, 3 green").words, left_out(0).words
+    ('4 more with --more: 1 red, 3 green', '')
+    """
+    words = f"{count:,} more with --more" + (f": {kinds}" if kinds else "")
+    return line("not listed", words if count else "")
+
+
+def doubt(warnings: Sequence[str]) -> str:
+    """Return the first warning, shortened to one line, and the number of others.
+
+    Examples
+    --------
+    >>> doubt(["Two records are weak. Scale them.", "The motions are few."])
+    'Two records are weak; 1 more with --more'
+    >>> doubt(["Of 12 records the first 11 are far too weak to fell a block of this size at all."])
+    'Of 12 records the first 11 are far too weak to fell ...'
+    """
+    more = f"; {len(warnings) - 1} more with --more" if len(warnings) > 1 else ""
+    first = warnings[0].partition(". ")[0].rstrip(".") if warnings else ""
+    return textwrap.shorten(first, SHORT - len(more), placeholder=" ...") + more
+
+
+def aligned(table: Sequence[Sequence[str]]) -> list[Fact]:
+    """Return the rows of a table as facts of the first screen, with aligned columns.
+
+    Parameters
+    ----------
+    table
+        Rows of as many cells, the first of them the label; columns but it and the last are numbers.
+    """
+    widths = [max(map(len, column)) for column in zip(*table, strict=True)]
+    facts = []
+    for label, *numbers, words in table:
+        cells = [cell.rjust(width) for cell, width in zip(numbers, widths[1:-1], strict=True)]
+        facts.append(line(label, "  ".join([*cells, words])))
+    return facts
 
 
 @dataclass(frozen=True)

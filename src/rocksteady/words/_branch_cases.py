@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.continuation.resting.resting_branch import (
@@ -134,7 +133,7 @@ def fixed_values(
     }
 
 
-def place_values(point: BranchPoint | RestingPoint) -> dict[str, Any]:
+def place_values(point: BranchPoint | RestingPoint) -> dict[str, object]:
     """Return the type of a point, where it lies, and its period."""
     return {
         "type": point.type.value,
@@ -145,7 +144,7 @@ def place_values(point: BranchPoint | RestingPoint) -> dict[str, Any]:
     }
 
 
-def orbit_values(point: BranchPoint) -> dict[str, Any]:
+def orbit_values(point: BranchPoint) -> dict[str, object]:
     """Return the type of a point, where it lies, and which orbit is there."""
     return {**place_values(point), "impacts": point.impacts, "symmetric": point.symmetric}
 

@@ -2,16 +2,14 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
 from rocksteady.dynamics.history.samples import COUNTED_IMPACTS
-from rocksteady.dynamics.overturning.window_lists import WindowLists
+from rocksteady.dynamics.overturning.window_lists import OverturningWindow, WindowLists
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import block_text, block_values, side_attributes
-from rocksteady.results.answer import left_out
-from rocksteady.results.description import Fact, line
+from rocksteady.results.description import Fact, left_out, line
 from rocksteady.results.numbers import number, plural
 
 WIDEST = 3
@@ -31,7 +29,7 @@ EXACT = ("frequency_ratio", "freq_hz", "pga_g", "pgv_m_s", "top")
 """Keys of a row whose values are given, not searched."""
 OTHER_WAY = "the other way"
 """Mark of an amplitude of the reversed motion."""
-NO_WINDOW = {"interval": [math.nan, math.nan], "impacts": -1, "side": 0, "endless": False}
+NO_WINDOW = OverturningWindow(math.nan, math.nan, impacts=-1, side=0, endless=False)
 """Row of a table where only the reversed motion overturns the block."""
 
 
@@ -152,7 +150,7 @@ def narrower_text(lists: WindowLists, row: int) -> str:
     return f"; {plural(count, 'narrower window')}" if count > 0 else ""
 
 
-def window_values(lists: WindowLists, row: int) -> list[dict[str, Any]]:
+def window_values(lists: WindowLists, row: int) -> list[dict[str, object]]:
     """Return the windows of one row in plain values."""
     return [
         {
@@ -165,7 +163,7 @@ def window_values(lists: WindowLists, row: int) -> list[dict[str, Any]]:
     ]
 
 
-def left_values(lists: WindowLists, row: int) -> dict[str, Any]:
+def left_values(lists: WindowLists, row: int) -> dict[str, object]:
     """Return what is left out, undecided or unsettled in one row."""
     left = {name: getattr(lists, name)[row].item() for name in LEFT}
     return left | {"left_out_within": [list(ends) for ends in lists.unlisted(row)]}
@@ -173,7 +171,7 @@ def left_values(lists: WindowLists, row: int) -> dict[str, Any]:
 
 def window_variables(
     lists: WindowLists, rows: str, unit: Mapping[str, str], *more: str
-) -> dict[str, Any]:
+) -> dict[str, object]:
     """Return the windows as variables of a dataset.
 
     Parameters
@@ -196,7 +194,7 @@ def window_variables(
     }
 
 
-def searched_attributes(lists: WindowLists) -> dict[str, Any]:
+def searched_attributes(lists: WindowLists) -> dict[str, object]:
     """Return the attributes of a dataset: equations, sides and what was searched."""
     return {
         "model": lists.model.name,
@@ -219,18 +217,25 @@ def _span(low: float, high: float) -> str:
     return "-".join(apart or (number(low, MOST_DIGITS), number(high, MOST_DIGITS)))
 
 
-def floor_digits(row: Any) -> Any:
-    """Return a row, or a part of it, with the digits of amplitudes that are right on a floor."""
-    if isinstance(row, dict):
-        kept = {key: each if key in EXACT else floor_digits(each) for key, each in row.items()}
-        for unit in {"", "_g", "_m_s"} & {key.removeprefix("low") for key in row}:
-            kept["low" + unit], kept["high" + unit] = _ends(row["low" + unit], row["high" + unit])
-        return kept
-    if isinstance(row, list) and len(row) == 2 and {*map(type, row)} == {float}:
-        return list(_ends(*row))
-    if isinstance(row, list):
-        return [floor_digits(each) for each in row]
-    return float(f"{row:.{ON_FLOOR}g}") if isinstance(row, float) else row
+def floor_digits(row: Mapping[str, object]) -> dict[str, object]:
+    """Return a row with the digits of amplitudes that are right on a floor."""
+    kept = {key: each if key in EXACT else _rounded(each) for key, each in row.items()}
+    for unit in ("", "_g", "_m_s"):
+        low, high = row.get(f"low{unit}"), row.get(f"high{unit}")
+        if isinstance(low, float) and isinstance(high, float):
+            kept[f"low{unit}"], kept[f"high{unit}"] = _ends(low, high)
+    return kept
+
+
+def _rounded(value: object) -> object:
+    """Return a value of a row on a floor; of two numbers, the ends of a window."""
+    if isinstance(value, dict):
+        return floor_digits(value)
+    if isinstance(value, list) and len(value) == 2 and {*map(type, value)} == {float}:
+        return list(_ends(*value))
+    if isinstance(value, list):
+        return [_rounded(each) for each in value]
+    return float(f"{value:.{ON_FLOOR}g}") if isinstance(value, float) else value
 
 
 def _ends(low: float, high: float) -> tuple[float, float]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TypedDict
 
 import numpy as np
 
@@ -299,18 +300,31 @@ def tables_of(
         Table("remedies", [each.to_dict() for each in remedies], REMEDIES, title="Least changes"),
         Table("screens", rows),
         Table("", words, screen_columns, title="Code formulas, side by side"),
-        Table("inputs", _inputs(suite, shaking)),
+        Table("inputs", inputs_of(suite, shaking)),
     ]
     return [table for table in tables if table.rows]
 
 
-def _inputs(suite: Suite, shaking: Shaking | None) -> list[dict[str, object]]:
+class Input(TypedDict):
+    """A motion as it is, and the factors it was run with."""
+
+    name: str | None
+    samples: int
+    dt_s: float
+    pga_g: float
+    pgv_m_s: float
+    vertical: bool
+    scale: float | None
+    stretch: float | None
+
+
+def inputs_of(suite: Suite, shaking: Shaking | None) -> list[Input]:
     """Return what each motion is, and by what factors it has the peaks of the demand."""
     factors: list[list[float]] = []
     if shaking is not None:
         factors = np.stack([shaking.scales, shaking.stretches], axis=1).tolist()
     every, left = len(factors) == len(suite.motions), iter(factors)
-    rows: list[dict[str, object]] = []
+    rows: list[Input] = []
     for motion, pga, pgv in zip(suite.motions, *(x.tolist() for x in suite.peaks), strict=True):
         record, lifted = across(motion), has_vertical(motion)
         counted = len(factors) > 0 and (every or lifted)

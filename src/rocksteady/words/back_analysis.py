@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from rocksteady.results.answer import doubt
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, doubt, line
 from rocksteady.results.numbers import chance, number, plural, quantity
 from rocksteady.results.result import describes
 from rocksteady.results.words import facts_of

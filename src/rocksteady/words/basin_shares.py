@@ -1,7 +1,7 @@
 """Words of shares of basins over a parameter, and of their families."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
@@ -19,8 +19,7 @@ from rocksteady.model.facts import (
 )
 from rocksteady.model.units import CONVERSIONS
 from rocksteady.outcomes import AttractorKind
-from rocksteady.results.answer import left_out
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, left_out, line
 from rocksteady.results.numbers import CONFIDENCE, chance, number, plural
 from rocksteady.results.result import describes
 from rocksteady.words.windows import (
@@ -37,6 +36,20 @@ if TYPE_CHECKING:
 
 
 PHASE = "phase"
+Row = TypedDict(
+    "Row",
+    {
+        "label": int,
+        "name": str,
+        "from": float,
+        "to": float,
+        "values": int,
+        "least": float,
+        "most": float,
+        "periods": list[int],
+    },
+)
+"""Row of a family: where it exists, and its least and largest share."""
 SI = {name: CONVERSIONS[name][0] for name in ("amplitude", "frequency_ratio")}
 """The same parameters of a block with a size."""
 
@@ -133,7 +146,7 @@ def _case(shares: BasinShares) -> str:
     return ", ".join([*phrases, f"{shares.model.name} model"])
 
 
-def _rows(shares: BasinShares) -> list[dict[str, Any]]:
+def _rows(shares: BasinShares) -> list[dict[str, object]]:
     """Return one row per family and value at which it exists."""
     low, high = shares.intervals()
     rows = []
@@ -162,9 +175,9 @@ def _rows(shares: BasinShares) -> list[dict[str, Any]]:
     return rows
 
 
-def _family_rows(basin_shares: BasinShares) -> list[dict[str, Any]]:
-    """Return one row per family: where it exists, and its least and largest share."""
-    rows = []
+def _family_rows(basin_shares: BasinShares) -> list[Row]:
+    """Return one row per family."""
+    rows: list[Row] = []
     for family in basin_shares.families:
         where = family.present
         shares, values = basin_shares.share[family.label, where], basin_shares.values[where]
@@ -200,7 +213,7 @@ def _notes(shares: BasinShares) -> list[str]:
     return notes
 
 
-def over_answer(shares: BasinShares, families: Sequence[dict[str, Any]]) -> tuple[str, list[Fact]]:
+def over_answer(shares: BasinShares, families: Sequence[Row]) -> tuple[str, list[Fact]]:
     """Return how the shares of basins change over a parameter.
 
     Parameters
@@ -238,13 +251,13 @@ def over_answer(shares: BasinShares, families: Sequence[dict[str, Any]]) -> tupl
     return f"{solved_text(sentence, shares.block)}.", facts
 
 
-def _where(family: dict[str, Any], symbol: str) -> str:
+def _where(family: Row, symbol: str) -> str:
     """Return between which values a family is met."""
     first, last = number(family["from"], 4), number(family["to"], 4)
     return f", at {symbol} {first}" + ("" if first == last else f" to {last}")
 
 
-def _range(family: dict[str, Any]) -> str:
+def _range(family: Row) -> str:
     """Return the least and the largest share of a family."""
     least, most = chance(family["least"]), chance(family["most"])
     if not family["least"] and family["most"]:

@@ -19,8 +19,7 @@ from rocksteady.model.facts import (
     tilt_text,
 )
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
-from rocksteady.results.answer import left_out
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, left_out, line
 from rocksteady.results.numbers import CONFIDENCE, number, plural
 from rocksteady.results.result import describes
 from rocksteady.words.orbits import beyond_alpha, plain_orbit
@@ -105,11 +104,12 @@ def describe_basins(basins: Basins) -> Description:
     elif basins.undecided:
         notes.append("States are undecided: they balance for ever, or take more periods to follow.")
     sentence, screen = basins_answer(basins)
+    shown = with_between(rows, basins.fractions()) if drawn else rows
     return Description(
         f"{plural(len(rows), 'basin')} at phase {number(motion.phase)} rad: {case}, "
         f"{case_text(block)}, {basins.model.name} model",
         [*screen, *facts],
-        [Table("fractions", rows), Table("", with_between(rows) if drawn else rows, columns)],
+        [Table("fractions", rows), Table("", shown, columns)],
         notes,
         sentence,
     )

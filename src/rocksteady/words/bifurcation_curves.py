@@ -1,7 +1,6 @@
 """Words of bifurcation curves and of the planes that they cross."""
 
 from collections import Counter
-from typing import Any
 
 import numpy as np
 
@@ -13,8 +12,7 @@ from rocksteady.dynamics.continuation.curves.bifurcation_curves import (
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import solved_text
-from rocksteady.results.answer import aligned, left_out
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, aligned, left_out, line
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import describes
 from rocksteady.words._branch_cases import (
@@ -87,13 +85,14 @@ def describe_curves(curves: BifurcationCurves) -> Description:
         "the lines across the plane are missed: more lines find more."
     )
     sentence, screen = curves_answer(curves)
+    named = {each.point.type.value for each in curves.points}
     return Description(
         f"Bifurcation curves: {', '.join([*ranges, *constant])}, "
         f"{model_text(curves.block, curves.model)}",
         [*screen, *facts],
         [
             _points_table(points, curves.parameters),
-            _curves_table(listed, curves.parameters, {each["type"] for each in points}),
+            _curves_table(listed, curves.parameters, named),
             Table("regions", regions),
         ],
         [note],
@@ -154,8 +153,8 @@ def describe_curve(curve: BifurcationCurve) -> Description:
         for name, a, b in zip(curve.parameters, low, high, strict=True)
     ]
     words = {
-        "begin": ("from", values["begin"]["type"].replace("-", " ")),
-        "end": ("to", values["end"]["type"].replace("-", " ")),
+        "begin": ("from", curve.points[0].type.value.replace("-", " ")),
+        "end": ("to", curve.points[-1].type.value.replace("-", " ")),
         "points": ("points", str(len(curve.points))),
     }
     kind = curve.type.value.replace("-", " ").capitalize()
@@ -171,7 +170,7 @@ def describe_curve(curve: BifurcationCurve) -> Description:
     )
 
 
-def curve_values(curve: BifurcationCurve) -> dict[str, Any]:
+def curve_values(curve: BifurcationCurve) -> dict[str, object]:
     """Return what motions a curve is of, where it begins and ends, and why."""
     begin, end = (
         {"type": point.type.value, **dict(zip(curve.parameters, place, strict=True))}
@@ -190,7 +189,7 @@ def curve_values(curve: BifurcationCurve) -> dict[str, Any]:
     }
 
 
-def curve_rows(curve: BifurcationCurve, place: int = 1) -> list[dict[str, Any]]:
+def curve_rows(curve: BifurcationCurve, place: int = 1) -> list[dict[str, object]]:
     """Return one row per point of a curve, with the number of the curve."""
     return [
         {
@@ -210,7 +209,7 @@ def _word(kind: object) -> str:
     return str(kind).replace("-", " ")
 
 
-def _points_table(points: list[dict[str, Any]], parameters: tuple[str, str]) -> Table:
+def _points_table(points: list[dict[str, object]], parameters: tuple[str, str]) -> Table:
     columns = [
         Column("type", "point", _word, left=True),
         *(Column(name, SHORT[name], lambda value: f"{value:.8f}") for name in parameters),
@@ -223,11 +222,11 @@ def _points_table(points: list[dict[str, Any]], parameters: tuple[str, str]) -> 
 
 
 def _curves_table(
-    curves: list[dict[str, Any]], parameters: tuple[str, str], named: set[str]
+    curves: list[dict[str, object]], parameters: tuple[str, str], named: set[str]
 ) -> Table:
     """Return one row per curve; an end listed elsewhere has its place alone."""
 
-    def place(end: dict[str, Any]) -> str:
+    def place(end: dict[str, object]) -> str:
         values = ", ".join(f"{end[name]:.4g}" for name in parameters)
         kind = str(end["type"])
         return values if kind in {*named, PointType.RANGE_END.value} else f"{_word(kind)} {values}"

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -48,7 +48,7 @@ MOST_ROWS = 100
 @describes(BranchPoint)
 def describe_point(point: BranchPoint) -> Description:
     """Return where the point is, what is special about it, and its orbit."""
-    values = point_values(point, 1.0, BARE)
+    values, peaks = point_values(point, 1.0, BARE), extremes(point, 1.0)
     kind = f"{point.type.value.replace('-', ' ')} point"
     place = f"A = {point.amplitude:.8g}, Ω = {point.frequency_ratio:.8g}"
     words = {
@@ -58,7 +58,7 @@ def describe_point(point: BranchPoint) -> Description:
         "period": ("period", plural(point.period, "forcing period")),
         "impacts": ("impacts", f"{point.impacts} in a period"),
         "symmetric": ("kind", point.kind),
-        "peaks": ("highest, lowest", ", ".join(map(number, values["peaks"])) + " alpha"),
+        "peaks": ("highest, lowest", ", ".join(map(number, peaks)) + " alpha"),
         "multipliers": (MULTIPLIERS, multipliers_text(point.multipliers)),
     }
     return Description(
@@ -85,23 +85,24 @@ def point_case(point: BranchPoint) -> str:
     return f"restitution {kept}{orders_text(point.chain.harmonics)}, {model}"
 
 
-def point_values(point: BranchPoint, lean: float, block: AnyBlock) -> dict[str, Any]:
+def point_values(point: BranchPoint, lean: float, block: AnyBlock) -> dict[str, object]:
     """Return a point as plain values, in SI too where the block has a size."""
-    values: dict[str, Any] = {
+    peaks = extremes(point, lean)
+    values: dict[str, object] = {
         **orbit_values(point),
-        "peaks": extremes(point, lean),
+        "peaks": peaks,
         "multipliers": multipliers_value(point.multipliers),
     }
     values |= in_si(block, point.amplitude, point.frequency_ratio)
     if isinstance(block, Block):
-        values["peaks_rad"] = [peak * block.alpha for peak in values["peaks"]]
+        values["peaks_rad"] = [peak * block.alpha for peak in peaks]
     return values
 
 
-def point_row(branch: int, point: BranchPoint, lean: float, block: AnyBlock) -> dict[str, Any]:
+def point_row(branch: int, point: BranchPoint, lean: float, block: AnyBlock) -> dict[str, object]:
     """Return the row of a point of a branch in a file."""
     high, low = extremes(point, lean)
-    row: dict[str, Any] = {
+    row: dict[str, object] = {
         "branch": branch,
         **orbit_values(point),
         "stable": point.stable,
@@ -121,15 +122,16 @@ def point_row(branch: int, point: BranchPoint, lean: float, block: AnyBlock) -> 
 def describe_branch(branch: Branch) -> Description:
     """Return what the branch is, its ends, where it is stable, and its bifurcations."""
     values, symbol = branch_values(branch), SYMBOLS[branch.parameter]
-    low, high = values["within"]
+    low, high = branch.values.min(), branch.values.max()
+    begin, end = branch.points[0].type.value, branch.points[-1].type.value
     special = [
         {"branch": 1, **point_values(point, branch.lean, BARE)} for point in branch.bifurcations
     ]
     kind = "Symmetric" if branch.symmetric else "Unsymmetric"
     words = {
-        "begin": ("from", values["begin"]["type"].replace("-", " ")),
-        "end": ("to", values["end"]["type"].replace("-", " ")),
-        "stable_ranges": ("stable", stable_text(values["stable_ranges"])),
+        "begin": ("from", begin.replace("-", " ")),
+        "end": ("to", end.replace("-", " ")),
+        "stable_ranges": ("stable", stable_text(stable_ranges(branch))),
         "points": ("points", str(len(branch.points))),
     }
     return Description(
@@ -146,18 +148,13 @@ def describe_branch(branch: Branch) -> Description:
     )
 
 
-def branch_values(branch: Branch) -> dict[str, Any]:
+def branch_values(branch: Branch) -> dict[str, object]:
     """Return what a branch is, its ends, and where it is stable."""
     name = branch.parameter
     begin, end = (
         {"type": point.type.value, name: getattr(point, name)}
         for point in (branch.points[0], branch.points[-1])
     )
-    stable = [
-        sorted((float(branch.values[part.first]), float(branch.values[part.last])))
-        for part in branch.stretches
-        if part.stable
-    ]
     return {
         "period": branch.period,
         "impacts": branch.impacts,
@@ -165,9 +162,19 @@ def branch_values(branch: Branch) -> dict[str, Any]:
         "begin": begin,
         "end": end,
         "within": [float(branch.values.min()), float(branch.values.max())],
-        "stable_ranges": sorted(stable),
+        "stable_ranges": [list(ends) for ends in stable_ranges(branch)],
         "points": len(branch.points),
     }
+
+
+def stable_ranges(branch: Branch) -> list[tuple[float, float]]:
+    """Return the ranges in which a branch is stable, from low to high."""
+    ends = [
+        (float(branch.values[part.first]), float(branch.values[part.last]))
+        for part in branch.stretches
+        if part.stable
+    ]
+    return sorted((min(pair), max(pair)) for pair in ends)
 
 
 def range_text(low: float, high: float) -> str:
@@ -183,7 +190,7 @@ def stable_text(ranges: Sequence[Sequence[float]]) -> str:
 
 
 def bifurcations_table(
-    points: Sequence[dict[str, Any]], parameter: str, block: AnyBlock, *, key: str = ""
+    points: Sequence[dict[str, object]], parameter: str, block: AnyBlock, *, key: str = ""
 ) -> Table:
     """Return bifurcations for people: where they are with the digits that are known."""
     unit, heading = UNITS.get(parameter, ("", ""))
@@ -219,7 +226,7 @@ def bifurcations_table(
 @describes(Cascade)
 def describe_cascade(cascade: Cascade) -> Description:
     """Return the doublings, the distances between them, and their ratios."""
-    values, symbol = cascade.values_by_name(), SYMBOLS[cascade.parameter]
+    symbol = SYMBOLS[cascade.parameter]
     waves = cascade.points[0].chain.harmonics
     return Description(
         f"Cascade of {plural(len(cascade.points), 'period doubling')}: {symbol} from "
@@ -227,43 +234,52 @@ def describe_cascade(cascade: Cascade) -> Description:
         f"{model_text(cascade.block, cascade.model)}",
         [
             Fact("parameter", cascade.parameter),
-            *(Fact(key, value) for key, value in values.items()),
+            *(Fact(key, value) for key, value in cascade.values_by_name().items()),
             *series_facts(waves),
             *model_facts(cascade.block, cascade.model),
         ],
-        [cascade_table(values, cascade.parameter)],
-        cascade_notes(values),
+        [cascade_table(cascade)],
+        cascade_notes(cascade),
     )
 
 
-def cascade_table(cascade: dict[str, Any], parameter: str) -> Table:
+def cascade_table(cascade: Cascade) -> Table:
     """Return the doublings of a cascade for people."""
-    count = len(cascade["values"])
-    rows = [
-        {"period": period, parameter: value, "distance": distance, "ratio": ratio}
-        for period, value, distance, ratio in zip(
-            cascade["periods"],
-            cascade["values"],
-            [*cascade["distances"], None],
-            [None, *cascade["ratios"], None][:count],
-            strict=True,
-        )
-    ]
+    rows, count, parameter = _doublings(cascade), len(cascade.points), cascade.parameter
     columns = [
         Column("period", "period", lambda period: f"{period} -> {2 * period}"),
         Column(parameter, SHORT[parameter], lambda value: f"{value:.12f}"),
         Column("distance", "distance", lambda d: "" if d is None else f"{abs(d):.3e}"),
         Column("ratio", "ratio", lambda r: "" if r is None else f"{r:.4f}"),
     ]
-    plural = "period doubling" if count == 1 else "period doublings"
-    return Table("", rows, columns, f"cascade of {count} {plural}")
+    return Table("", rows, columns, f"cascade of {plural(count, 'period doubling')}")
 
 
-def cascade_notes(cascade: dict[str, Any]) -> list[str]:
+def _doublings(cascade: Cascade) -> list[dict[str, object]]:
+    """Return each doubling, the distance to the next one and the ratio of two distances."""
+    count = len(cascade.points)
+    return [
+        {
+            "period": point.period,
+            cascade.parameter: value,
+            "distance": distance,
+            "ratio": ratio,
+        }
+        for point, value, distance, ratio in zip(
+            cascade.points,
+            cascade.values.tolist(),
+            [*cascade.distances.tolist(), None],
+            [None, *cascade.ratios.tolist(), None][:count],
+            strict=True,
+        )
+    ]
+
+
+def cascade_notes(cascade: Cascade) -> list[str]:
     """Return what follows from the distances of a cascade for its limit."""
-    if not cascade["ratios"]:
+    if len(cascade.points) < 3:
         return ["fewer than three doublings have no ratio"]
-    limit = f"limit {cascade['limit']:.12f}, if the distances go on shrinking by the last ratio"
+    limit = f"limit {cascade.limit:.12f}, if the distances go on shrinking by the last ratio"
     return [f"{limit}; the ratios tend to Feigenbaum's 4.6692"]
 
 
@@ -296,7 +312,7 @@ SI = {
 }
 
 
-def branch_rows(branch: Branch) -> list[dict[str, Any]]:
+def branch_rows(branch: Branch) -> list[dict[str, object]]:
     """Return one row per point."""
     return [point_row(1, point, branch.lean, BARE) for point in branch.points]
 
@@ -350,21 +366,13 @@ def cascade_dataset(cascade: Cascade) -> "xarray.Dataset":
     """Return the doublings of a cascade, with the distances between them and their ratios."""
     import xarray
 
-    values, count = cascade.values_by_name(), len(cascade.points)
     rows = [
         {
             **{name: getattr(point, name) for name in PARAMETER_WORDS},
-            "period": point.period,
+            **row,
             "impacts": point.impacts,
-            "distance": distance,
-            "ratio": ratio,
         }
-        for point, distance, ratio in zip(
-            cascade.points,
-            [*values["distances"], None],
-            [None, *values["ratios"], None][:count],
-            strict=True,
-        )
+        for row, point in zip(_doublings(cascade), cascade.points, strict=True)
     ]
     words = {
         **PARAMETER_WORDS,
@@ -377,7 +385,7 @@ def cascade_dataset(cascade: Cascade) -> "xarray.Dataset":
     along = {name: variables.pop(name) for name in PARAMETER_WORDS}
     number: Variable = (
         ("doubling",),
-        np.arange(1, count + 1),
+        np.arange(1, len(rows) + 1),
         {"long_name": "number of the doubling", "units": "1"},
     )
     attributes = {

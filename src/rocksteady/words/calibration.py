@@ -3,12 +3,10 @@
 import math
 from collections.abc import Mapping
 from dataclasses import asdict
-from typing import Any
 
 import numpy as np
 
-from rocksteady.results.answer import doubt, left_out
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, doubt, left_out, line
 from rocksteady.results.doubts import NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import chance, interval, number, number_or_none, plural
 from rocksteady.results.result import describes
@@ -141,9 +139,9 @@ def _answer(calibration: Calibration) -> tuple[str, list[Fact]]:
         if name != "alpha_rad" and (several or name != "restitution"):
             continue
         label = f"{row['object']}, alpha" if several else name.removesuffix("_rad")
-        words = f"no estimate yet; prior {_range(row, 'prior_low', 'prior_high')}"
+        words = f"no estimate yet; prior {_range(row['prior_low'], row['prior_high'])}"
         if row["median"] is not None:
-            words = f"{number(row['median'])} (90 %: {_range(row, 'low', 'high')}); "
+            words = f"{number(row['median'])} (90 %: {_range(row['low'], row['high'])}); "
             words += str(row["verdict"])
         lines.append(line(label, words))
     # A short screen drops facts from the end.
@@ -227,9 +225,9 @@ def _remarks(calibration: Calibration) -> list[str]:
     return remarks
 
 
-def _range(row: Mapping[str, Any], low: str, high: str) -> str:
-    """Return two ends of a row in words."""
-    return f"{number(row[low])} to {number(row[high])}"
+def _range(low: float, high: float) -> str:
+    """Return two ends in words."""
+    return f"{number(low)} to {number(high)}"
 
 
 def _words(values: Mapping[str, float]) -> str:

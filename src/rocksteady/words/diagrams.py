@@ -1,11 +1,10 @@
 """Words of bifurcation diagrams and of their bifurcations."""
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.continuation.diagram import Bifurcation, BifurcationDiagram
-from rocksteady.dynamics.continuation.points import Branch
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.dynamics.orbits.return_map import has_mirror_images
 from rocksteady.dynamics.parameters import SYMBOLS
@@ -14,9 +13,8 @@ from rocksteady.model.equations import Model
 from rocksteady.model.facts import AnyBlock, case_text, solved_text, tilt_text
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import AttractorKind
-from rocksteady.results.answer import left_out
 from rocksteady.results.datasets import ColumnWords, Variable, variables_of
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, left_out, line
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import describes
 from rocksteady.words._branch_cases import (
@@ -44,6 +42,7 @@ from rocksteady.words.branches import (
     cascade_table,
     point_row,
     point_values,
+    stable_ranges,
     stable_text,
 )
 from rocksteady.words.resting import diagram_row, resting_table
@@ -117,12 +116,12 @@ def describe_diagram(diagram: BifurcationDiagram) -> Description:
     facts.append(Fact("sweeps", sweeps))
     notes = []
     if search.doublings:
-        cascade = None if diagram.cascade is None else diagram.cascade.values_by_name()
-        facts.append(Fact("cascade", cascade))
+        cascade = diagram.cascade
+        facts.append(Fact("cascade", None if cascade is None else cascade.values_by_name()))
         if cascade is None:
             notes.append("no cascade: no branch has a period doubling in this range")
         else:
-            tables.append(cascade_table(cascade, parameter))
+            tables.append(cascade_table(cascade))
             notes += cascade_notes(cascade)
     unit = "" if isinstance(diagram.block, Block) else "Angles are in units of alpha. "
     images = (
@@ -152,7 +151,7 @@ def diagram_line(diagram: BifurcationDiagram) -> str:
     return f"{diagram_headline(diagram)}, {branches}, {plural(len(diagram.points), 'bifurcation')}"
 
 
-def diagram_rows(diagram: BifurcationDiagram) -> Iterator[dict[str, Any]]:
+def diagram_rows(diagram: BifurcationDiagram) -> Iterator[dict[str, object]]:
     """Yield one row per point, in SI too where the block has a size."""
     for place, branch in enumerate(diagram.branches, start=1):
         for point in branch.points:
@@ -210,10 +209,10 @@ def case_facts(
     ]
 
 
-def branches_table(branches: Sequence[dict[str, Any]], parameter: str) -> Table:
+def branches_table(branches: Sequence[dict[str, object]], parameter: str) -> Table:
     """Return branches for people and for JSON."""
 
-    def end(values: dict[str, Any]) -> str:
+    def end(values: dict[str, object]) -> str:
         kind = str(values["type"])
         return ENDS.get(kind, kind)
 
@@ -248,7 +247,7 @@ def diagram_answer(diagram: BifurcationDiagram) -> tuple[str, list[Fact]]:
     stable = sorted(
         (*ends, number_of)
         for number_of, branch in enumerate(diagram.branches, start=1)
-        for ends in _stable(branch)
+        for ends in stable_ranges(branch)
     )
     ranges = [(first, last) for first, last, _ in stable]
     ranges += [(float(each.within[0]), float(each.within[1])) for each in diagram.resting]
@@ -339,16 +338,6 @@ def _stability(
         return f"No steady motion was found to be stable above {place.at(last)}."
     more = f" and in {plural(len(others), 'other range')}" if others else ""
     return f"A steady motion is stable for {place.between(first, last)}{more}."
-
-
-def _stable(branch: Branch) -> list[tuple[float, float]]:
-    """Return the stable ranges of a branch."""
-    ends = [
-        sorted((float(branch.values[part.first]), float(branch.values[part.last])))
-        for part in branch.stretches
-        if part.stable
-    ]
-    return [(low, high) for low, high in ends]
 
 
 def _joined(ranges: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:

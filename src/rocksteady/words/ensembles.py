@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table, shown
@@ -82,7 +82,7 @@ def _moved(top: float | None) -> str:
     return shown(top) if top is None else length(top)
 
 
-def _row(stripe: "xarray.Dataset") -> dict[str, Any]:
+def _row(stripe: "xarray.Dataset") -> dict[str, object]:
     """Return the shares of a level."""
     status = stripe["status"].values
     return {

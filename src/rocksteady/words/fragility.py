@@ -1,7 +1,7 @@
 """Words of fragility: counted shares of damage states, and fitted curves."""
 
 import math
-from typing import Any, Final
+from typing import Final
 
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import NOT_IDENTIFIED
@@ -250,7 +250,7 @@ def _summary(fragility: Fragility, last: StateFragility) -> Stated:
     )
 
 
-def _shown_rows(fragility: Fragility) -> list[dict[str, Any]]:
+def _shown_rows(fragility: Fragility) -> list[dict[str, object]]:
     """Return a row for each level, with the share of each state."""
     curve = fragility.states[-1].curve
     return [

@@ -3,7 +3,7 @@
 import functools
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -150,22 +150,23 @@ def _least_text(kicks: FatalKicks) -> str:
     return "none in the range" if math.isnan(least) else kick_text(kicks.block, least, 6)
 
 
-def _rows(kicks: FatalKicks) -> Iterator[dict[str, Any]]:
+def _rows(kicks: FatalKicks) -> Iterator[dict[str, object]]:
     """Yield a row for each moment and direction."""
     for moment, time in enumerate(kicks.time_pt.tolist()):
         for place, direction in enumerate(SIGNS):
             index = 2 * moment + place
-            row: dict[str, Any] = {
+            first = float(kicks.first[index])
+            row: dict[str, object] = {
                 "time_pt": time,
                 "angle": float(kicks.angle[moment]),
                 "velocity": float(kicks.velocity[moment]),
                 "direction": direction,
-                "first": float(kicks.first[index]),
+                "first": first,
                 "windows": len(kicks.intervals(index)),
             }
             if isinstance(kicks.block, Block):
                 row["t_s"] = time / kicks.block.p
-                row["first_m_s"] = row["first"] * kicks.unit_m_s
+                row["first_m_s"] = first * kicks.unit_m_s
             yield row
 
 
@@ -176,7 +177,7 @@ def kicks_dataset(kicks: FatalKicks) -> "xarray.Dataset":
     across, every = ("moment", "direction"), ("moment", "direction", "window")
     kick = {"units": "1", "long_name": "change of base velocity over alpha g/p"}
     shape = len(kicks.time_pt), 2, kicks.low.shape[1]
-    values: dict[str, Any] = {
+    values: dict[str, object] = {
         name: (every, getattr(kicks, name).reshape(shape), kick) for name in ("low", "high")
     }
     for name in ("impacts", "side"):

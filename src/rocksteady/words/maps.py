@@ -1,7 +1,7 @@
 """Words of maps of attractors and of fates, from their attributes and cells."""
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rocksteady.dynamics.maps.cell_classes import map_counts
 from rocksteady.dynamics.parameters import AXES
@@ -135,11 +135,11 @@ def headline(dataset: "Labelled") -> str:
     if "amplitude" in given:
         parts.append(f"A = {given['amplitude']:g}")
     elif "acceleration_m_s2" in given:
-        parts.append(_text("acceleration_m_s2", given))
+        parts.append(_text("acceleration_m_s2", given["acceleration_m_s2"]))
     if "frequency_ratio" in given:
         parts.append(f"Ω = {given['frequency_ratio']:g}")
     elif "frequency_hz" in given:
-        parts.append(_text("frequency_hz", given))
+        parts.append(_text("frequency_hz", given["frequency_hz"]))
     restitution = given.get("restitution")
     if restitution is not None:
         negative = given.get("negative_restitution")
@@ -147,7 +147,7 @@ def headline(dataset: "Labelled") -> str:
     if _against_wall(dataset):
         parts.append("against a wall")
     parts += [
-        f"{symbol} = {_text(name, given)}"
+        f"{symbol} = {_text(name, given[name])}"
         for name, symbol in (("alpha", "α"), ("p", "p"))
         if name in given
     ]
@@ -181,7 +181,7 @@ def _parameters(dataset: "Labelled") -> list[Fact]:
     given = {name: dataset.attrs[name] for name in dict.fromkeys(names) if name in dataset.attrs}
     wall = [Fact("one_sided", True, "stands", "against a wall")] if _against_wall(dataset) else []
     return wall + [
-        Fact(name, value, LABELS.get(name, name.replace("_", " ")), _text(name, given))
+        Fact(name, value, LABELS.get(name, name.replace("_", " ")), _text(name, value))
         for name, value in given.items()
     ]
 
@@ -191,9 +191,10 @@ def _against_wall(dataset: "Labelled") -> bool:
     return bool(dataset.attrs.get("one_sided", 0))
 
 
-def _text(name: str, given: "dict[str, Any]") -> str:
+def _text(name: str, value: object) -> str:
     """Return the value of a parameter as engineers write it."""
-    value = given[name]
+    if not isinstance(value, int | float):
+        return str(value)
     if name == "acceleration_m_s2":
         return quantity(in_g(value), "g")
     if name in WORDS and math.isfinite(value):

@@ -2,10 +2,9 @@
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from typing import Any, Final
+from typing import Final
 
-from rocksteady.results.answer import left_out
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, left_out, line
 from rocksteady.results.numbers import chance, number, plural, share_of
 from rocksteady.results.result import describes
 from rocksteady.results.stated import share_words
@@ -122,9 +121,7 @@ def _answer(table: ObjectsTable) -> tuple[str, list[Fact], list[tuple[str, str]]
             f"must be at least {number(max(needs))} where it is not given" if needs else "",
         ),
     ]
-    in_years = table.target.years is not None
-    rows = [(row["name"], _row_words(row, count, in_years)) for row, count in kinds[:MOST_ROWS]]
-    return sentence, facts, rows
+    return sentence, facts, _kind_rows(table)
 
 
 def _remarks(table: ObjectsTable) -> list[str]:
@@ -150,24 +147,29 @@ def verdict_words(counts: Mapping[Verdict, int]) -> str:
     )
 
 
-def _row_words(row: Mapping[str, Any], count: int, in_years: bool) -> str:
-    """Return verdict and share of objects that are alike."""
-    words, rate = WORDS[row["verdict"]], row["probability_50_years"]
-    if in_years and (rate is not None or row["no_rate"]):
-        words += f", no rate: {row['no_rate']}" if rate is None else f", {chance(rate)} in 50 years"
-    elif row["by"] == "statics" and row["verdict"] != "slides":
-        words += ", by statics"
-    elif row["share"] is not None:
-        band = (row["low"], row["high"])
-        words += f", {share_words(row['fall'], row['runs'], band, row['share'])}"
-    elif row["verdict"] == "no-answer":
-        words += f", {row['records']} of {LEAST} records"
-    if rate is not None and not in_years:
-        words += f"; {chance(rate)} in 50 years"
-    return f"{words}; {count:,} alike" if count > 1 else words
+def _kind_rows(table: ObjectsTable) -> list[tuple[str, str]]:
+    """Return name, verdict and share of each of the worst kinds."""
+    rows, in_years = [], table.target.years is not None
+    for row, count in table.kinds[:MOST_ROWS]:
+        words, rate = WORDS[row["verdict"]], row["probability_50_years"]
+        if in_years and rate is not None:
+            words += f", {chance(rate)} in 50 years"
+        elif in_years and row["no_rate"]:
+            words += f", no rate: {row['no_rate']}"
+        elif row["by"] == "statics" and row["verdict"] != "slides":
+            words += ", by statics"
+        elif row["share"] is not None:
+            band = (row["low"], row["high"])
+            words += f", {share_words(row['fall'], row['runs'], band, row['share'])}"
+        elif row["verdict"] == "no-answer":
+            words += f", {row['records']} of {LEAST} records"
+        if rate is not None and not in_years:
+            words += f"; {chance(rate)} in 50 years"
+        rows.append((row["name"], f"{words}; {count:,} alike" if count > 1 else words))
+    return rows
 
 
-def row_of(described: DescribedObject, judged: Judged, suite: Suite) -> dict[str, Any]:
+def row_of(described: DescribedObject, judged: Judged, suite: Suite) -> dict[str, object]:
     """Return the row of an object."""
     block, demand, given = described.block, described.demand, described.given
     asked = demand_of(described)
@@ -198,9 +200,9 @@ def row_of(described: DescribedObject, judged: Judged, suite: Suite) -> dict[str
     }
 
 
-def _least(remedies: Sequence[Remedy], target: Target) -> dict[str, Any]:
+def _least(remedies: Sequence[Remedy], target: Target) -> dict[str, object]:
     """Return the least changes of a row, in metres and in words; None where there is none."""
-    row: dict[str, Any] = {}
+    row: dict[str, object] = {}
     for change in CHANGES:
         remedy = next((each for each in remedies if each.change == change), None)
         key = change.replace(" ", "_")

@@ -3,13 +3,13 @@
 import math
 from collections import Counter
 from collections.abc import Sequence
-from typing import Any
 
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import has_mirror_images
 from rocksteady.dynamics.steady.verdicts import (
     BEYOND,
     MULTIPLIERS,
+    Judgement,
     multipliers_text,
     multipliers_value,
     verdict,
@@ -27,8 +27,7 @@ from rocksteady.model.facts import (
     solved_text,
 )
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
-from rocksteady.results.answer import aligned, left_out
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, aligned, left_out, line
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import describes
 
@@ -82,14 +81,17 @@ def case_facts(block: AnyBlock, motion: PeriodicMotion, model: Model) -> list[Fa
     ]
 
 
-def orbit_values(orbit: Orbit) -> dict[str, Any]:
+def orbit_values(orbit: Orbit) -> dict[str, object]:
     """Return an orbit in plain values, with its branch and its stability."""
     values = plain_orbit(orbit, orbit.block, orbit.motion)
+    return {**values, "branch": orbit.branch, **judgement_of(orbit)}
+
+
+def judgement_of(orbit: Orbit) -> Judgement:
+    """Return whether an orbit is a motion, and its stability; None where it has none."""
     # What passes through the floor has multipliers, and no stability.
-    judged = orbit.admissible and values["multipliers"] is not None
+    judged = orbit.admissible and multipliers_value(orbit.multipliers) is not None
     return {
-        **values,
-        "branch": orbit.branch,
         "admissible": orbit.admissible,
         "stable": orbit.stable if judged else None,
         "neutral": orbit.neutral if judged else None,
@@ -98,8 +100,7 @@ def orbit_values(orbit: Orbit) -> dict[str, Any]:
 
 def worth(orbit: Orbit) -> str:
     """Return whether an orbit is a motion and stable, in a word."""
-    values = orbit_values(orbit)
-    return verdict(**{name: values[name] for name in ("admissible", "neutral", "stable")})
+    return verdict(**judgement_of(orbit))
 
 
 def kind_text(kind: str, period: int | None) -> str:
@@ -113,8 +114,8 @@ def orbit_facts(orbit: Orbit) -> list[Fact]:
     period = "1 forcing period"
     if orbit.period > 1:
         period = f"{orbit.period} forcing periods, subharmonic"
-    if "period_s" in values:
-        period += f", {quantity(values['period_s'], 's')}"
+    if isinstance(block, Block):
+        period += f", {quantity(orbit.period / orbit.motion.frequency_hz(block), 's')}"
     impacts = "infinitely many in a period"
     if orbit.impacts is not None:
         impacts = f"{orbit.impacts} in a period"
@@ -128,7 +129,7 @@ def orbit_facts(orbit: Orbit) -> list[Fact]:
     if orbit.branch is not None:
         words["branch"] = ("branch", str(orbit.branch))
     facts = [Fact(key, value, *words.get(key, ())) for key, value in values.items()]
-    peaks = peak_facts(values["peaks"], block)
+    peaks = peak_facts(peaks_of(orbit), block)
     at = next(k for k, fact in enumerate(facts) if fact.key == "multipliers")
     return [*facts[:at], *peaks, *facts[at:]]
 
@@ -141,12 +142,12 @@ def peak_facts(peaks: Sequence[float] | None, block: AnyBlock) -> list[Fact]:
     ]
 
 
-def orbit_row(number_of: int, orbit: Orbit) -> dict[str, Any]:
+def orbit_row(number_of: int, orbit: Orbit) -> dict[str, object]:
     """Return the row of an orbit in a table: infinitely many impacts are None."""
     first, second = (complex(m) for m in orbit.multipliers)
     begin, values = orbit.states[0], orbit_values(orbit)
-    highest, lowest = values["peaks"] or (None, None)
-    row: dict[str, Any] = {
+    highest, lowest = peaks_of(orbit) or (None, None)
+    row: dict[str, object] = {
         "number": number_of,
         "period": orbit.period,
         "impacts_per_period": orbit.impacts,
@@ -164,7 +165,8 @@ def orbit_row(number_of: int, orbit: Orbit) -> dict[str, Any]:
         "speed_per_pivot_time": begin.speed,
     }
     if isinstance(orbit.block, Block):
-        row["highest_rad"], row["lowest_rad"] = values["peaks_rad"] or (None, None)
+        for name, peak in (("highest_rad", highest), ("lowest_rad", lowest)):
+            row[name] = None if peak is None else peak * orbit.block.alpha
     return row
 
 
@@ -321,15 +323,20 @@ def _row(number_of: int, orbit: Orbit) -> tuple[str, ...]:
     )
 
 
+def peaks_of(orbit: Orbit) -> list[float] | None:
+    """Return the extremes of an orbit; None where it is no motion."""
+    return [orbit.highest, orbit.lowest] if orbit.admissible else None
+
+
 def beyond_alpha(orbit: Orbit) -> bool:
     """Return whether a motion tilts beyond alpha."""
     return bool(max(orbit.highest, -orbit.lowest) > 1.0)
 
 
-def plain_orbit(orbit: Orbit, block: AnyBlock, motion: PeriodicMotion) -> dict[str, Any]:
+def plain_orbit(orbit: Orbit, block: AnyBlock, motion: PeriodicMotion) -> dict[str, object]:
     """Return an orbit of a block in plain values, in SI too where the block has a size."""
-    peaks = [orbit.highest, orbit.lowest] if orbit.admissible else None
-    values: dict[str, Any] = {
+    peaks = peaks_of(orbit)
+    values: dict[str, object] = {
         "kind": orbit.kind,
         "period": orbit.period,
         "impacts_per_period": orbit.impacts,

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -67,7 +67,7 @@ def describe_windows(windows: OverturningWindows) -> Description:
     rows = [_row(windows, index) for index in range(len(windows.frequency_ratio))]
     table = Table(
         "",
-        list(_window_rows(windows, rows)),
+        list(_window_rows(windows)),
         _columns(windows),
         most=MOST_ROWS,
         severity=lambda row: -row["low"],
@@ -97,11 +97,11 @@ def describe_windows(windows: OverturningWindows) -> Description:
         f"{case_text(block)}, {windows.model.name} model"
     )
     tables = [table, Table("windows", rows)]
-    sentence, screen = _answer(windows, rows)
+    sentence, screen = _answer(windows)
     return Description(headline, [*screen, *facts], tables, notes, sentence=sentence)
 
 
-def _answer(windows: OverturningWindows, rows: list[dict[str, Any]]) -> tuple[str, list[Fact]]:
+def _answer(windows: OverturningWindows) -> tuple[str, list[Fact]]:
     """Return where it falls, at the one frequency or at each."""
     sized, unit = isinstance(windows.block, Block), 1.0
     if isinstance(windows.block, Block):
@@ -111,10 +111,7 @@ def _answer(windows: OverturningWindows, rows: list[dict[str, Any]]) -> tuple[st
         size = number(amplitude * unit)
         return f"{size} g" if sized else f"A = {size}"
 
-    names = [
-        quantity(row["freq_hz"], "Hz") if sized else f"W = {number(row['frequency_ratio'])}"
-        for row in rows
-    ]
+    names = [_name(windows, index) for index in range(len(windows.frequency_ratio))]
     shown, pulse = shown_rows(windows), f"{_pulse_text(windows)} pulse"
     searched = f"{write(windows.within[0])} to {write(windows.within[1])}{missing_text(windows)}"
     facts = [
@@ -127,7 +124,7 @@ def _answer(windows: OverturningWindows, rows: list[dict[str, Any]]) -> tuple[st
     stand = f"It stands in the {pulse} at {at}, up to {write(windows.within[1])}."
     if not shown:
         return stand, facts
-    if len(rows) > 1:
+    if len(names) > 1:
         stands = [names[row] for row in np.flatnonzero(np.isnan(windows.governing))]
         facts[1:1] = [
             *(line(names[row], governing_verdict(windows, row, write)) for row in shown),
@@ -137,7 +134,7 @@ def _answer(windows: OverturningWindows, rows: list[dict[str, Any]]) -> tuple[st
         least = float(windows.governing[shown[0]])
         way = f", {OTHER_WAY}" * bool(windows.opposite_governs[shown[0]])
         sentence = (
-            f"It falls at {len(rows) - len(stands)} of {len(rows)} frequencies, "
+            f"It falls at {len(names) - len(stands)} of {len(names)} frequencies, "
             f"{first_text(windows, least, write)} ({names[shown[0]]}, {pulse}{way})."
         )
         return sentence, facts
@@ -148,7 +145,7 @@ def _answer(windows: OverturningWindows, rows: list[dict[str, Any]]) -> tuple[st
     if last.low > first.low:
         after += f", {plural(last.impacts, 'impact')} at {write(last.low)}"
     spans = "{} g" if sized else "A = {}"
-    widest, closed = widest_text(windows, 0, unit), rows[0]["closed_form"]
+    widest, closed = widest_text(windows, 0, unit), _closed_form(windows, 0)
     facts[1:1] = [
         line("falls", widest and f"{spans.format(widest)}{narrower_text(windows, 0)}"),
         line("falls after", after),
@@ -168,53 +165,59 @@ def _floor_text(windows: OverturningWindows) -> str:
     return "" if windows.floor is None else windows.floor.label
 
 
-def _row(windows: OverturningWindows, index: int) -> dict[str, Any]:
+def _row(windows: OverturningWindows, index: int) -> dict[str, object]:
     """Return all that is known at one of the frequencies."""
     ratio, intervals = float(windows.frequency_ratio[index]), windows.intervals(index)
-    closed = None
-    if (
-        windows.pulse.shape in THRESHOLDS
-        and isinstance(windows.model, Linear)
-        and windows.floor is None
-    ):
-        closed = float(threshold_without_impact(windows.block, windows.pulse, ratio))
-    row: dict[str, Any] = {
+    governing = float(windows.governing[index])
+    row: dict[str, object] = {
         "frequency_ratio": ratio,
         "intervals": [list(ends) for ends in intervals],
         "modes": window_values(windows, index),
         "first": float(windows.first[index]),
         "opposite": float(windows.opposite[index]),
-        "governing": float(windows.governing[index]),
+        "governing": governing,
         "governs": governing_text(windows, index),
-        "closed_form": closed,
+        "closed_form": _closed_form(windows, index),
         **left_values(windows, index),
     }
     if isinstance(windows.block, Block):
         unit = in_g(windows.block.uplift_acceleration)
         row["freq_hz"] = replace(windows.pulse, frequency_ratio=ratio).frequency_hz(windows.block)
-        row["governing_g"] = row["governing"] * unit
+        row["governing_g"] = governing * unit
         row["intervals_g"] = [[end * unit for end in ends] for ends in intervals]
     return row if windows.floor is None else floor_digits(row)
 
 
-def _window_rows(
-    windows: OverturningWindows, rows: list[dict[str, Any]]
-) -> Iterator[dict[str, Any]]:
+def _closed_form(windows: OverturningWindows, index: int) -> float | None:
+    """Return from which amplitude on the block falls without an impact; None where not known."""
+    pulse, ratio = windows.pulse, float(windows.frequency_ratio[index])
+    linear = isinstance(windows.model, Linear)
+    if not linear or pulse.shape not in THRESHOLDS or windows.floor is not None:
+        return None
+    return float(threshold_without_impact(windows.block, pulse, ratio))
+
+
+def _name(windows: OverturningWindows, index: int) -> str:
+    """Return one of the frequencies in words."""
+    ratio = float(windows.frequency_ratio[index])
+    if not isinstance(windows.block, Block):
+        return f"W = {number(ratio)}"
+    pulse = replace(windows.pulse, frequency_ratio=ratio)
+    return quantity(pulse.frequency_hz(windows.block), "Hz")
+
+
+def _window_rows(windows: OverturningWindows) -> Iterator[dict[str, object]]:
     """Yield one row per window, as in tables and files."""
-    for row in rows:
-        head: dict[str, Any] = {
-            name: row[name]
-            for name in ("frequency_ratio", "freq_hz", "governing", "governing_g", "governs")
-            if name in row
-        }
-        for mode in row["modes"] or [NO_WINDOW] * bool(row["governs"]):
-            low, high = mode["interval"]
-            window: dict[str, Any] = {**head, "low": low, "high": high}
+    names = ("frequency_ratio", "freq_hz", "governing", "governing_g", "governs")
+    for index in range(len(windows.frequency_ratio)):
+        row = _row(windows, index)
+        head: dict[str, object] = {name: row[name] for name in names if name in row}
+        for each in windows.at(index) or [NO_WINDOW] * bool(row["governs"]):
+            window = {**head, "low": each.low, "high": each.high}
             if isinstance(windows.block, Block):
                 unit = in_g(windows.block.uplift_acceleration)
-                window |= {"low_g": low * unit, "high_g": high * unit}
-            for name in ("impacts", "side", "endless"):
-                window[name] = mode[name]
+                window |= {"low_g": each.low * unit, "high_g": each.high * unit}
+            window |= {"impacts": each.impacts, "side": each.side, "endless": each.endless}
             yield window if windows.floor is None else floor_digits(window)
 
 

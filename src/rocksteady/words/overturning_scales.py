@@ -3,7 +3,7 @@
 import functools
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -75,8 +75,8 @@ def describe_overturning_scales(scales: OverturningScales) -> Description:
     records = [
         {name: row[name] for name in ("record", "first", "governing", "governs", "share")}
         | {name: row[name] for name in ("first_g", "governing_g")}
-        | {"windows": len(row["intervals"])}
-        for row in rows
+        | {"windows": len(scales.intervals(index))}
+        for index, row in enumerate(rows)
     ]
     columns = [
         Column("record", "record"),
@@ -103,7 +103,7 @@ def describe_overturning_scales(scales: OverturningScales) -> Description:
         [
             Table(
                 "",
-                list(_window_rows(scales, rows)),
+                list(_window_rows(scales)),
                 window_columns,
                 most=MOST_ROWS,
                 severity=lambda row: -row["low"],
@@ -190,7 +190,7 @@ def _notes(scales: OverturningScales) -> list[str]:
     return notes
 
 
-def _row(scales: OverturningScales, index: int) -> dict[str, Any]:
+def _row(scales: OverturningScales, index: int) -> dict[str, object]:
     """Return all that is known of one record."""
     pga, pgv = float(scales.pga_g[index]), float(scales.pgv_m_s[index])
     intervals = scales.intervals(index)
@@ -215,22 +215,22 @@ def _row(scales: OverturningScales, index: int) -> dict[str, Any]:
     return floor_digits(row) if scales._floors[index] else row
 
 
-def _window_rows(scales: OverturningScales, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+def _window_rows(scales: OverturningScales) -> Iterator[dict[str, object]]:
     """Yield one row per window, as in tables and files."""
-    for row, floor in zip(rows, scales._floors, strict=True):
-        for mode in row["modes"] or [NO_WINDOW] * bool(row["governs"]):
-            low, high = mode["interval"]
+    for index, floor in enumerate(scales._floors):
+        row, pga, pgv = _row(scales, index), scales.pga_g[index], scales.pgv_m_s[index]
+        for each in scales.at(index) or [NO_WINDOW] * bool(row["governs"]):
             window = {
                 "record": row["record"],
-                "low": low,
-                "high": high,
-                "low_g": low * row["pga_g"],
-                "high_g": high * row["pga_g"],
-                "low_m_s": low * row["pgv_m_s"],
-                "high_m_s": high * row["pgv_m_s"],
-                "impacts": mode["impacts"],
-                "side": mode["side"],
-                "endless": mode["endless"],
+                "low": each.low,
+                "high": each.high,
+                "low_g": each.low * float(pga),
+                "high_g": each.high * float(pga),
+                "low_m_s": each.low * float(pgv),
+                "high_m_s": each.high * float(pgv),
+                "impacts": each.impacts,
+                "side": each.side,
+                "endless": each.endless,
                 "left_out": row["left_out"],
                 **{name: row[name] for name in ("governing", "governing_g", "governs")},
             }

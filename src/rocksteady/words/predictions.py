@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from rocksteady.results.answer import doubt, left_out
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, doubt, left_out, line
 from rocksteady.results.doubts import ANSWER_DRAWS
 from rocksteady.results.numbers import chance, counted, interval, number, plural
 from rocksteady.results.result import describes

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -39,7 +38,7 @@ STABLE_NOTE = "Both multipliers of an orbit with rest are 0: it is stable wherev
 @describes(RestingPoint)
 def describe_point(point: RestingPoint) -> Description:
     """Describe a point of a branch."""
-    values = point_values(point)
+    values, peaks = point_values(point), (point.highest, point.lowest)
     kind = f"{ENDS.get(point.type.value, point.type.value)} point"
     words = {
         "amplitude": ("A", f"{point.amplitude:.10g}"),
@@ -47,8 +46,11 @@ def describe_point(point: RestingPoint) -> Description:
         "restitution": ("restitution", f"{point.restitution:.10g}"),
         "period": ("period", plural(point.period, "forcing period")),
         "rest_phases": ("comes to rest", plural(point.rest_phases, "time") + " in a period"),
-        "peaks": ("highest, lowest", ", ".join(map(number, values["peaks"])) + " alpha"),
-        "rests": ("rests for", ", ".join(map(number, values["rests"])) + " rad"),
+        "peaks": (
+            "highest, lowest",
+            ", ".join(map(number, peaks)) + " alpha",
+        ),
+        "rests": ("rests for", ", ".join(map(number, point.rests.tolist())) + " rad"),
     }
     return Description(
         f"Orbit with rest, {kind}: A = {point.amplitude:.8g}, "
@@ -63,23 +65,24 @@ def describe_point(point: RestingPoint) -> Description:
     )
 
 
-def point_values(point: RestingPoint) -> dict[str, Any]:
+def point_values(point: RestingPoint) -> dict[str, object]:
     """Return a point as plain values, in SI too where the block has a size."""
-    values: dict[str, Any] = {
+    peaks = [point.highest, point.lowest]
+    values: dict[str, object] = {
         **place_values(point),
         "rest_phases": point.rest_phases,
         "symmetric": point.symmetric,
-        "peaks": [point.highest, point.lowest],
+        "peaks": peaks,
         "rests": point.rests.tolist(),
         "gains": point.gains,
         **in_si(point.block, point.amplitude, point.frequency_ratio),
     }
     if isinstance(point.block, Block):
-        values["peaks_rad"] = [peak * point.block.alpha for peak in values["peaks"]]
+        values["peaks_rad"] = [peak * point.block.alpha for peak in peaks]
     return values
 
 
-def excursion_values(each: Excursion) -> dict[str, Any]:
+def excursion_values(each: Excursion) -> dict[str, object]:
     """Return an excursion in plain values."""
     return {
         "side": each.side,
@@ -93,38 +96,40 @@ def excursion_values(each: Excursion) -> dict[str, Any]:
     }
 
 
-def resting_row(branch: int, point: RestingPoint) -> dict[str, Any]:
+def resting_row(branch: int, point: RestingPoint) -> dict[str, object]:
     """Return the row of a point of a branch in a file."""
-    values = point_values(point)
-    high, low = values.pop("peaks")
-    rests = values.pop("rests")
-    radians = values.pop("peaks_rad", None)
-    first = point.excursions[0]
-    row = {
+    first, lists = point.excursions[0], ("peaks", "rests", "peaks_rad")
+    return {
         "branch": branch,
-        **values,
+        **{key: value for key, value in point_values(point).items() if key not in lists},
         "stable": True,
-        "highest": high,
-        "lowest": low,
+        "highest": point.highest,
+        "lowest": point.lowest,
         "side": first.side,
         "uplift_phase_rad": first.uplift_phase,
         "impacts_followed": sum(len(each.impacts) for each in point.excursions),
         "chatter_end_rad": first.chatter_end,
-        "shortest_rest_rad": min(rests),
+        "shortest_rest_rad": float(point.rests.min()),
+        **_extremes_rad(point),
     }
-    if radians is not None:
-        row |= {"highest_rad": radians[0], "lowest_rad": radians[1]}
-    return row
 
 
-def resting_rows(branch: RestingBranch, place: int = 1) -> list[dict[str, Any]]:
+def _extremes_rad(point: RestingPoint) -> dict[str, float]:
+    """Return the extremes of a point [rad] where the block has a size, else nothing."""
+    if not isinstance(point.block, Block):
+        return {}
+    alpha = point.block.alpha
+    return {"highest_rad": point.highest * alpha, "lowest_rad": point.lowest * alpha}
+
+
+def resting_rows(branch: RestingBranch, place: int = 1) -> list[dict[str, object]]:
     """Return one row per point of a branch, with the number of the branch."""
     return [resting_row(place, point) for point in branch.points]
 
 
-def diagram_row(branch: int, point: RestingPoint) -> dict[str, Any]:
+def diagram_row(branch: int, point: RestingPoint) -> dict[str, object]:
     """Return the row of a point in the file of a diagram."""
-    row: dict[str, Any] = {
+    return {
         "branch": branch,
         **place_values(point),
         "impacts": None,  # infinitely many
@@ -136,11 +141,8 @@ def diagram_row(branch: int, point: RestingPoint) -> dict[str, Any]:
         "lowest": point.lowest,
         "arclength": math.nan,
         **in_si(point.block, point.amplitude, point.frequency_ratio),
+        **_extremes_rad(point),
     }
-    if isinstance(point.block, Block):
-        alpha = point.block.alpha
-        row |= {"highest_rad": point.highest * alpha, "lowest_rad": point.lowest * alpha}
-    return row
 
 
 @describes(RestingBranch)
@@ -149,11 +151,11 @@ def describe_branch(branch: RestingBranch) -> Description:
     values, symbol = resting_values(branch), SYMBOLS[branch.parameter]
     low, high = branch.within
     words = {
-        key: ("from" if key == "begin" else "to", ENDS.get(str(values[key]["type"]), ""))
-        for key in ("begin", "end")
+        "begin": ("from", ENDS.get(branch.begin.type.value, "")),
+        "end": ("to", ENDS.get(branch.end.type.value, "")),
+        "grazes": ("grazes", str(values["grazes"])),
+        "points": ("points", str(values["points"])),
     }
-    words["grazes"] = ("grazes", str(values["grazes"]))
-    words["points"] = ("points", str(values["points"]))
     return Description(
         f"Branch with rest, {branch.kind}, {plural(branch.period, 'period')}: "
         f"{symbol} from {low:.8g} to {high:.8g}, {fixed_text(branch)}",
@@ -168,7 +170,7 @@ def describe_branch(branch: RestingBranch) -> Description:
     )
 
 
-def resting_values(branch: RestingBranch) -> dict[str, Any]:
+def resting_values(branch: RestingBranch) -> dict[str, object]:
     """Return what a branch is, and its ends."""
     name = branch.parameter
     begin, end = (
@@ -285,7 +287,7 @@ def resting_table(branches: Sequence[RestingBranch], *, key: str = "branches") -
     """Return branches for people and for JSON."""
     rows = [{"branch": place, **resting_values(branch)} for place, branch in enumerate(branches, 1)]
 
-    def end(values: dict[str, Any]) -> str:
+    def end(values: dict[str, object]) -> str:
         return ENDS.get(str(values["type"]), str(values["type"]))
 
     name = branches[0].parameter if branches else "amplitude"

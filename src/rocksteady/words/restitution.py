@@ -2,8 +2,7 @@
 
 import math
 
-from rocksteady.results.answer import doubt
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, doubt, line
 from rocksteady.results.doubts import NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import describes

@@ -249,7 +249,8 @@ def describe_fates(fates: FateBasins) -> Description:
         Fact("confidence", CONFIDENCE),
         *axis_facts(fates),
     ]
-    rows = [part.to_dict() for part in fates.fractions()]
+    parts = fates.fractions()
+    rows = [part.to_dict() for part in parts]
     columns = [
         Column("name", "fate", left=True),
         Column("states", "states", lambda states: f"{states:,}"),
@@ -261,7 +262,7 @@ def describe_fates(fates: FateBasins) -> Description:
     notes += [status.advice for status in rare if (fates.fate == status).any()]
     if (fates.fate == Status.ROCKING).any():
         notes.append("Still rocking: without loss (restitution 1), or balanced to rounding.")
-    tables = [Table("fractions", rows), Table("", with_between(rows), columns)]
+    tables = [Table("fractions", rows), Table("", with_between(rows, parts), columns)]
     sentence, screen = fates_answer(fates)
     return Description(fates_headline(fates), [*screen, *facts], tables, notes, sentence)
 

@@ -2,14 +2,14 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Literal, TypedDict, cast
 
 import numpy as np
 
+from rocksteady.arrays import Floats
 from rocksteady.model.blocks.housner_forms import ratio_words
 from rocksteady.outcomes import Status
-from rocksteady.results.answer import left_out
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, left_out, line
 from rocksteady.results.numbers import angle, length, number, plural, quantity
 from rocksteady.seismic.spectra.suite import QUANTILES, compute_suite_spectrum
 from rocksteady.sweep.cases.labelled import as_dataset
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 
 FALLS = "falls"
+Over = Literal["scale", "period_s"]
+"""What fates are listed over."""
 
 
 SHOWN = 4
@@ -44,6 +46,31 @@ MEASURES = {
     "restitution": "restitution",
 }
 """Coordinates of a block, and their keys."""
+
+
+class Cell(TypedDict, total=False):
+    """Values of one run as in JSON, or of one block in all records."""
+
+    record: str
+    direction: str
+    block: str
+    scale: float
+    pga_g: float
+    alpha_rad: float
+    period_s: float
+    p_rad_s: float
+    width_m: float
+    height_m: float
+    restitution: float
+    status: str
+    peak: float
+    peak_rad: float
+    peak_velocity: float
+    peak_velocity_rad_s: float
+    impacts: int
+    overturned: float
+    peaks: list[float]
+    peak_velocities: list[float]
 
 
 def describe_spectrum(dataset: "Labelled") -> Description:
@@ -81,7 +108,7 @@ def describe_spectrum(dataset: "Labelled") -> Description:
         Fact("counts", counts, "of which", _counts(counts)),
     ]
     rows = _rows(dataset)
-    suite: list[dict[str, Any]] = []
+    suite: list[Cell] = []
     if dataset.sizes.get("record", 1) > 1:
         summary = compute_suite_spectrum(as_dataset(dataset))
         facts.append(Fact("quantiles", list(QUANTILES)))
@@ -102,19 +129,19 @@ def describe_spectrum(dataset: "Labelled") -> Description:
 
 
 def _answer(
-    dataset: "Labelled", rows: Sequence[dict[str, Any]], counts: dict[str, int]
+    dataset: "Labelled", rows: Sequence[Cell], counts: dict[str, int]
 ) -> tuple[str, list[Fact]]:
     """Return which blocks fall: of each slenderness up to which size, else at which scales."""
     over_scale = max(dataset.sizes.get(name, 1) for name in ("scale", "level")) > 1
     sizes = not over_scale and "width_m" not in rows[0]
-    groups: dict[str, list[dict[str, Any]]] = {}
+    groups: dict[str, list[Cell]] = {}
     for row in rows:
         name = angle(row["alpha_rad"]) if sizes else _size(row)
         groups.setdefault(name, []).append({"period_s": 2.0 * math.pi / row["p_rad_s"], **row})
     names = np.atleast_1d(dataset["record"].values).tolist()
     where = shortened(names[0]) if len(names) == 1 else plural(len(names), "record")
     order = sorted(groups, key=lambda name: -sum(map(_falls, groups[name])))
-    key = "scale" if over_scale else "period_s"
+    key: Over = "scale" if over_scale else "period_s"
     undecided = counts[Status.UNDECIDED.label]
     lost = counts[Status.LOST_CONTACT.label]
     rest = order[SHOWN:]
@@ -151,14 +178,14 @@ def _answer(
     return least, facts
 
 
-def _size(row: dict[str, Any]) -> str:
+def _size(row: Cell) -> str:
     """Return the size of a block: width and height, or slenderness and 2 pi/p."""
     if "width_m" in row:
         return f"{number(row['width_m'])} x {number(row['height_m'])} m"
     return f"{angle(row['alpha_rad'])} and 2 pi/p = {quantity(row['period_s'], 's')}"
 
 
-def _course(rows: Sequence[dict[str, Any]], key: str, of: int) -> str:
+def _course(rows: Sequence[Cell], key: Over, of: int) -> str:
     """Return the fates of blocks over their size, or of one block over the scale.
 
     Parameters
@@ -234,13 +261,18 @@ def _counts(counts: dict[str, int]) -> str:
     return ", ".join(f"{count:,} {label}" for label, count in counts.items() if count)
 
 
-def _cells(dataset: "Labelled", variables: Sequence[str]) -> list[dict[str, Any]]:
-    """Return a row for each cell: coordinates and variables, in C order."""
-    over = [str(name) for name in dataset["status" if "status" in dataset else "overturned"].dims]
+def _over(dataset: "Labelled") -> list[str]:
+    """Return the dimensions of the cells."""
+    return [str(name) for name in dataset["status" if "status" in dataset else "overturned"].dims]
+
+
+def _cells(dataset: "Labelled") -> list[Cell]:
+    """Return the coordinates of each cell, in C order."""
+    over = _over(dataset)
     names = ["record", "direction", "block", "scale", "pga_g", *MEASURES]
     several = {name: dataset.coords[name] for name in names if name in dataset.coords}
     shape = tuple(dataset.sizes[name] for name in over)
-    columns: dict[str, list[Any]] = {}
+    columns: dict[str, list[object]] = {}
     for name, values in several.items():
         if name in ("direction", "block") and name not in over:
             continue
@@ -248,22 +280,26 @@ def _cells(dataset: "Labelled", variables: Sequence[str]) -> list[dict[str, Any]
         ordered = values.transpose(*along).values
         full = ordered[tuple(slice(None) if dim in along else np.newaxis for dim in over)]
         columns[MEASURES.get(name, name)] = np.broadcast_to(full, shape).ravel().tolist()
-    for name in variables:
-        whole = dataset[name].transpose(*over, ...).values
-        columns[name] = whole.reshape(-1, *whole.shape[len(over) :]).tolist()
-    return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+    rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+    return cast("list[Cell]", rows)
 
 
-def _rows(dataset: "Labelled") -> list[dict[str, Any]]:
+def _values(dataset: "Labelled", name: str) -> Floats:
+    """Return a variable of each cell, in the order of `_cells`."""
+    over = _over(dataset)
+    values: Floats = dataset[name].transpose(*over, ...).values
+    return values.reshape(-1, *values.shape[len(over) :])
+
+
+def _rows(dataset: "Labelled") -> list[Cell]:
     """Return a row for each run."""
-    rows = _cells(dataset, ("status", "peak_angle", "peak_velocity", "impacts"))
+    rows = _cells(dataset)
     single = "scale" not in dataset["status"].dims and "level" not in dataset.coords
-    for row in rows:
+    names = ("status", "peak_angle", "peak_velocity", "impacts")
+    values = zip(*(_values(dataset, name).tolist() for name in names), strict=True)
+    for row, (status, peak, velocity, impacts) in zip(rows, values, strict=True):
         alpha, p = row["alpha_rad"], row["p_rad_s"]
-        peak, velocity, impacts = (
-            row.pop(key) for key in ("peak_angle", "peak_velocity", "impacts")
-        )
-        row["status"] = Status(row["status"]).label
+        row["status"] = Status(status).label
         row["peak"] = peak
         row["peak_rad"] = peak * alpha
         row["peak_velocity"] = velocity
@@ -277,21 +313,24 @@ def _rows(dataset: "Labelled") -> list[dict[str, Any]]:
     return rows
 
 
-def _suite_rows(summary: "xarray.Dataset") -> list[dict[str, Any]]:
+def _suite_rows(summary: "xarray.Dataset") -> list[Cell]:
     """Return a row for each block and level, with a peak for each quantile."""
     last = summary.transpose(..., "quantile")
-    rows = _cells(last, ("overturned", "peak_angle", "peak_velocity"))
+    rows = _cells(last)
     single = "scale" not in last["overturned"].dims and "level" not in summary.coords
-    for row in rows:
+    names = ("overturned", "peak_angle", "peak_velocity")
+    values = zip(*(_values(last, name).tolist() for name in names), strict=True)
+    for row, (overturned, peaks, velocities) in zip(rows, values, strict=True):
         row.pop("record", None)
-        row["peaks"] = row.pop("peak_angle")
-        row["peak_velocities"] = row.pop("peak_velocity")
+        row["overturned"] = overturned
+        row["peaks"] = peaks
+        row["peak_velocities"] = velocities
         if single:
             row.pop("scale", None)
     return rows
 
 
-def _text(row: dict[str, Any] | None, *, suite: bool) -> str:
+def _text(row: Cell | None, *, suite: bool) -> str:
     """Return what becomes of a block: its peak over alpha, or its fall."""
     if row is None:
         return ""
@@ -306,20 +345,20 @@ def _text(row: dict[str, Any] | None, *, suite: bool) -> str:
     return str(row["status"])
 
 
-def _severity(cells: Sequence[dict[str, Any]]) -> tuple[float, float]:
+def _severity(cells: Sequence[Cell]) -> tuple[float, float]:
     """Return how many falls there are in cells of a table, then their largest peak."""
     tops = [cell["peaks"][1] if "peaks" in cell else cell["peak"] for cell in cells]
     return sum(map(_falls, cells)), max(math.inf if math.isnan(top) else top for top in tops)
 
 
-def _falls(cell: dict[str, Any]) -> float:
+def _falls(cell: Cell) -> float:
     """Return the share of the runs of a block that fall: of one run 0 or 1."""
     if "overturned" in cell:
         return float(cell["overturned"])
     return float(cell["status"] == Status.OVERTURNED.label)
 
 
-def _kind(cells: Sequence[dict[str, Any]]) -> str:
+def _kind(cells: Sequence[Cell]) -> str:
     """Return whether there is a fall in cells of a table."""
     return WITH_FALLS if any(map(_falls, cells)) else "without falls"
 
@@ -330,7 +369,7 @@ def _title(*, suite: bool) -> str:
     return f"median of the {words}, and the share of records that overturn" if suite else words
 
 
-def _grid(rows: Sequence[dict[str, Any]], *, suite: bool) -> Table:
+def _grid(rows: Sequence[Cell], *, suite: bool) -> Table:
     """Return a table with a row for each size 2 pi/p and a column for each slenderness."""
     alphas = list(dict.fromkeys(row["alpha_rad"] for row in rows))
     at = {(row["period_s"], row["alpha_rad"]): row for row in rows}
@@ -359,9 +398,9 @@ def _grid(rows: Sequence[dict[str, Any]], *, suite: bool) -> Table:
     )
 
 
-def _list(rows: Sequence[dict[str, Any]], *, suite: bool) -> Table:
+def _list(rows: Sequence[Cell], *, suite: bool) -> Table:
     """Return a table with a row for each block and level."""
-    some = rows[0] if rows else {}
+    some = rows[0] if rows else Cell()
     columns = [
         Column("record", "record", shortened, left=True),
         Column("direction", "direction", left=True),
@@ -378,11 +417,11 @@ def _list(rows: Sequence[dict[str, Any]], *, suite: bool) -> Table:
         {row["block"] for row in rows}
     ):  # the sizes are the name
         columns = [c for c in columns if c.key not in ("block", "period_s", "restitution")]
+    sizes = {"width_m", "height_m"} & some.keys()
     varied = [
         column
         for column in columns
-        if column.key in some
-        and (column.key in ("width_m", "height_m") or len({row[column.key] for row in rows}) > 1)
+        if column.key in sizes or len({row.get(column.key) for row in rows}) > 1
     ]
     cells = [{**row, "cell": row} for row in rows]
     last = Column("cell", "peak", lambda row: _text(row, suite=suite))

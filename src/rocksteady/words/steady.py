@@ -2,9 +2,10 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Final, NotRequired, TypedDict
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rocksteady.dynamics.steady.regions import BOUNDARIES, REGIONS, RegionBoundaries, RegionMap
 from rocksteady.dynamics.steady.response import ResponseCurve
@@ -40,16 +41,57 @@ if TYPE_CHECKING:
     import xarray
 
 
+SI: Final = ("accel_g", "freq_hz")
+"""Values of a point of a block with a size."""
+
+
+class Solution(TypedDict):
+    """A solution at a point, as in JSON; None where it is not known."""
+
+    branch: int
+    kind: str
+    phase: float
+    velocity: float
+    velocity_tau: float
+    peak: float | None
+    extrema: int | None
+    admissible: bool | None
+    half_cycle_trace: float
+    half_cycle_multipliers: list[complex] | None
+    multipliers: list[complex] | None
+    stable: bool | None
+    neutral: bool | None
+    peak_rad: NotRequired[float]
+
+
+class Point(TypedDict, total=False):
+    """A point of a grid, as in JSON: regions of the linear model, SI of a block with a size."""
+
+    amplitude: float
+    frequency_ratio: float
+    restitution: float
+    order: int
+    region: int
+    region_meaning: str
+    boundaries: dict[str, float]
+    solutions: list[Solution]
+    block: dict[str, object]
+    accel_g: float
+    freq_hz: float
+    closed_form: "Point"
+    model: str
+
+
 @describes(SteadyStates)
 def describe_states(states: SteadyStates) -> Description:
     """Return both solutions at one point, or what there is along the axes."""
     return describe_point(states) if states.region.size == 1 else describe_grid(states)
 
 
-def point_values(states: SteadyStates, index: tuple[int, ...]) -> dict[str, Any]:
+def point_values(states: SteadyStates, index: tuple[int, ...]) -> Point:
     """Return the solutions at a point, in SI too where a block is known."""
     region, block, closed = int(states.region[index]), states.block, states.closed_form
-    values: dict[str, Any] = {
+    values: Point = {
         "amplitude": float(states.amplitude[index]),
         "frequency_ratio": float(states.frequency_ratio[index]),
         "restitution": float(states.restitution[index]),
@@ -74,9 +116,9 @@ def point_values(states: SteadyStates, index: tuple[int, ...]) -> dict[str, Any]
     return values
 
 
-def _solution(states: SteadyStates, at: tuple[int, ...]) -> dict[str, Any]:
+def _solution(states: SteadyStates, at: tuple[int, ...]) -> Solution:
     """Return one of the two solutions at a point; without shapes less is known."""
-    solution: dict[str, Any] = {
+    solution: Solution = {
         "branch": at[0] + 1,
         "kind": "in-phase" if states.in_phase[at] else "out-of-phase",
         "phase": float(states.phase[at]),
@@ -93,47 +135,53 @@ def _solution(states: SteadyStates, at: tuple[int, ...]) -> dict[str, Any]:
     }
     if states.admissible is None or states.peak is None or states.extrema is None:
         return solution
-    admissible = bool(states.admissible[at])
+    peak, admissible = float(states.peak[at]), bool(states.admissible[at])
     judged = admissible and solution["half_cycle_multipliers"] is not None
     solution |= {
-        "peak": float(states.peak[at]),
+        "peak": peak,
         "extrema": int(states.extrema[at]),
         "admissible": admissible,
         "stable": bool(states.stable[at]) if judged else None,
         "neutral": bool(states.neutral[at]) if judged else None,
     }
     if states.block is not None:
-        solution["peak_rad"] = solution["peak"] * states.block.alpha
+        solution["peak_rad"] = peak * states.block.alpha
     return solution
 
 
-def solution_rows(states: SteadyStates) -> list[dict[str, Any]]:
+def solution_rows(states: SteadyStates) -> list[dict[str, object]]:
     """Return one row per solution, in the order of the points."""
-    rows: list[dict[str, Any]] = []
+    rows: list[dict[str, object]] = []
     for index in np.ndindex(states.region.shape):
         values = point_values(states, index)
         names = ("amplitude", "frequency_ratio", "restitution", "order", "region")
-        shared = {name: values[name] for name in names if name in values}
+        shared = {name: value for name, value in values.items() if name in names}
         rows += [
             {
                 **shared,
-                "branch": solution["branch"],
-                "kind": solution["kind"],
-                "phase_rad": solution["phase"],
-                **{name: solution[name] for name in ("velocity", "velocity_tau", "peak")},
-                **{name: solution[name] for name in ("extrema", "admissible", "stable")},
-                "half_cycle_trace": solution["half_cycle_trace"],
+                "branch": each["branch"],
+                "kind": each["kind"],
+                "phase_rad": each["phase"],
+                "velocity": each["velocity"],
+                "velocity_tau": each["velocity_tau"],
+                "peak": each["peak"],
+                "extrema": each["extrema"],
+                "admissible": each["admissible"],
+                "stable": each["stable"],
+                "half_cycle_trace": each["half_cycle_trace"],
             }
-            for solution in values["solutions"]
+            for each in values["solutions"]
         ]
     return rows
 
 
-def worth(solution: dict[str, Any]) -> str:
-    """Return the verdict on a solution in a word; empty where it is not known."""
+def worth(solution: Solution) -> str:
+    """Return the verdict on a solution in a word."""
     if solution["admissible"] is None:
         return "not known"
-    return verdict(**{name: solution[name] for name in ("admissible", "neutral", "stable")})
+    return verdict(
+        admissible=solution["admissible"], neutral=solution["neutral"], stable=solution["stable"]
+    )
 
 
 def describe_point(states: SteadyStates) -> Description:
@@ -225,7 +273,7 @@ def describe_grid(states: SteadyStates) -> Description:
     )
 
 
-def point_answer(values: dict[str, Any], block: AnyBlock) -> tuple[str, list[Fact]]:
+def point_answer(values: Point, block: AnyBlock) -> tuple[str, list[Fact]]:
     """Return whether a block can rock steadily at a point.
 
     Parameters
@@ -254,12 +302,12 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> tuple[str, list[Fac
         return sentence, [*beside, line("computed", solved_text(solved, block))]
     best, second = _ordered(values["solutions"])
     kind = best["kind"].replace("-", " ")
-    words = verdict(**{key: best[key] for key in ("admissible", "neutral", "stable")})
+    words, peak = worth(best), best["peak"]
     sentence = f"It cannot rock steadily{name}: both solutions pass through the base."
-    if best["admissible"]:
+    if best["admissible"] and peak is not None:
         joined = "and that is" if words == "stable" else "but that is"
         joined = "but that" if words == "grazes" else joined
-        tilt = tilt_text(block, best["peak"])
+        tilt = tilt_text(block, peak)
         shown = solved_text(f"at {tilt}, {kind}", block)
         sentence = f"It can rock steadily{name} {shown}, {joined} {words}."
     period = plural(order, "period") if order > 1 else "a period"
@@ -268,7 +316,7 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> tuple[str, list[Fac
     if isinstance(block, Block):
         impacts += f" ({quantity(order / values['freq_hz'], 's')})"
         speed = f"{angle(abs(best['velocity']) * block.alpha * block.p)}/s after each"
-    beyond = BEYOND if best["admissible"] and best["peak"] > 1.0 else ""
+    beyond = BEYOND if best["admissible"] and peak is not None and peak > 1.0 else ""
     beyond = beyond.partition(":")[0] if full else beyond
     exists = f"from {limits['existence']} up; a second branch up to {limits['sign']} at most"
     return (
@@ -283,31 +331,34 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> tuple[str, list[Fac
     )
 
 
-def _ordered(solutions: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+def _ordered(solutions: Sequence[Solution]) -> list[Solution]:
     """Return the solutions, a stable motion first, then any motion."""
     return sorted(solutions, key=lambda each: (not each["stable"], not each["admissible"]))
 
 
-def _closed_form(values: dict[str, Any], block: AnyBlock, limits: dict[str, str]) -> str:
+def _closed_form(values: Point, block: AnyBlock, limits: dict[str, str]) -> str:
     """Return what the linear model has at a point of the full equations."""
     if not values["solutions"]:
         return f"none below {limits['existence']} (linear)"
     best, _ = _ordered(values["solutions"])
-    words = verdict(**{key: best[key] for key in ("admissible", "neutral", "stable")})
     kind = best["kind"].replace("-", " ")
-    return f"at {tilt_text(block, best['peak'])}, {kind}, {words} (linear)"
+    return f"at {_tilt(best, block)}, {kind}, {worth(best)} (linear)"
 
 
-def _other(solution: dict[str, Any], block: AnyBlock) -> str:
+def _other(solution: Solution, block: AnyBlock) -> str:
     """Return what the second solution is worth."""
     kind = solution["kind"].replace("-", " ")
     if not solution["admissible"]:
         return f"{kind}: passes through the base, so not possible"
-    words = verdict(**{key: solution[key] for key in ("admissible", "neutral", "stable")})
-    return f"{kind}: {tilt_text(block, solution['peak'])}, {words}"
+    return f"{kind}: {_tilt(solution, block)}, {worth(solution)}"
 
 
-def grid_answer(states: SteadyStates, points: Sequence[dict[str, Any]]) -> tuple[str, list[Fact]]:
+def _tilt(solution: Solution, block: AnyBlock) -> str:
+    """Return how far a solution tilts."""
+    return "—" if solution["peak"] is None else tilt_text(block, solution["peak"])
+
+
+def grid_answer(states: SteadyStates, points: Sequence[Point]) -> tuple[str, list[Fact]]:
     """Return at how many points of a grid there is a stable symmetric motion.
 
     Parameters
@@ -321,7 +372,7 @@ def grid_answer(states: SteadyStates, points: Sequence[dict[str, Any]]) -> tuple
     solved = "linear (exact)" if states.closed_form is None else "full equations"
     solutions = [each for point in points for each in point["solutions"]]
     motions = sum(bool(each["admissible"]) for each in solutions)
-    peaks = [each["peak"] for each in solutions if each["stable"]]
+    peaks = [each["peak"] for each in solutions if each["stable"] and each["peak"] is not None]
     stable = sum(any(each["stable"] for each in point["solutions"]) for point in points)
     nowhere = sum(not point["solutions"] for point in points)
     tilts = ""
@@ -330,11 +381,11 @@ def grid_answer(states: SteadyStates, points: Sequence[dict[str, Any]]) -> tuple
         tilts = f"{span([scale * peak for peak in peaks], unit)}" + (
             "; beyond alpha too" if max(peaks) > 1.0 else ""
         )
-    names = ("accel_g", "freq_hz") if block else ("amplitude", "frequency_ratio")
-    ends = [[point[name] for point in points] for name in names]
-    over = f"{span(ends[0], 'g')}, {span(ends[1], 'Hz')}"
-    if not block:
-        over = f"A {span(ends[0])}, W {span(ends[1])}, restitution {span(states.restitution)}"
+    over = f"A {span(states.amplitude)}, W {span(states.frequency_ratio)}"
+    over += f", restitution {span(states.restitution)}"
+    if block:
+        accel_g, freq_hz = ([point[name] for point in points] for name in SI)
+        over = f"{span(accel_g, 'g')}, {span(freq_hz, 'Hz')}"
     orders = sorted({point["order"] for point in points})
     over += "" if orders == [1] else f", n = {', '.join(map(str, orders))}"
     unstable = f"{motions - len(peaks):,} of {plural(motions, 'motion')}"
@@ -353,9 +404,9 @@ def grid_answer(states: SteadyStates, points: Sequence[dict[str, Any]]) -> tuple
     )
 
 
-def span(values: Any, unit: str = "") -> str:
+def span(values: ArrayLike, unit: str = "") -> str:
     """Return the ends of an array with their unit."""
-    flat = np.ravel(values)
+    flat = np.ravel(np.asarray(values, dtype=float))
     low, high = (float(np.nanmin(flat)), float(np.nanmax(flat))) if flat.size else (math.nan,) * 2
     words = number(low) if low == high else f"{number(low)} to {number(high)}"
     return f"{words}{'' if unit in ('', '°') else ' '}{unit}"
@@ -367,7 +418,7 @@ def steady_dataset(states: SteadyStates) -> "xarray.Dataset":
 
     dims = tuple(f"grid_{axis}" for axis in range(states.region.ndim))
     units = {"phase": "rad"}
-    variables: dict[str, Any] = {}
+    variables: dict[str, object] = {}
     for name in ("amplitude", "frequency_ratio", "restitution", "order"):
         variables[name] = (dims, getattr(states, name), {"units": "1"})
     meanings = " ".join(f"region_{number}" for number in REGIONS)

@@ -1,7 +1,6 @@
 """Words that windows of initial states share: their ends, shares and coordinates."""
 
-from collections.abc import Iterable, Mapping
-from typing import Any
+from collections.abc import Iterable, Mapping, Sequence
 
 from rocksteady.dynamics.basins.basins import Basins, BasinShare
 from rocksteady.dynamics.basins.erosion import Erosion
@@ -59,7 +58,7 @@ def axis_facts(result: Windowed) -> list[Fact]:
     ]
 
 
-def coordinates_of(result: Windowed, *names: str, **attributes: str) -> dict[str, Any]:
+def coordinates_of(result: Windowed, *names: str, **attributes: str) -> dict[str, object]:
     """Return axes of a window, in the order given, as coordinates of a dataset."""
     return {
         name: (name, getattr(result, name), {"long_name": LONG_NAMES[name], **attributes})
@@ -80,11 +79,13 @@ def fraction_described(fraction: BasinShare | FateShare, name: str, *facts: Fact
     return Description(f"{name}: {share} ({between})", [*facts, *counts])
 
 
-def with_between(rows: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
-    """Return the rows of fractions, each with its interval in words."""
+def with_between(
+    rows: Sequence[Mapping[str, object]], parts: Sequence[BasinShare | FateShare]
+) -> list[dict[str, object]]:
+    """Return the rows of fractions, each with the interval of its fraction in words."""
     return [
-        {**row, "between": f"{100.0 * row['low']:.2f} to {100.0 * row['high']:.2f} %"}
-        for row in rows
+        {**row, "between": f"{100.0 * part.low:.2f} to {100.0 * part.high:.2f} %"}
+        for row, part in zip(rows, parts, strict=True)
     ]
 
 

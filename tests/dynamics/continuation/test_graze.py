@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -157,7 +158,7 @@ def test_no_number_stands_for_a_derivative_at_a_graze(graze: BranchPoint) -> Non
         assert not point.stable
         assert point.to_dict()["multipliers"] is None
         assert "no derivative: grazes" in point.summary()
-        row = point_row(1, point, 1.0, DimensionlessBlock(restitution=0.8))
+        row: dict[str, Any] = point_row(1, point, 1.0, DimensionlessBlock(restitution=0.8))
         assert all(math.isnan(row[name]) for name in row if name.startswith("multiplier"))
     data = Branch(parameter="amplitude", points=tuple(ways[0])).to_dataset()
     grazing = np.array([point.type == "grazing" for point in ways[0]])

@@ -19,8 +19,7 @@ from rocksteady.cli.flags.parsing import axis, values_of
 from rocksteady.cli.flags.record_files import ReadingFlags, warn
 from rocksteady.errors import RecordFileError
 from rocksteady.model.blocks.block import Block
-from rocksteady.results.answer import left_out
-from rocksteady.results.description import Column, Description, Fact, Table, line
+from rocksteady.results.description import Column, Description, Fact, Table, left_out, line
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.rendering import printable
 from rocksteady.show.style.palette import shortened

@@ -141,6 +141,7 @@ def point_figure(states: "SteadyStates", page: "Page") -> Any:
     from rocksteady.dynamics.steady.regions import compute_region_map
     from rocksteady.dynamics.steady.states import orbit_of
     from rocksteady.show.figures.single import steady_figure
+    from rocksteady.words.steady import worth
 
     point = states.to_dict()
     a, w = point["amplitude"], point["frequency_ratio"]
@@ -160,13 +161,6 @@ def point_figure(states: "SteadyStates", page: "Page") -> Any:
     full = states.closed_form is not None
     title += ", full equations; regions of the linear ones" if full else ""
     return steady_figure(orbits, curves, point=(w, a), block=states.block, title=title, page=page)
-
-
-def worth(solution: dict[str, Any]) -> str:
-    """Return the verdict on a solution in a word."""
-    from rocksteady.dynamics.steady.verdicts import verdict
-
-    return verdict(**{name: solution[name] for name in ("admissible", "neutral", "stable")})
 
 
 def curves_figure(

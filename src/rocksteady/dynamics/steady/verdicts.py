@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from typing import TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,6 +47,14 @@ def squared_pairs(pairs: NDArray[np.complex128]) -> NDArray[np.complex128]:
     lower = squares[..., 0].imag < 0.0
     squares[lower] = squares[lower].conj()
     return squares
+
+
+class Judgement(TypedDict):
+    """What `verdict` takes: whether a solution is a motion, and its stability where known."""
+
+    admissible: bool
+    stable: bool | None
+    neutral: bool | None
 
 
 def verdict(*, admissible: bool, neutral: bool | None, stable: bool | None) -> str:

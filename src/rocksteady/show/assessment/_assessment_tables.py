@@ -33,7 +33,7 @@ from rocksteady.show.style.wording import (
     span,
     state_words,
 )
-from rocksteady.words.assessment import lines_of
+from rocksteady.words.assessment import inputs_of, lines_of
 
 PASSES = {True: badge("passes", "plain"), False: badge("does not pass", "plain"), None: ""}
 """Verdicts of formulas; the colours are those of the answer."""
@@ -193,15 +193,15 @@ def side_rows(assessment: Assessment) -> list[Row]:
 
 def motion_rows(assessment: Assessment, manifest: Mapping[str, Any]) -> list[Row]:
     """Return a row for each motion: its peaks as it is, and the factors that it was run with."""
-    inputs = next(table for table in assessment.describe().tables if table.key == "inputs").rows
+    shaking = assessment.judged.shaking
+    inputs = inputs_of(assessment.suite, shaking)
     hashes = [each.get("sha256", "") for each in manifest["records"]]
     known = len(hashes) == len(inputs)
-    shaking = assessment.judged.shaking
     stretched = shaking is not None and shaking.stretched
     return [
         {
             "motion": named(
-                each["name"], "quarter", quiet("with vertical" if each["vertical"] else None)
+                each["name"] or "", "quarter", quiet("with vertical" if each["vertical"] else None)
             ),
             "PGA [g]": figure(number(each["pga_g"])),
             "PGV [m/s]": figure(number(each["pgv_m_s"])),

@@ -11,8 +11,7 @@ from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import ScreenFlags, grouped
 from rocksteady.cli.flags.study import resumable_study
-from rocksteady.results.answer import left_out
-from rocksteady.results.description import Column, Description, Table, line
+from rocksteady.results.description import Column, Description, Table, left_out, line
 from rocksteady.results.numbers import plural
 
 if TYPE_CHECKING:
