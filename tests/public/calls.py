@@ -450,7 +450,7 @@ def calls() -> dict[str, Call]:
             for name, methods in (
                 ("attractor", ("describe", "rows", "to_dataframe")),
                 ("orbit", ("describe", "to_dataframe")),
-                ("trail", ("describe", "run_rows", "table", "to_dataframe", "to_dataset")),
+                ("trail", ("describe", "run_rows", "to_dataframe", "to_dataset")),
                 ("trail", ("values_by_kind",)),
                 ("branch", ("describe", "rows", "to_dataframe", "to_dataset")),
                 ("curves", ("describe", "rows", "to_dataframe")),

@@ -90,7 +90,8 @@ def describe_assessment(assessment: Assessment) -> Description:
 
 def lines_of(assessment: Assessment) -> list[Stated]:
     """Return the facts below the sentence."""
-    lines = list(assessment.screen.lines)
+    screen = screen_of(assessment.described, assessment.judged, assessment.suite)
+    lines = list(screen.lines)
     for bar in bars_of(assessment.cases)[:1]:
         if words := bar.words:
             words = f"{bar.parameter}, {bar.ends}: {words}"

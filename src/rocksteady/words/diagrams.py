@@ -31,6 +31,7 @@ from rocksteady.words._branch_cases import (
     scale_of,
     series_facts,
 )
+from rocksteady.words.attractors import start_text, sweep_table
 from rocksteady.words.branches import (
     EXTREMES,
     MOST_ROWS,
@@ -89,7 +90,7 @@ def describe_diagram(diagram: BifurcationDiagram) -> Description:
     sweeps = [
         {
             "direction": sweep.direction,
-            "start": sweep.start_text,
+            "start": start_text(sweep.start),
             "values": len(sweep.values),
             "counts": sweep.values_by_kind(),
             "runs": sweep.run_rows(),
@@ -111,7 +112,7 @@ def describe_diagram(diagram: BifurcationDiagram) -> Description:
         bifurcations_table(points, parameter, diagram.block, key="points"),
         branches_table(branches, parameter),
         resting_table(diagram.resting, key="resting"),
-        *(sweep.table() for sweep in diagram.sweeps),
+        *(sweep_table(sweep) for sweep in diagram.sweeps),
     ]
     facts.append(Fact("sweeps", sweeps))
     notes = []

@@ -69,8 +69,8 @@ def describe_fit(fit: RestitutionFit) -> Description:
         sigma = f"sd {number(1e3 * fit.sigma_rad)} mrad{estimated}"
     facts.append(Fact("sigma_rad", fit.sigma_rad, "measuring error", sigma))
     if fit.trend is not None and fit.trend_error is not None:
-        words_module = f"{number(fit.trend, 2)} ± {number(fit.trend_error, 2)} per theta/alpha"
-        facts.append(Fact("trend", fit.trend, "trend", words_module))
+        trend = f"{number(fit.trend, 2)} ± {number(fit.trend_error, 2)} per theta/alpha"
+        facts.append(Fact("trend", fit.trend, "trend", trend))
         facts.append(Fact("trend_error", fit.trend_error))
     if fit.half_periods is not None:
         times = f"{number(fit.half_periods)} of the computed ones"

@@ -110,13 +110,13 @@ def _peaks(run: Trajectory) -> Iterator[Fact]:
         yield Fact("peak", run.peak, "peak", words + until)
     else:
         yield Fact("peak", run.peak)
-        words_module = [
+        peaks = [
             peak_words(peak, None if alphas is None else alphas[side])
             for side, peak in enumerate(run.side_peaks)
         ]
         yield Fact("side_peaks", list(run.side_peaks))
-        yield Fact("", label="peak, left edge", text=words_module[0] + until)
-        yield Fact("", label="peak, right edge", text=words_module[1] + until)
+        yield Fact("", label="peak, left edge", text=peaks[0] + until)
+        yield Fact("", label="peak, right edge", text=peaks[1] + until)
     if alphas is not None:
         # The larger angle may be the smaller part of its alpha.
         pairs = zip(run.side_peaks, alphas, strict=True)

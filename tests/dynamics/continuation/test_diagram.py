@@ -13,6 +13,7 @@ from rocksteady.branches import BifurcationDiagram, BranchOptions
 from rocksteady.dynamics.continuation.find_bifurcations import _range_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.formulas import symmetry_breaking_frequencies
+from rocksteady.words.attractors import start_text
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
@@ -136,7 +137,7 @@ def test_sweeps_go_both_ways_and_keep_what_single_motions_settle_to() -> None:
     )
     up, down = diagram.sweeps
     assert up.values.tolist() == down.values[::-1].tolist() == np.linspace(*WITHIN, 5).tolist()
-    assert (up.start_text, down.start_text) == ("steady", "steady")
+    assert (start_text(up.start), start_text(down.start)) == ("steady", "steady")
     alone = find_attractor(BARE, Harmonic(amplitude=2.0, frequency_ratio=1.9), start=up.start)
     assert (up.attractors[0].kind, up.attractors[0].after) == (alone.kind, alone.after)
     for sweep, values in zip(diagram.sweeps, diagram.to_dict()["sweeps"], strict=True):
@@ -165,7 +166,7 @@ def test_a_sweep_begins_at_rest_where_there_is_no_steady_state() -> None:
         search=SMALL,
     )
     assert diagram.within == (0.1, 0.2)
-    assert {sweep.start_text for sweep in diagram.sweeps} == {"rest"}
+    assert {start_text(sweep.start) for sweep in diagram.sweeps} == {"rest"}
 
 
 def test_the_cascade_tends_to_feigenbaums_ratio() -> None:

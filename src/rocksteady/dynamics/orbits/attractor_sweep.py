@@ -32,7 +32,6 @@ from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import AttractorKind
-from rocksteady.results.description import Table
 from rocksteady.results.result import Result, words_module
 
 if TYPE_CHECKING:
@@ -98,12 +97,6 @@ class AttractorSweep(Result):
         """Forcing periods of the orbit at each value; None without one."""
         return [attractor.period for attractor in self.attractors]
 
-    @property
-    def start_text(self) -> str:
-        """The start in a word."""
-        text: str = words_module(AttractorSweep).start_text(self.start)
-        return text
-
     def run_rows(self) -> list[dict[str, Any]]:
         """Return one row per run of neighbouring values that settle to one kind of motion."""
         rows = []
@@ -159,11 +152,6 @@ class AttractorSweep(Result):
     def values_by_kind(self) -> dict[str, int]:
         """Return how many values settle to each kind of motion."""
         return dict(sorted(Counter(self.kinds).items()))
-
-    def table(self) -> Table:
-        """Return the runs as people read them; of many the falls, then the longest."""
-        table: Table = words_module(AttractorSweep).sweep_table(self)
-        return table
 
 
 def _kind_of(attractor: Attractor) -> tuple[str, int | None, int | None]:

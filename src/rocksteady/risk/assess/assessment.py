@@ -4,7 +4,7 @@ import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Model, Nonlinear
@@ -122,13 +122,9 @@ class Assessment(Result):
     @property
     def sentence(self) -> str:
         """The answer in a sentence."""
-        sentence: str = self.screen.sentence
+        words = words_module(Assessment)
+        sentence: str = words.screen_of(self.described, self.judged, self.suite).sentence
         return sentence
-
-    @cached_property
-    def screen(self) -> Any:
-        """Sentence and lines, in the words of `rocksteady.words`."""
-        return words_module(Assessment).screen_of(self.described, self.judged, self.suite)
 
     @cached_property
     def qualification(self) -> Mapping[str, float | None]:
