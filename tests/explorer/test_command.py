@@ -73,7 +73,7 @@ def test_without_flags_the_page_lies_in_a_private_folder_and_is_opened(
     assert str(page) in ran.out.replace("\n", "")
     assert opened == [page.as_uri()]
     assert stat.S_IMODE(page.parent.stat().st_mode) == 0o700
-    assert view_in(page)["tab"] == "explore"
+    assert view_in(page)["tab"] == "shake"
     assert motions_in(page) == []
 
 
@@ -226,7 +226,7 @@ def test_a_browser_that_fails_ends_nothing(
         ("-A 1:2:3", ["--amplitude/-A"]),
         ("--start steady:2", ["--start = 'steady:2'"]),
         ("--start 1", ["--start = '1'"]),
-        ("--tab map", ["--tab = 'map'", "explore, basins, pulse, quake, design"]),
+        ("--tab map", ["--tab = 'map'", "shake, basins, quake, design, explore, pulse"]),
         ("--scale 2", ["--scale = '2'", "--record"]),
         ("--units g", ["--units = 'g'", "--record"]),
         ("--force", ["--force", "--out"]),

@@ -30,7 +30,7 @@ from tests.explorer.in_node import InNode
 
 RECTANGLE = Block.rectangle(width=0.5, height=2.0)
 IMPORTS = """
-const { FIELDS, TABS, blockNumbers, caseOf, defaultState, patched, startOf } =
+const { FIELDS, ROOMS, TABS, blockNumbers, caseOf, defaultState, patched, startOf } =
     await import(parts('shell/state.mjs'));
 """
 READ = """
@@ -123,10 +123,11 @@ def test_the_limits_and_defaults_are_those_of_the_page(name: str, in_node: InNod
 
 
 def test_defaults_and_tabs_are_those_of_the_page(in_node: InNode) -> None:
-    state, tabs = in_node(IMPORTS + "answer([defaultState(), TABS]);")
+    state, tabs = in_node(IMPORTS + "answer([defaultState(), [...TABS, ...ROOMS]]);")
     assert (state["A"], state["W"]) == (DEFAULT_MOTION.amplitude, DEFAULT_MOTION.frequency_ratio)
     assert {name: state[name] for name in WINDOW} == WINDOW
     assert tuple(tabs) == TABS
+    assert state["tab"] == TABS[0]
 
 
 def test_a_size_keeps_its_digits_whatever_made_the_block() -> None:
@@ -144,10 +145,10 @@ def test_a_size_keeps_its_digits_whatever_made_the_block() -> None:
 def test_ground_motions_open_their_tab_with_the_equations_of_the_tab() -> None:
     bare = ExplorerView(block=DimensionlessBlock(restitution=0.8))
     for view, on_records, expected in (
-        (ExplorerView(), False, ("explore", "auto")),
+        (ExplorerView(), False, ("shake", "auto")),
         (ExplorerView(), True, ("quake", "auto")),
         (ExplorerView(tab="design", model=Linear()), True, ("design", "linear")),
-        (ExplorerView(model=Nonlinear()), False, ("explore", "nonlinear")),
+        (ExplorerView(model=Nonlinear()), False, ("shake", "nonlinear")),
         (bare, True, ("quake", "linear")),
     ):
         state = state_of(view, on_records=on_records)
@@ -157,7 +158,7 @@ def test_ground_motions_open_their_tab_with_the_equations_of_the_tab() -> None:
 @every(
     ("given", "name", "words"),
     [
-        ({"tab": "basin"}, "tab", "explore, basins"),
+        ({"tab": "basin"}, "tab", "shake, basins"),
         ({"scale": 0.0}, "scale", r"\[0.01, 100\]"),
         ({"motion": Harmonic(amplitude=1001.0, frequency_ratio=2.0)}, "amplitude", "1000"),
         ({"motion": Harmonic(amplitude=1.0, frequency_ratio=1001.0)}, "frequency_ratio", "1000"),

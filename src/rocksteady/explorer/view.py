@@ -15,6 +15,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import (
     TOLERANCE,
+    Linear,
     Model,
     ModelChoice,
     Nonlinear,
@@ -24,7 +25,8 @@ from rocksteady.model.equations import (
 from rocksteady.model.motions.segments import Harmonic
 
 PLACES: Final = (*SCENES, "lab")
-TABS: Final = ("explore", "basins", "pulse", "quake", "design")
+TABS: Final = ("shake", "basins", "quake", "design", "explore", "pulse")
+"""Questions of the laboratory, and two rooms for researchers behind the first."""
 LIMITS: Final = {
     "amplitude": (0.0, 1000.0),
     "frequency_ratio": (0.01, 1000.0),
@@ -62,8 +64,9 @@ class ExplorerView:
         ``"linear"`` or ``"nonlinear"``; None (default) for linear in maps of harmonic shaking and
         of a dimensionless block, else nonlinear.
     tab
-        "explore", "basins", "pulse", "quake" or "design"; None (default) for "quake" where ground
-        motions are put in, else "explore".
+        A question, "shake", "basins", "quake" or "design", or a room for researchers, "explore" or
+        "pulse"; None (default) for "quake" where ground motions are put in, else "shake", which has
+        blocks with a size at rest and the full equations, else "explore".
     scale
         Factor of the ground motion that is shown first, from 0.01 to 100; default 1.
     scene
@@ -125,7 +128,7 @@ def state_of(view: ExplorerView, *, on_records: bool) -> dict[str, str]:
     equations = "linear" if slender else "auto" if model is None else model.name
     state = {
         "at": view.scene or ("push" if is_plain(view) and not on_records else "lab"),
-        "tab": view.tab or ("quake" if on_records else "explore"),
+        "tab": view.tab or ("quake" if on_records else _first_tab(view)),
         "model": equations,
         "start": _start_text(view.start),
         "units": "none" if _is_dimensionless(view) and not on_records else "si",
@@ -137,6 +140,13 @@ def state_of(view: ExplorerView, *, on_records: bool) -> dict[str, str]:
     if view.scale != 1.0:
         state["scale"] = _text(view.scale)
     return state
+
+
+def _first_tab(view: ExplorerView) -> str:
+    """Return the question on which a view opens: the first, where its picture shows all of it."""
+    linear = isinstance(as_model("model", view.model), Linear)
+    whole = not (linear or _is_dimensionless(view)) and _start_text(view.start) == "rest"
+    return "shake" if whole else "explore"
 
 
 def _is_dimensionless(view: ExplorerView) -> bool:

@@ -265,9 +265,9 @@ def test_a_link_is_the_address_of_the_page_with_the_view(in_node: InNode) -> Non
     answer([address, stateOfLink(new URL(address).hash).state, state]);
     """
     address, again, state = in_node(IMPORTS + lines, {"patch": {"A": 1.5, "start": "0.5,0"}})
-    assert address.startswith("file:///a/b.html#v=1&at=lab&")
+    assert address.startswith("file:///a/b.html#v=2&at=lab&")
     assert again == state
-    assert set(dict(part.split("=") for part in address.partition("#v=1&")[2].split("&"))) == set(
+    assert set(dict(part.split("=") for part in address.partition("#v=2&")[2].split("&"))) == set(
         state
     )
 

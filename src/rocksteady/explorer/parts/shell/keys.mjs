@@ -13,7 +13,7 @@ export const KEY_WORDS = [
   ['Space', 'play or stop the film'],
   [', .', 'step the film back or forward'],
   ['P', 'pin the present history, to compare others with it'],
-  ['1 to 5', 'Explore, Basins, Pulse, Earthquake, Design'],
+  ['1 to 4', 'Shake it, Basins, Earthquake, Design'],
   ['B', 'bifurcation strip: along the row or the column of the point'],
   ['E', 'save or copy the panel that has the focus'],
   ['L', 'logarithmic or linear axes of the map'],
@@ -61,7 +61,7 @@ function isTaken(key, target) {
 function pageKey(app, key, target) {
   const { state } = app;
   if (key === '?') toggleHelp(app, KEY_WORDS);
-  else if (/^[1-5]$/.test(key)) app.set({ tab: TABS[Number(key) - 1] });
+  else if (/^[1-4]$/.test(key)) app.set({ tab: TABS[Number(key) - 1] });
   else if (/^b$/i.test(key)) app.set({ by: state.by === 'w' ? 'a' : 'w' });
   else if (/^l$/i.test(key)) app.set({ log: state.log === 1 ? 0 : 1 });
   else if (/^e$/i.test(key)) return openMenu(focusedPanel(app, target) ?? mainPanel(app));

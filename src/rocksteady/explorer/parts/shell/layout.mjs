@@ -5,13 +5,14 @@ import { theme } from '../draw/theme.mjs';
 import { element, sizeOf } from './app.mjs';
 import { TABS } from './state.mjs';
 
-export const TAB_WORDS = ['Explore', 'Basins', 'Pulse', 'Earthquake', 'Design'];
+export const TAB_WORDS = ['Shake it', 'Basins', 'Earthquake', 'Design'];
 
 /** What to do first, by the tab. @type {Readonly<Record<string, string>>} */
 const LEADS = {
-  explore: 'Drag the point on the map to change the shaking.',
+  shake: '',
+  explore: 'For researchers: drag the point on the map to change the shaking.',
   basins: 'Drag the ring to change the angle and velocity at the start.',
-  pulse: 'Drag the point to change the pulse that acts on the block.',
+  pulse: 'For researchers: drag the point to change the pulse that acts on the block.',
   quake: 'Drag the scale of the ground motion, or drop a record here.',
   design: 'Drag the point to change the size of the block.',
 };
@@ -95,13 +96,22 @@ export function place(app, panel, tabs) {
   panel.placed?.();
 }
 
+/** Return the question behind which a tab stands. @param {string} tab */
+function questionOf(tab) {
+  return TABS.includes(tab) ? tab : 'shake';
+}
+
 /**
  * Show the panels of the present tab.
  * @param {App} app
  */
 export function showTab(app) {
-  element('panels').dataset.tab = app.state.tab;
-  element('panels').setAttribute('aria-labelledby', `tab-${app.state.tab}`);
+  const question = questionOf(app.state.tab);
+  element('panels').dataset.tab = element('lab').dataset.tab = app.state.tab;
+  element('panels').setAttribute('aria-labelledby', `tab-${question}`);
+  element('shake').hidden = app.state.tab !== 'shake';
+  element('panels').hidden = element('given').hidden = app.state.tab === 'shake';
+  element('back').hidden = question === app.state.tab;
   element('lead').textContent = LEADS[app.state.tab];
   for (const panel of app.panels) {
     const tabs = panel.root?.dataset.tabs?.split(' ') ?? [];
@@ -109,8 +119,8 @@ export function showTab(app) {
   }
   for (const name of TABS) {
     const tab = element(`tab-${name}`);
-    tab.setAttribute('aria-selected', String(name === app.state.tab));
-    tab.tabIndex = name === app.state.tab ? 0 : -1;
+    tab.setAttribute('aria-selected', String(name === question));
+    tab.tabIndex = name === question ? 0 : -1;
   }
 }
 

@@ -3,7 +3,9 @@
 /** @import { State } from './state.mjs' */
 import { FIELDS, defaultState, patched } from './state.mjs';
 
-const LINK_VERSION = '1';
+const LINK_VERSION = '2';
+/** What links of an older version mean that name no tab. */
+const OLDER = { version: '1', tab: 'explore' };
 const LONGEST_LINK = 4000; // characters
 
 /**
@@ -29,10 +31,12 @@ export function stateOfLink(fragment) {
   const patch = {};
   /** @type {string[]} */
   const ignored = [];
+  let older = false;
   for (const part of text.split('&')) {
     const [name, value = ''] = part.split('=', 2);
     if (name === 'v') {
-      if (value !== LINK_VERSION) ignored.push(`v=${value}`);
+      if (value === OLDER.version) older = true;
+      else if (value !== LINK_VERSION) ignored.push(`v=${value}`);
       continue;
     }
     try {
@@ -42,6 +46,6 @@ export function stateOfLink(fragment) {
       ignored.push(name);
     }
   }
-  const { state, refused } = patched(defaultState(), patch);
+  const { state, refused } = patched(defaultState(), older ? { tab: OLDER.tab, ...patch } : patch);
   return { state, ignored: [...ignored, ...refused] };
 }

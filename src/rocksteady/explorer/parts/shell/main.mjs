@@ -5,6 +5,7 @@ import { jobs } from '../work/jobs.mjs';
 import { makePool } from '../work/pool.mjs';
 import { serve } from '../work/worker.mjs';
 import { warmUp } from '../panels/point/followed.mjs';
+import { makeShake } from '../shake/shake.mjs';
 import { makeStory } from '../story/story.mjs';
 import { element, makeApp } from './app.mjs';
 import { makeControls } from './controls.mjs';
@@ -52,6 +53,24 @@ async function openLab(app) {
   makeTabs(app);
   showTab(app);
   await turn();
+  makeShake(app);
+  listenToKeys(app);
+  element('back').addEventListener('click', () => app.set({ tab: 'shake' }));
+  /** @type {Promise<void> | undefined} */
+  let panels;
+  let { tab } = app.state;
+  const show = () => (tab === 'shake' ? undefined : (panels ??= openPanels(app)));
+  document.addEventListener('state', () => {
+    if (app.state.tab === tab) return;
+    ({ tab } = app.state);
+    showTab(app);
+    show();
+  });
+  await show();
+}
+
+/** Make the panels of the other questions and of researchers. @param {App} app */
+async function openPanels(app) {
   makeControls(app);
   await turn();
   await warmUp(app, turn);
@@ -59,14 +78,8 @@ async function openLab(app) {
   addExamples(app);
   addMenus(app);
   addHelp(app, KEY_WORDS);
-  listenToKeys(app);
   describePanels(app);
   await turn();
-  let { tab } = app.state;
-  document.addEventListener('state', () => {
-    if (app.state.tab !== tab) showTab(app);
-    ({ tab } = app.state);
-  });
   showTab(app);
   app.touch('history', ...Object.keys(app.state)); // no panel knows the state yet
   app.set({}, { push: false });

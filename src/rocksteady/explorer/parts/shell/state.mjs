@@ -7,7 +7,9 @@ import { measuresOf } from '../physics/case.mjs';
 
 /** Places of the story, in their order. */
 export const STORY = ['push', 'swing', 'size', 'fall', 'fates', 'order', 'quake'];
-export const TABS = ['explore', 'basins', 'pulse', 'quake', 'design'];
+/** Questions of the laboratory; two have rooms for researchers behind them. */
+export const TABS = ['shake', 'basins', 'quake', 'design'];
+export const ROOMS = ['explore', 'pulse'];
 
 const DECIMAL = /^\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*$/i; // no 0x10
 
@@ -71,7 +73,8 @@ export const FIELDS = {
   sv: numberField(0.35, -1.1, 1.1),
   shake: numberField(2.699, 2, 2.75), // amplitude over alpha g
   pga: numberField(0.5, 0.2, 1.1), // [g]
-  tab: choiceField(...TABS),
+  tab: choiceField(...TABS, ...ROOMS),
+  kind: choiceField('on', 'push'), // whether the shaking goes on
   model: choiceField('auto', 'linear', 'nonlinear'), // auto: as `equationsOf` says
   units: choiceField('si', 'none'), // of a block with a size, or dimensionless
   look: choiceField('auto', 'light', 'dark'),
@@ -133,6 +136,7 @@ export const FIELDS = {
  * @property {number} shake
  * @property {number} pga
  * @property {string} tab
+ * @property {string} kind  on or push
  * @property {'auto' | 'linear' | 'nonlinear'} model
  * @property {'none' | 'si'} units
  * @property {'auto' | 'light' | 'dark'} look

@@ -26,7 +26,7 @@ export function labState(app, scene) {
     const block = rectangle(kernels, width, height, restitution);
     const { amplitude, ratio } = pulseNumbers(block, strength, frequency);
     return {
-      ...si, tab: 'pulse', model: /** @type {const} */ ('nonlinear'), pulse: SHAPE, b: width, h: height,
+      ...si, tab: 'shake', kind: 'push', model: /** @type {const} */ ('nonlinear'), pulse: SHAPE, b: width, h: height,
       r: block.restitution, rh: restitution === undefined ? 1 : 0, pA: amplitude, pW: ratio,
     };
   };

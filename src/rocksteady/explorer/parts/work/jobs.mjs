@@ -8,6 +8,7 @@ import { designCells, designNeighbours, designRun } from '../physics/demand/desi
 import { pulseFates, pulseHistory } from '../physics/demand/pulse.mjs';
 import { pulseWindows } from '../physics/demand/windows.mjs';
 import { baseReel } from '../physics/push/falling.mjs';
+import { shakenCells, shakenRun } from '../physics/shake.mjs';
 import { historyOf, longSection } from '../physics/history.mjs';
 import { crowdReels } from '../physics/story/crowd.mjs';
 import { stateFates } from '../physics/story/fates.mjs';
@@ -40,6 +41,8 @@ export const jobs = {
   pulseHistory,
   pulseWindows,
   ...recordJobs,
+  shakenCells,
+  shakenRun,
   settleStates: (kernels, asked) => timed(() => settleStates(kernels, asked)),
   stateFates,
   steadyCurves,
