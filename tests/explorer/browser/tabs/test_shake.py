@@ -103,6 +103,23 @@ def test_sizes_are_dragged_and_typed_and_refused_with_what_is_valid(explorer: Ex
     assert page.input_value("#shake-h") == "1.5"
 
 
+def test_the_block_is_tilted_by_its_top_and_let_go(explorer: Explorer) -> None:
+    page = explorer.open(PUSH, size=WIDE)
+    x, y = hand(page)
+    field = page.locator("#shake-h").bounding_box()
+    assert field is not None
+    foot = y - 68.0
+    middle = field["y"] + 0.5 * field["height"]
+    top = foot - 2.0 * (foot - middle)
+    page.mouse.move(x, top)
+    page.mouse.down()
+    page.mouse.move(x + 40.0, top, steps=4)
+    said(page, "shake-says", r"^Let it go\.$")
+    page.mouse.up()
+    said(page, "shake-says", r"^It (rocks|settles|stood)\.$")
+    said(page, "shake-facts", r"^it leaned \d+\.\d°; past 14\.0° it tips$", seconds=15.0)
+
+
 def test_the_switch_changes_the_words_and_keys_reach_everything(explorer: Explorer) -> None:
     page = explorer.open(f"{LAB}&A=2.5", size=WIDE)
     said(page, "shake-says", r"^It rocks with the shaking, and leans \d+\.\d° at most\.$")
@@ -126,7 +143,9 @@ def test_the_switch_changes_the_words_and_keys_reach_everything(explorer: Explor
 
 def test_more_opens_the_researchers_room_and_back_returns(explorer: Explorer) -> None:
     page = explorer.open(PUSH, size=WIDE)
-    page.get_by_role("link", name="More, for researchers").click()
+    more = page.get_by_role("link", name="More, for researchers")
+    assert "b=0.25" in str(more.get_attribute("href"))
+    more.click()
     page.locator("[data-panel='pulse']").wait_for()
     assert link(page)["tab"] == "pulse"
     assert not page.locator("#shake").is_visible()

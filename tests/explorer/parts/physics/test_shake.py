@@ -97,6 +97,13 @@ def test_a_run_ends_as_its_fate_says_and_leans_as_its_attractor(in_node: InNode)
     assert settled > 5
 
 
+def test_ground_that_does_not_move_leaves_the_block_at_rest(in_node: InNode) -> None:
+    asked = [{"block": block_asked(), "push": push, "g": 0.0, "hz": 2.0} for push in (False, True)]
+    for run in in_node(RUNS, asked):
+        assert (run["fate"], run["last"], run["lies"], run["lean"]) == (0, 0.0, None, 0.0)
+        assert set(run["places"]) == {0.0}
+
+
 def test_the_ground_of_a_film_is_the_integral_of_its_push(in_node: InNode) -> None:
     g, hz = 0.5, 1.0
     on, push = in_node(

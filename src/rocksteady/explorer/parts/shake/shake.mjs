@@ -1,6 +1,7 @@
 // "How hard may the ground shake?": a block of known size, a map beside it, one sentence.
 
 /** @import { App } from '../shell/app.mjs' */
+/** @import { State } from '../shell/state.mjs' */
 /** @import { Body } from '../stage/stage.mjs' */
 /** @import { ShakenRun } from '../physics/shake.mjs' */
 /** @import { PulseWindow } from '../physics/demand/windows.mjs' */
@@ -13,8 +14,9 @@ import { SHAKES } from '../physics/shake.mjs';
 import { pulseNumbers } from '../physics/story/pulses.mjs';
 import { element } from '../shell/app.mjs';
 import { say, setOn } from '../shell/layout.mjs';
+import { linkOf } from '../shell/link.mjs';
 import { FIELDS, blockNumbers } from '../shell/state.mjs';
-import { makeStage } from '../stage/stage.mjs';
+import { SIZES, makeStage } from '../stage/stage.mjs';
 import { storyWords } from '../story/words.mjs';
 import { MOTION_NAMES, NEVER_LIFTS, STANDS, fallName } from '../words.mjs';
 import { makeCells } from './cells.mjs';
@@ -26,7 +28,6 @@ const NARROW = 821; // [px] from which the picture stands beside the block
 const LEAST_HZ = 0.2, LEAST_TOP = 0.5; // [Hz], [g] of the axes
 const LIFTS = 6, TURNS = 8; // strengths in those that lift it, turns in p
 const STEP = { hz: 0.5, g: 0.25 }; // to which the ends of the axes are rounded
-const SIZES = { b: [0.05, 0.9], h: [0.9, 8] }; // least and most [m]; .9: of width over height
 const ONE_PUSH = { least: 0.03, top: 0.05 }; // [s], [g] from which a push by hand has a place on the map
 
 /** Return a value rounded up to a multiple. @param {number} value @param {number} step */
@@ -101,7 +102,8 @@ export function makeShake(app) {
       const { sentence, facts } = storyWords(story), done = story.rocks || story.quiet || story.lies || story.held;
       if (!done) return;
       const dot = story.quiet && !story.held && yours ? 'the dot on the map is your push' : '';
-      told = { words: [sentence || 'It has not lifted yet.', '', ''], facts: [facts, dot].filter(Boolean).join(' · ') };
+      const words = story.leaned && story.angle <= 1 ? 'Let it go.' : sentence || 'It has not lifted yet.';
+      told = { words: [words, '', ''], facts: [facts, dot].filter(Boolean).join(' · ') };
       tell();
     },
     pushed({ top, longest }) {
@@ -225,7 +227,7 @@ export function makeShake(app) {
       setOn(button, 'tabindex', on ? '0' : '-1');
     }
     say(element('shake-act'), push ? 'Push it' : 'Shake it');
-    setOn(element('shake-more'), 'href', `#v=1&at=lab&tab=${push ? 'pulse' : 'explore'}`);
+    setOn(element('shake-more'), 'href', linkOf({ ...state, ...roomOf(state.kind) }));
     say(element('shake-note'), `Each point of the map is one run from rest${push ? '' : ` of ${SHAKES} shakes`}. Full equations, restitution\u00a0${block.restitution.toFixed(2)}.`);
     ask();
     tell();
@@ -240,7 +242,7 @@ export function makeShake(app) {
   element('shake-more').addEventListener('click', (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return;
     event.preventDefault();
-    app.set({ tab: app.state.kind === 'push' ? 'pulse' : 'explore', units: 'si', model: 'nonlinear', start: 'rest', ...(app.state.kind === 'push' ? { pulse: 'one-sine' } : {}) });
+    app.set(roomOf(app.state.kind));
   });
   const turn = (/** @type {string} */ kind) => {
     [byHand, opened] = [false, true];
@@ -261,14 +263,15 @@ export function makeShake(app) {
   for (const name of /** @type {const} */ (['b', 'h'])) {
     fields[name].addEventListener('change', () => {
       const { state } = app, value = FIELDS[name].parse(fields[name].value.replace(',', '.'));
-      const least = name === 'b' ? SIZES.b[0] : state.b / SIZES.h[0], most = name === 'b' ? SIZES.b[1] * state.h : SIZES.h[1];
-      if (typeof value === 'number' && value >= least - 1e-9 && value <= most + 1e-9) {
+      const { least, widest, tallest, stout } = SIZES;
+      const [from, to] = name === 'b' ? [least, Math.min(widest, stout * state.h)] : [state.b / stout, tallest];
+      if (typeof value === 'number' && value >= from - 1e-9 && value <= to + 1e-9) {
         [byHand, opened] = [false, true];
         resize({ b: state.b, h: state.h, [name]: value }, true);
         return;
       }
       fields[name].value = String(state[name]);
-      say(element('shake-facts'), `${name === 'b' ? 'Width' : 'Height'}: ${least.toFixed(2)} to ${most.toFixed(2)} m.`);
+      say(element('shake-facts'), `${name === 'b' ? 'Width' : 'Height'}: ${from.toFixed(2)} to ${to.toFixed(2)} m.`);
     });
   }
   document.addEventListener('state', (event) => {
@@ -276,6 +279,12 @@ export function makeShake(app) {
     if (app.state.tab === 'shake' && app.state.at === 'lab' && changed.some((key) => USES.includes(key) || key === 'at')) refresh();
   });
   refresh();
+}
+
+/** Return what of the state leads to the researchers' room. @param {string} kind @returns {Partial<State>} */
+function roomOf(kind) {
+  const room = kind === 'push' ? { tab: 'pulse', pulse: 'one-sine' } : { tab: 'explore' };
+  return { ...room, units: 'si', model: 'nonlinear', start: 'rest' };
 }
 
 /** Return the block of the state. @param {App} app @returns {Body} */

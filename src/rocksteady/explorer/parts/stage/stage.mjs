@@ -9,7 +9,7 @@ import { reelAngle } from '../physics/push/falling.mjs';
 import { STANDING, pushOn } from '../physics/push/pushed.mjs';
 import { MOST_PUSH, PUSH_STEP, STILL_GROUND, handAt, pulledGround } from '../physics/push/spring.mjs';
 import { blockCorners, shapeOf } from '../panels/scene.mjs';
-import { drawBlock, drawCurve, drawFlash, drawGround, drawLine, drawRing, stateOf, write } from '../story/draw.mjs';
+import { drawBlock, drawCurve, drawFlash, drawGround, drawLine, drawRing, write } from '../story/draw.mjs';
 import { knock } from '../story/sound.mjs';
 import { makeView } from '../story/view.mjs';
 import { degreeText } from '../story/words.mjs';
@@ -36,13 +36,12 @@ import { degreeText } from '../story/words.mjs';
  * @typedef {object} Setting
  * @property {Body} body
  * @property {(width: number, height: number, body: Body) => Layout} layout
- * @property {(story: Story & { held: boolean }) => void} told  in each frame in which the hand acts
+ * @property {(story: Story & { held: boolean, leaned: boolean }) => void} told  in each frame in which the hand acts
  * @property {() => void} touched  by a hand or a key
  * @property {() => void} [stood]  a key has stood the block up
  * @property {() => void} [ended]  the film has come to its end
  * @property {(push: { top: number, longest: number }) => void} [pushed]  [g], [s] one way; the ground is let go
- * @property {(body: Body, done: boolean) => void} [sized]  by its handles, which it has with this
- * @property {(angle: number) => void} [released]  over alpha, by its top, which is a handle with this
+ * @property {(body: Body, done: boolean) => void} [sized]  by its handles; with this its top is one too, by which it is tilted and let go
  * @property {(at: Record<'wide' | 'tall', { x: number, y: number, shown: boolean }>) => void} [placed]
  */
 
@@ -56,8 +55,8 @@ const GLOW = 0.3; // [s] of an impact
 const PUSH = 0.05 * GRAVITY; // [m/s2] that count as a push one way
 const REACH = { mouse: 16, touch: 26 }; // [px] of a handle
 const BESIDE = { wide: 26, tall: 34 }; // [px] of the size's lines from the block
-const SLIMMEST = 0.9; // width over height of the widest block
-const LEAST = 0.05, MOST_WIDE = 4, MOST_TALL = 8; // [m]
+/** Sizes that handles and fields take [m]; stout: width over height of the widest block. */
+export const SIZES = { least: 0.05, widest: 4, tallest: 8, stout: 0.9 };
 const TILTED = 1.15; // |theta|/alpha to which the top may be dragged
 const EASE = 9; // [1/s] of a size that has changed
 
@@ -196,7 +195,7 @@ export function makeStage(app, canvas, setting) {
 
   const story = () => ({
     ...tale, alpha: block.alpha, lift: evaluate(kernels, 'tan', block.alpha), lies, rocks: state.side !== 0,
-    angle: Math.abs(state.angle), quiet: time - pushed > QUIET.for, held: held !== null || keys !== 0,
+    angle: Math.abs(state.angle), quiet: time - pushed > QUIET.for, held: held !== null || keys !== 0, leaned,
   });
   /** Whether no ground that a hand makes brings the block back. */
   const lost = () => lies || Math.abs(state.angle) * block.alpha >= block.alpha + Math.atan(MOST_PUSH / GRAVITY);
@@ -230,7 +229,7 @@ export function makeStage(app, canvas, setting) {
       drawFlash(pen, theme, at.x + side * shape.halfWidth * unit, level, 1 - (time - hit) / GLOW);
     }
     if (setting.sized) drawSizes(pen, at, level, still);
-    if (setting.released && !lies && (still || leaned)) drawRing(pen, theme, at.top.x, at.top.y, leaned ? 12 : 9);
+    if (setting.sized && !lies && (still || leaned)) drawRing(pen, theme, at.top.x, at.top.y, leaned ? 12 : 9);
     for (const to of [-1, 1]) {
       const { x, y } = at.push;
       drawLine(pen, theme, [x + 20 * to, y, x + 38 * to, y], 'ink', 2.5);
@@ -333,6 +332,12 @@ export function makeStage(app, canvas, setting) {
     setting.touched();
     wake();
   };
+  /** Have the top follow the pointer: nothing moves until it is let go. */
+  const tilt = () => {
+    leaned = true;
+    begin();
+    setting.touched();
+  };
   const place = (/** @type {PointerEvent} */ event) => {
     const box = canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
@@ -342,17 +347,16 @@ export function makeStage(app, canvas, setting) {
     const at = spots(layout()), near = (/** @type {{ x: number, y: number }} */ spot) =>
       Math.hypot(spot.x - x, spot.y - y) < reach;
     if (setting.sized && !state.side && !lies) {
-      if (near(at.wide)) return 'wide';
-      if (near(at.tall)) return 'tall';
+      for (const what of /** @type {const} */ (['wide', 'tall', 'top'])) if (near(at[what])) return what;
     }
-    return setting.released && !lies && (!state.side || leaned) && near(at.top) ? 'top' : 'push';
+    return 'push';
   };
   canvas.addEventListener('pointerdown', (event) => {
     if (event.button || held) return;
     const what = under(place(event), event.pointerType === 'touch' ? REACH.touch : REACH.mouse);
     canvas.setPointerCapture(event.pointerId);
     if (what === 'push') touch();
-    else if (what === 'top') [film, leaned] = [null, true];
+    else if (what === 'top') tilt();
     held = { id: event.pointerId, what, x: event.clientX, hand };
     if (what === 'push') events = [{ time: event.timeStamp / 1000, place: hand }];
     wake();
@@ -377,9 +381,9 @@ export function makeStage(app, canvas, setting) {
     const size = (/** @type {number} */ value, /** @type {number} */ least, /** @type {number} */ most) =>
       Number(Math.min(Math.max(value, least), most).toFixed(2));
     if (held?.what === 'wide') {
-      setting.sized?.({ width: size((2 * (x - at.x)) / unit, LEAST, Math.min(MOST_WIDE, SLIMMEST * height)), height }, false);
+      setting.sized?.({ width: size((2 * (x - at.x)) / unit, SIZES.least, Math.min(SIZES.widest, SIZES.stout * height)), height }, false);
     } else if (held?.what === 'tall') {
-      setting.sized?.({ width, height: size((level - y) / unit, width / SLIMMEST, MOST_TALL) }, false);
+      setting.sized?.({ width, height: size((level - y) / unit, width / SIZES.stout, SIZES.tallest) }, false);
     } else {
       const theta = Math.atan2(at.x - x, level - y), most = TILTED * block.alpha;
       const angle = Math.min(Math.max(theta, -most), most) / block.alpha;
@@ -393,10 +397,8 @@ export function makeStage(app, canvas, setting) {
       const { what } = held;
       held = null;
       if (what === 'push') setting.pushed?.({ top: tale.top, longest: tale.longest });
-      else if (what === 'top') {
-        leaned = false;
-        setting.released?.(state.angle);
-      } else setting.sized?.(body, true);
+      else if (what === 'top') leaned = false;
+      else setting.sized?.(body, true);
       wake();
     });
   }
@@ -454,10 +456,5 @@ export function makeStage(app, canvas, setting) {
     },
     get going() { return going; },
     get record() { return record; },
-    /** What tests and names of the picture ask for. */
-    get now() {
-      const at = canvas.clientWidth ? spots(layout()) : null;
-      return { state, ground, lies, film: film !== null, unit, body, spots: at, stands: stateOf(state.angle) === 'rest' };
-    },
   };
 }

@@ -26,11 +26,11 @@ const SETTLES = 0.02; // |theta|/alpha below which it only settles
  */
 export function storyWords(story) {
   const { alpha, lift, reach, top, impacts, peak, angle, rocks, lies, quiet } = story;
-  const moved = `You moved the ground ${Math.round(100 * reach)} cm at ${gText(top)}.`;
+  const moved = top < MOVED ? '' : ` You moved the ground ${Math.round(100 * reach)} cm at ${gText(top)}.`;
   const limit = degreeText(alpha);
   if (lies) {
     const after = impacts ? `after ${impactText(impacts)}` : 'at once, without an impact';
-    return { sentence: `It fell. ${moved}`, facts: after };
+    return { sentence: `It fell.${moved}`, facts: after };
   }
   if (rocks && angle > 1) return { sentence: 'Past its tipping angle.', facts: '' };
   if (rocks) {
@@ -40,7 +40,7 @@ export function storyWords(story) {
   }
   if (peak > 0) {
     const leaned = `it leaned ${degreeText(peak * alpha)}; past ${limit} it tips`;
-    return { sentence: `It stood. ${moved}`, facts: leaned };
+    return { sentence: `It stood.${moved}`, facts: leaned };
   }
   if (top < MOVED) return { sentence: '', facts: '' };
   return {

@@ -8,8 +8,8 @@ import { designCells, designNeighbours, designRun } from '../physics/demand/desi
 import { pulseFates, pulseHistory } from '../physics/demand/pulse.mjs';
 import { pulseWindows } from '../physics/demand/windows.mjs';
 import { baseReel } from '../physics/push/falling.mjs';
-import { shakenCells, shakenRun } from '../physics/shake.mjs';
 import { historyOf, longSection } from '../physics/history.mjs';
+import { shakenCells, shakenRun } from '../physics/shake.mjs';
 import { crowdReels } from '../physics/story/crowd.mjs';
 import { stateFates } from '../physics/story/fates.mjs';
 import { cascadeOf, orderAt } from '../physics/story/order.mjs';
