@@ -13,16 +13,6 @@ from tests.every import every
 
 POINT = "attractor -A 2 -W 1.9 -r 0.8 --start steady --side -"
 CHAOS = "attractor -A 6 -W 6 -r 0.25"
-CONTRACT = {
-    "kind",
-    "reason",
-    "period",
-    "impacts_per_period",
-    "rest_phases",
-    "peaks",
-    "multipliers",
-    "lyapunov",
-}
 
 
 @every(
@@ -58,35 +48,6 @@ def test_the_doubled_orbit_at_1_78_is_an_attractor() -> None:
     assert values["peaks"] == pytest.approx(stable["peaks"], abs=1e-9)
 
 
-@every(
-    ("command", "kind"),
-    [
-        ("attractor -A 1 -W 4 -r 0.8", "rest"),
-        ("attractor -A 2 -W 1.7 -r 0.8 --start steady", "overturned"),
-        (CHAOS, "aperiodic"),
-    ],
-)
-def test_what_an_attractor_has_not_is_null(command: str, kind: str) -> None:
-    values = rocksteady(f"{command} --json").json
-    assert set(values) >= CONTRACT
-    assert values["kind"] == kind
-    for name in ("reason", "period", "impacts_per_period", "rest_phases", "multipliers", "states"):
-        assert values[name] is None, name
-    assert (values["peaks"] is None) == (kind != "rest")
-    assert (values["lyapunov"] is None) == (kind != "aperiodic")
-
-
-def test_an_orbit_that_comes_to_rest_has_infinitely_many_impacts() -> None:
-    values = rocksteady("attractor -A 1.08 -W 0.6 -r 0.05 --json").json
-    assert (values["kind"], values["period"]) == ("symmetric", 1)
-    assert (values["impacts_per_period"], values["rest_phases"]) == (None, 2)
-    assert values["multipliers"] == [[0.0, 0.0], [0.0, 0.0]]
-    assert values["lyapunov"] is None
-    text = rocksteady("attractor -A 1.08 -W 0.6 -r 0.05 --more").out
-    assert "infinitely many" in text
-    assert "2 times in a period" in text
-
-
 def test_what_cannot_be_decided_says_why_and_ends_with_3(tmp_path: Path) -> None:
     file = tmp_path / "motion.png"
     command = "attractor -A 0.5 -W 4 -r 1 --start 0.1,0 --cycles 200"
@@ -114,92 +75,19 @@ def test_a_real_block_is_in_radians_and_seconds() -> None:
     assert (rest["peaks_rad"], rest["period_s"]) == ([0.0, 0.0], None)
 
 
-@every(
-    ("command", "first"),
-    [
-        (POINT, "It settles to an unsymmetric steady motion, from 0.9 to -0.444 alpha."),
-        ("attractor -A 1 -W 4 -r 0.8", "It never lifts under the motion."),
-        (
-            "attractor -A 2 -W 1.7 -r 0.8 --start steady",
-            "It falls: from this start (steady) it reaches no steady motion.",
-        ),
-        (CHAOS, "It rocks on and never repeats: a small difference grows 1.46-fold a period."),
-        (
-            "attractor --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2",
-            "It settles to a symmetric steady motion, up to 1.59° (0.14 alpha).",
-        ),
-    ],
-)
-def test_the_answer_is_what_it_settles_to(command: str, first: str) -> None:
-    ran = rocksteady(command)
-    lines = ran.out.splitlines()
-    assert lines[0] == first
-    assert len(lines) <= 8
-    assert lines[-1].startswith("next: rocksteady basins ")
-    values = rocksteady(f"{command} --json").json
-    if values["kind"] == "aperiodic":
-        assert f"{math.exp(values['lyapunov']):.3g}-fold" in first
-    elif values["period"]:
-        shrinks = math.exp(values["lyapunov"])
-        assert f"shrinks to {100 * shrinks:.2g} % a period" in ran.out
-        assert f"{values['period']} period of the base" in ran.out
-
-
-def test_an_undecided_attractor_goes_on_with_more_periods() -> None:
-    ran = rocksteady("attractor -A 6 -W 6 -r 0.25 --cycles 20")
-    assert ran.code == 3
-    assert ran.out.startswith("Undecided: ")
-    command = ran.out.partition("next: rocksteady ")[2].replace("\\\n ", "")
-    assert command.split()[-2:] == ["--cycles", "200"]
-    assert rocksteady(command.strip()).code in (0, 3)
-
-
-# ------------------------------------------------------------------------------- bad input
-
-
-@every(
-    ("flags", "needle"),
-    [
-        ("--start foo", "--start = 'foo'"),
-        ("--start steady:3", "--start = 'steady:3'"),
-        ("--start steady --phase 1", "--phase = 1.0"),
-        ("--start steady:2", "--start = 'steady:2'"),
-        ("--side left", "--side = 'left'"),
-        ("--phase nan", "--phase = nan"),
-        ("--kick 1e-3", "--kick = 0.001"),
-        ("--start steady --kick 1", "--kick = 1.0"),
-        ("-n 3", "--order/-n = 3"),
-        ("--cycles 0", "--cycles = 0"),
-        ("--cycles -1", "--cycles = -1"),
-        ("--cycles 1.5", "'1.5'"),
-        ("--cycles 99999999999999999999", "--cycles = 99999999999999999999"),
-    ],
-)
-def test_a_bad_start_or_length_is_refused(flags: str, needle: str, tmp_path: Path) -> None:
-    line = refused(f"attractor -A 2 -W 4 -r 0.8 {flags} --csv", tmp_path / "a.csv")
-    assert needle in line
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_an_axis_is_refused() -> None:
-    assert "--amplitude/-A has 3 values" in refused("attractor -A 1:2:3 -W 4 -r 0.8")
-
-
 # ----------------------------------------------------------------------------------- files
 
 
-@every(
-    ("command", "some"),
-    [(CHAOS, True), ("attractor -A 1 -W 4 -r 0.8", False), ("attractor -A 9 -W 1 -r 0.8", False)],
-)
-def test_without_an_orbit_the_csv_holds_the_cloud_or_nothing(
-    command: str, *, some: bool, tmp_path: Path
-) -> None:
+def test_a_motion_that_never_repeats_has_a_growth_and_a_cloud(tmp_path: Path) -> None:
     file = tmp_path / "impacts.csv"
-    assert rocksteady(f"{command} --csv", file).code == 0
+    values = rocksteady(f"{CHAOS} --json --csv", file).json
+    assert values["kind"] == "aperiodic"
+    for name in ("reason", "period", "impacts_per_period", "multipliers", "states", "peaks"):
+        assert values[name] is None, name
+    growth = f"grows {math.exp(values['lyapunov']):.3g}-fold a period"
+    assert growth in rocksteady(CHAOS).out.splitlines()[0]
     rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
-    assert (len(rows) > 1000) == some
-    assert bool(rows) == some
+    assert len(rows) > 1000
     for row in rows:
         assert row["side"] in ("1", "-1")
         assert 0.0 <= float(row["phase_rad"]) < 2.0 * math.pi
@@ -234,11 +122,3 @@ def test_harmonics_are_those_of_a_fourier_series() -> None:
         "simulate -A 1 -W 2 -r 0.8 --pulse one-sine --harmonic 2,1,0"
     )
     assert "single sinusoid" in refused("map -A 1:2:2 -W 2 -r 0.8 --start steady --harmonic 2,1,0")
-
-
-def test_of_a_fall_the_periods_until_it_was_known_are_not_said() -> None:
-    ran = rocksteady("attractor -A 8 -W 1.9 -r 0.8 --json")
-    assert (ran.json["kind"], ran.json["settled_after_periods"]) == ("overturned", 0)
-    text = rocksteady("attractor -A 8 -W 1.9 -r 0.8").out
-    assert "falls" in text
-    assert "known after" not in text
