@@ -6,7 +6,6 @@ from typing import Any
 import pytest
 
 from tests.cli.program import ran_once, refused, rocksteady
-from tests.every import every
 
 SIMPLE = "curves -A 0.2:4:2 -W 1.5:3:2 -r 0.8 --max-impacts 2 --max-period 1"
 
@@ -46,18 +45,3 @@ def test_a_budget_that_ends_the_work_is_said(tmp_path: Path) -> None:
     ran = rocksteady(f"{SIMPLE} --max-curves 1 --plot", tmp_path / "curves.png")
     assert ran.code == 3
     assert "raise --max-curves" in ran.err
-
-
-@every(
-    ("given", "needle"),
-    [
-        ("-A 2 -W 4 -r 0.8", "none of -A, -W and -r is an axis"),
-        ("-A 2 -W 3:5:2 -r 0.8", "one of -A, -W and -r is an axis"),
-        ("-A 1:2:2 -W 3:5:2 -r 0.7:0.9:2", "all three of -A, -W and -r are axes"),
-        ("-A 2:2:2 -W 3:5:2 -r 0.8", "at both ends"),
-        ("-A 1:2:2 -W 3:5:2 -r 0.8 -n 2", "order"),
-        ("-A 1:2:2 -W 3:5:2 -r 0.8 --max-curves 0", "max"),
-    ],
-)
-def test_what_is_no_plane_is_refused(given: str, needle: str) -> None:
-    assert needle in refused(f"curves {given}")

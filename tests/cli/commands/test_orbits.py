@@ -5,10 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.program import refused, rocksteady
-from tests.every import every
-
-POINT = "orbits -A 2 -W 1.9 -r 0.8"
+from tests.cli.program import rocksteady
 
 
 def test_the_closed_forms_are_those_of_steady() -> None:
@@ -27,20 +24,6 @@ def test_the_closed_forms_are_those_of_steady() -> None:
         assert abs(complex(*orbit["multipliers"][0])) == pytest.approx(abs(half) ** 2)
     assert listed[0]["peaks"][0] == pytest.approx(0.18550, abs=5.1e-6)
     assert (listed[1]["stable"], listed[1]["neutral"]) == (None, None), "no motion"
-
-
-def test_without_loss_an_orbit_is_neutral_and_not_stable() -> None:
-    first = rocksteady("orbits -A 2 -W 4 -r 1 --max-period 1 --json").json["orbits"][0]
-    assert (first["stable"], first["neutral"]) == (False, True)
-    assert "neutral" in rocksteady("orbits -A 2 -W 4 -r 1 --max-period 1").out
-
-
-def test_the_limits_of_the_search_are_kept() -> None:
-    command = f"{POINT} --max-period 1 --max-impacts 2 --seeds 24 --json"
-    values = rocksteady(command).json
-    assert (values["max_period"], values["max_impacts"], values["seeds"]) == (1, 2, 24)
-    assert {orbit["period"] for orbit in values["orbits"]} == {1}
-    assert {orbit["impacts_per_period"] for orbit in values["orbits"]} == {2}
 
 
 def test_a_real_block_is_in_radians_and_seconds() -> None:
@@ -63,51 +46,6 @@ def test_where_nothing_moves_the_list_is_empty(tmp_path: Path) -> None:
     assert "0 periodic motions" in ran.out
     assert len(table.read_text(encoding="utf-8").splitlines()) == 1
     assert figure.read_bytes().startswith(b"\x89PNG")
-
-
-@every(
-    ("flags", "needle"),
-    [
-        ("--max-period 0", "--max-period = 0"),
-        ("--max-period -2", "--max-period = -2"),
-        ("--max-period 1.5", "'1.5'"),
-        ("--max-impacts 0", "--max-impacts = 0"),
-        ("--max-impacts many", "'many'"),
-        ("--seeds 0", "--seeds = 0"),
-        ("--max-period 99999999999", "--max-period = 99999999999"),
-        ("--max-impacts 99999999999", "--max-impacts = 99999999999"),
-        ("--seeds 99999999999", "--seeds = 99999999999"),
-        ("--start rest", "--start"),
-    ],
-)
-def test_bad_limits_are_refused(flags: str, needle: str, tmp_path: Path) -> None:
-    assert needle in refused(f"{POINT} {flags} --csv", tmp_path / "a.csv")
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_an_axis_is_refused() -> None:
-    assert "--frequency-ratio/-W has 5 values" in refused("orbits -A 1 -W 2:4:5 -r 0.8")
-
-
-def test_the_answer_lists_the_stable_motions_first_and_starts_on_one() -> None:
-    ran = rocksteady(POINT)
-    lines = ran.out.splitlines()
-    values = rocksteady(f"{POINT} --json").json["orbits"]
-    assert lines[0].startswith("1 of 12 steady motions is stable")
-    (stable,) = (each for each in values if each["stable"])
-    assert lines[2].split()[1:3] == ["stable", stable["kind"]]
-    assert lines[2].split()[5:7] == [f"{peak:.3f}" for peak in stable["peaks"]]
-    beyond = sum(max(map(abs, each["peaks"])) > 1.0 for each in values if each["admissible"])
-    assert f"{beyond} motions: the base carries it back: no fall" in ran.out
-    assert "11 more with --more: 10 unstable, 1 inadmissible" in ran.out
-    command = ran.out.partition("next: rocksteady ")[2].replace("\\\n ", "").strip()
-    reached = rocksteady(f"{command} --json").json
-    assert reached["peaks"] == pytest.approx(stable["peaks"])
-
-
-def test_the_answer_where_nothing_moves_is_that_none_was_found() -> None:
-    first = rocksteady("orbits -A 0.1 -W 4 -r 0.8 --seeds 8").out.splitlines()[0]
-    assert first == "No steady motion was found up to 3 periods and 6 impacts."
 
 
 def test_infinitely_many_impacts_are_an_empty_cell_as_they_are_null_in_json(tmp_path: Path) -> None:
