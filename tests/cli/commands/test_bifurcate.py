@@ -9,8 +9,7 @@ from rocksteady import DimensionlessBlock, Harmonic, find_orbits
 from rocksteady.branches import find_cascade
 from rocksteady.formulas import symmetry_breaking_amplitude, symmetry_breaking_frequencies
 from rocksteady.orbits import compute_region_boundaries
-from tests.cli.program import ran_once, refused, rocksteady
-from tests.every import every
+from tests.cli.program import ran_once, rocksteady
 
 ALONG_W = "bifurcate -A 2 -W 1.6:2.4:41 -r 0.8"
 ALONG_A = "bifurcate -A 0.1:3:30 -W 2 -r 0.8 --no-sweeps"
@@ -74,18 +73,6 @@ def test_sweeps_show_hysteresis() -> None:
     assert rests[0]["from"] < fold < rests[0]["from"] + 0.1 + 1e-9
 
 
-def test_a_sweep_begins_where_it_is_told() -> None:
-    command = "bifurcate -A 2 -W 3.9:5:12 -r 0.8"
-    for flags, start, period in (
-        ("", "steady", 1),
-        ("-n 3", "steady", 3),
-        ("-n 3 --start rest", "rest", 1),
-        ("--start 0.1,0", "0.1,0", 1),
-    ):
-        down = values_of(f"{command} {flags}")["sweeps"][1]
-        assert (down["start"], down["runs"][0]["period"]) == (start, period), flags
-
-
 @pytest.mark.slow
 def test_after_a_fall_a_sweep_begins_again_on_the_steady_state_of_the_value() -> None:
     up, _ = values_of("bifurcate -A 2 -W 0.9:3:22 -r 0.9")["sweeps"]
@@ -129,21 +116,6 @@ def test_the_cascade_is_the_librarys() -> None:
     assert "cascade of 5 period doublings" in text
     assert "1.789272022957" in text
     assert "Feigenbaum" in text
-
-
-def test_without_a_doubling_there_is_no_cascade_and_a_line_says_so() -> None:
-    command = "bifurcate -A 1 -W 2 -r 0.3:1:20 --cascade"
-    assert values_of(command)["cascade"] is None
-    assert "no cascade: no branch has a period doubling" in rocksteady(f"{command} --more").out
-
-
-def test_a_cascade_cut_short_has_no_ratio() -> None:
-    values = values_of("bifurcate -A 2 -W 1.78:2:10 -r 0.8 --cascade --no-sweeps")
-    cascade = values["cascade"]
-    assert len(cascade["values"]) == 1
-    assert (cascade["distances"], cascade["ratios"], cascade["limit"]) == ([], [], None)
-    text = rocksteady("bifurcate -A 2 -W 1.78:2:10 -r 0.8 --cascade --no-sweeps --more").out
-    assert "fewer than three doublings have no ratio" in text
 
 
 # ----------------------------------------------------------------------------- the search
@@ -193,18 +165,6 @@ def test_as_many_branches_as_there_are_is_no_end() -> None:
     assert fewer.json["branches"] == whole["branches"][:-1]
 
 
-def test_where_nothing_moves_the_lists_are_empty(tmp_path: Path) -> None:
-    command = "bifurcate -A 0.1 -W 2:3:5 -r 0.8 --no-sweeps"
-    values = values_of(command)
-    assert (values["points"], values["branches"]) == ([], [])
-    table, figure = tmp_path / "a.csv", tmp_path / "a.png"
-    ran = rocksteady(f"{command} --csv", table, "--plot", figure)
-    assert ran.code == 0
-    assert "0 branches" in ran.out
-    assert len(table.read_text(encoding="utf-8").splitlines()) == 1
-    assert figure.read_bytes().startswith(b"\x89PNG")
-
-
 # ------------------------------------------------------------------------- text and files
 
 
@@ -240,79 +200,3 @@ def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_pa
     assert rocksteady(f"{command} --plot", file).code == 0
     assert file.read_bytes().startswith(magic)
     assert [path.name for path in tmp_path.iterdir()] == [file.name]
-
-
-# ----------------------------------------------------- the nonlinear model, sides that differ
-
-
-@every(
-    ("flags", "needle"),
-    [
-        ("-A 2 -W 2 -r 0.8", "none of -A, -W and -r is an axis"),
-        ("-A 1:2:5 -W 1:2:5 -r 0.8", "2 of -A, -W and -r are axes"),
-        ("-A 1:2:5 -W 2 -r 0.5:0.8:5", "2 of -A, -W and -r are axes"),
-        ("-A 2 -W 2:2:5 -r 0.8", "--frequency-ratio/-W is 2 at both ends: the ends"),
-        ("-A -1:3:5 -W 2 -r 0.8", "--amplitude/-A = -1.0"),
-        ("-A 2 -W 0:3:5 -r 0.8", "--frequency-ratio/-W = 0.0"),
-        ("-A 2 -W 1:nan:5 -r 0.8", "--frequency-ratio/-W = '1:nan:5'"),
-        ("-A 2 -W 1:2:1 -r 0.8", "'1:2:1'"),
-        ("-A 2 -W 2 -r 0:1:5", "--restitution/-r = 0.0"),
-        ("-A 2 -W 2 -r 0.5:1.2:5", "(0, 1]"),
-        ("-A 2 -W 2 -r 0.5:1", "--restitution/-r = '0.5:1'"),
-        ("-A 2 -r 0.8", "neither given"),
-        ("-A 2 -W 1:2:5 -r 0.8 -n 2", "--order/-n = 2"),
-        ("-A 2 -W 1:2:5 -r 0.8 -n 1001", "--order/-n = 1001"),
-        ("-A 2 -W 1:2:5 -r 0.8 --max-period 0", "--max-period = 0"),
-        ("-A 2 -W 1:2:5 -r 0.8 --max-period 99999999999", "--max-period = 99999999999"),
-        ("-A 2 -W 1:2:5 -r 0.8 --max-impacts 0", "--max-impacts = 0"),
-        ("-A 2 -W 1:2:5 -r 0.8 --max-branches 0", "--max-branches = 0"),
-        ("-A 2 -W 1:2:5 -r 0.8 --cascade --doublings 9", "--doublings = 9"),
-        ("-A 2 -W 1:2:5 -r 0.8 --doublings 3", "without --cascade"),
-        ("-A 2 -W 1:2:5 -r 0.8 --cycles 0", "--cycles = 0"),
-        ("-A 2 -W 1:2:5 -r 0.8 --top 2", "--top = 2.0"),
-        ("-A 2 -W 1:2:5 -r 0.8 --side up", "--side = 'up'"),
-        ("-A 2 -W 1:2:5 -r 0.8 --start nowhere", "--start = 'nowhere'"),
-        ("-A 2 -W 1:2:5 -r 0.8 --start steady --phase 1", "--phase = 1.0"),
-        ("-A 2 -W 1:2:5 -r 0.8 --start rest --kick 1e-3", "--kick = 0.001"),
-        ("-A 2 -W 1:2:5 -r 0.8 --kick 5", "--kick = 5.0"),
-        ("-A 2 -W 1:2:5 -r 0.8 --no-sweeps --start rest", "with --no-sweeps"),
-        ("-A 2 -W 1:2:30000 -r 0.8", "--frequency-ratio/-W has 30000 values: sweeps"),
-        ("-A 0.1:3:5 -W 2 -r 0.8 --start steady", "--start = 'steady'"),
-        ("--accel-g 0.1:0.5:5 -W 2 -r 0.8", "--accel-g = '0.1:0.5:5'"),
-        ("--block tso-wong-1989 -A 2 --freq-hz -1:2:5", "--freq-hz = -1.0"),
-        ("-A 2 -W 1:2:5 -r 0.8 --model nonlinear", "--model = 'nonlinear'"),
-        ("-A 2 -W 1:2:5 -r 0.8 --model cubic", "--model = 'cubic'"),
-        ("-A 2 -W 1:2:5 -r 0.8 --one-sided", "--one-sided makes a block that rocks to one side"),
-    ],
-)
-def test_bad_input_is_one_line_and_leaves_no_file(flags: str, needle: str, tmp_path: Path) -> None:
-    assert needle in refused(f"bifurcate {flags} --csv", tmp_path / "a.csv")
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_an_end_of_the_angles_must_be_positive(tmp_path: Path) -> None:
-    assert "--top = -1.0" in refused(f"{ALONG_W} --top -1 --plot", tmp_path / "a.png")
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_the_answer_is_where_a_steady_motion_is_stable() -> None:
-    command = "bifurcate -A 2 -W 1.78:2.4:10 -r 0.8"
-    lines = rocksteady(command).out.splitlines()
-    ranges = [ends for branch in values_of(command)["branches"] for ends in branch["stable_ranges"]]
-    assert max(high for _, high in ranges) == 2.4
-    assert min(low for low, _ in ranges) == 1.78
-    assert lines[0] == "A steady motion is stable throughout, for W = 1.78 to 2.4."
-    breaking = next(p for p in values_of(command)["points"] if p["type"] == "symmetry-breaking")
-    assert f"{breaking['frequency_ratio']:.5g} (symmetry breaks) to 2.4" in lines[1]
-    assert lines[-1] == f"next: rocksteady {command} --plot diagram.png"
-
-
-def test_the_answer_of_a_block_with_a_size_is_in_hertz() -> None:
-    size = "bifurcate --block tso-wong-1989 -A 2 --freq-hz 1.78:2.4:4 --no-sweeps"
-    first = rocksteady(size).out.splitlines()[0]
-    assert first == "A steady motion is stable throughout, for 1.78 to 2.4 Hz."
-
-
-def test_the_answer_where_nothing_moves_is_that_none_is_stable() -> None:
-    first = rocksteady("bifurcate -A 0.1 -W 2:3:5 -r 0.8 --no-sweeps").out.splitlines()[0]
-    assert first == "No steady motion was found to be stable for W = 2 to 3."

@@ -1,6 +1,5 @@
 """`rocksteady bifurcate` of the nonlinear model and of blocks whose sides differ."""
 
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -8,7 +7,6 @@ import pytest
 from rocksteady import Block, Harmonic, Nonlinear, find_orbits
 from rocksteady.branches import follow_branch
 from tests.cli.program import ran_once, refused, rocksteady
-from tests.every import every
 
 
 def values_of(command: str) -> dict[str, Any]:
@@ -48,19 +46,6 @@ def test_a_block_with_sides_that_differ_has_branches() -> None:
     assert {point["type"] for point in found["points"]} == {"fold", "period-doubling"}
     assert not any(branch["symmetric"] for branch in found["branches"])
     assert found["block"]["negative"]["alpha_rad"] != found["block"]["alpha_rad"]
-
-
-@every(
-    ("flags", "needle"),
-    [
-        ("-A 2 -W 1:2:5 -r 0.8 --model nonlinear", "--model = 'nonlinear'"),
-        ("-A 2 -W 1:2:5 -r 0.8 --model cubic", "--model = 'cubic'"),
-        ("-A 2 -W 1:2:5 -r 0.8 --one-sided", "--one-sided makes a block that rocks to one side"),
-    ],
-)
-def test_what_has_no_branches_is_one_line(flags: str, needle: str, tmp_path: Path) -> None:
-    assert needle in refused(f"bifurcate {flags} --csv", tmp_path / "a.csv")
-    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.slow
