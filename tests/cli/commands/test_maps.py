@@ -289,77 +289,11 @@ def test_what_is_written_is_what_was_found(tmp_path: Path) -> None:
     assert again["cells"] == 63
 
 
-def test_a_refined_map_says_how_much_was_computed() -> None:
-    values = rocksteady("map -A 0.1:6:60 -W 0.2:8:60 -r 0.8 --cycles 300 --refine 8 --json").json
-    assert values["cells"] == 3600
-    assert 64 < values["computed"] < 3000
-    assert sum(values["counts"].values()) == 3600
-
-
-@every(
-    ("command", "said"),
-    [
-        (f"{MAP} --refine 3", "--refine = 3 is not valid: it must be a power of two"),
-        (f"{MAP} --refine 4 --out a.zarr", "a store holds every cell"),
-        ("map -A 2 -W 4 -r 0.8", ": at least one flag of block, shaking or start must be"),
-        (f"{MAP} --resume", "without --out there is no store"),
-        (f"{MAP} --chunk 10", "without --out there is no store"),
-        (f"{MAP} --executor cloud", "--executor = 'cloud' is not valid"),
-        (f"{MAP} --workers 0", "--workers = 0 is not valid"),
-        (f"{MAP} --start 0.1,tau=0.2", "is another velocity in each cell"),
-        (f"{MAP} --start steady --phase 0:1:3", "a steady state decides its phase"),
-        (f"{MAP} --kick 1e-3:1e-2:3", "only a steady start has a kick"),
-        ("map -A 0.5:5:7 --freq-hz 1:8:9 -r 0.8", "need a block"),
-        ("map --amplitude=-1:5:7 -W 1:8:9 -r 0.8", "--amplitude/-A = -1.0 is not valid"),
-        ("map -A 1:5:7 -W 1:8:9 -r 0.8:1.2:3", "--restitution/-r = 1.2 is not valid"),
-        ("map --width-m 0.5:3:4 --height-m 1 --accel-g 0.4 --freq-hz 2", "Housner"),
-        ("map --width-m a:b:4 --height-m 1 --accel-g 0.4 --freq-hz 2", "--width-m = 'a'"),
-        (f"{MAP} --start 0,abc", "--start = '0,abc' is not valid: it is not two numbers; write"),
-        (f"{MAP} --start 0:1:3,", "--start = '0:1:3,' is not valid: it must be a number"),
-        (f"{MAP} --start=0:1:3,w=1", "--start = '0:1:3,w=1' is not valid"),
-        (f"{MAP} --start 0:1:3,nan", "--start = '0:1:3,nan' is not valid: its numbers must be"),
-        (f"{MAP} --start 0:1:3", "--start = '0:1:3' is not valid: it is no known start"),
-        (f"{MAP} --start steady --phase 0:1:3", "--phase = '0:1:3' is not accepted"),
-        (f"{MAP} --kick 1e-3:1e-2:3", "--kick = '1e-3:1e-2:3' is not accepted"),
-        (f"{MAP} --start 0,tau=0.1:0.2:3", "--start = '0,tau=0.1:0.2:3' is not accepted"),
-        ("map --accel-g 0.3:0.6:3 -W 2 -r 0.8", "--accel-g = '0.3:0.6:3' is not accepted"),
-        ("map --block tso-wong-1989 --accel-g 1:-0.4:5 -W 2", "--accel-g = -0.4 is not valid"),
-        ("map -A 1:5:7 -W 1 -r 0.8:1.3:6", "--restitution/-r = 1.3 is not valid"),
-        ("map -A 1:2:² -W 1 -r 0.8", "--amplitude/-A = '1:2:²' is not valid"),
-        ("map -A 1:2:٣ -W 1 -r 0.8", "--amplitude/-A = '1:2:٣' is not valid"),
-        ("map -A ٣ -W 1:2:3 -r 0.8", "--amplitude/-A = '٣' is not valid: it must be a number"),
-        (f"map -A 1:2:{'9' * 5000} -W 1 -r 0.8", "an axis has from 2 to 1000000 points"),
-        ("map -A log:1e300:1e-300:3 -W 1 -r 0.8", "must not lie so far apart"),
-        *(
-            (f"map --accel-g 0.4 --freq-hz 1 --width-m 0.5 --height-m 1:3:3 {flag}", words)
-            for flag, words in (  # a rectangle in the first cell, none in the others
-                ("--mass-centre-height-m 0.5", "--mass-centre-height-m = 0.5 is not accepted"),
-                ("--offset-m 0", "--offset-m = 0.0 is not accepted: sizes along an axis are those"),
-            )
-        ),
-        (
-            "map -A 1:2:13 -W 1:2:13 -r 0.7:0.8:13 --plot a.png",
-            "--plot has 13 values of restitution: the axis with the fewest",
-        ),
-        (
-            "map -A 1:2:2 -W 1:2:2 -r 0.7:0.8:2 --phase 0:1:2 --plot a.png",
-            "--plot has 4 axes: phase, restitution, amplitude, frequency_ratio: a figure",
-        ),
-    ],
-)
-def test_what_makes_no_map_is_refused(command: str, said: str) -> None:
-    assert said in refused(command)
-
-
 def test_an_undrawable_map_is_refused_before_it_is_computed(tmp_path: Path) -> None:
     command = "map -A 1:2:1000 -W 1:2:1000 -r 0.7:0.8:1000 --plot"
     line = refused(command, tmp_path / "a.png", "--out", tmp_path / "a.zarr")
     assert "found" not in line
     assert list(tmp_path.iterdir()) == []
-
-
-def test_the_count_of_an_axis_may_begin_with_zeros() -> None:
-    assert axis("", "1:2:003") == [1.0, 1.5, 2.0]
 
 
 def test_what_is_there_is_not_lost(tmp_path: Path) -> None:
@@ -428,20 +362,6 @@ def test_an_interrupted_map_says_how_it_goes_on_and_does(tmp_path: Path) -> None
     assert "Traceback" not in err
 
 
-@every(
-    ("flags", "why"),
-    [
-        ("--by period", "without --plot it has no meaning"),
-        ("--by colour --plot {}", "coloured by class, period, lyapunov, peak"),
-        ("--fate --by period --plot {}", "a map of fates is coloured by class"),
-    ],
-)
-def test_a_colouring_that_has_no_meaning_is_refused(flags: str, why: str, tmp_path: Path) -> None:
-    picture = tmp_path / "a.png"
-    assert why in refused(f"{MAP} {flags.format(picture)}")
-    assert not picture.exists()
-
-
 @pytest.mark.slow
 def test_a_picture_is_coloured_by_what_is_asked_for(tmp_path: Path) -> None:
     files = {by: tmp_path / f"{by}.png" for by in ("class", "period", "peak")}
@@ -468,26 +388,3 @@ def test_a_map_without_a_gpu_is_refused_before_a_store_is_begun(tmp_path: Path) 
         "nvidia-smi and CUDA_VISIBLE_DEVICES, or leave the executor out for threads"
     )
     assert not (tmp_path / "map.zarr").exists()
-
-
-@pytest.mark.parametrize("more", ["", "--fate"])
-def test_the_answer_is_where_it_falls_rocks_and_rests(more: str) -> None:
-    command = f"map -A 0.5:6:12 -W 0.5:8:12 -r 0.8 {more}".strip()
-    lines = rocksteady(command).out.splitlines()
-    counts = rocksteady(f"{command} --json").json["counts"]
-    rests = counts.get("rest", 0) + counts.get("at-rest", 0)
-    rocks = 144 - rests - counts["overturned"] - counts.get("undecided", 0)
-    falls, rocks_in, rests_in = (
-        f"{100.0 * count / 144:.3g} %" for count in (counts["overturned"], rocks, rests)
-    )
-    assert " ".join(lines).startswith(
-        f"From rest it falls in {falls}, rocks in {rocks_in} "
-        f"and comes to rest in {rests_in} of the map."
-    )
-    assert len(lines) <= 8
-    assert lines[-1] == f"next: rocksteady {command} --plot map.png"
-
-
-def test_the_answer_of_a_map_of_one_outcome_says_all() -> None:
-    first = rocksteady("map -A 0.1:0.5:3 -W 2:3:3 -r 0.8").out.splitlines()[0]
-    assert first == "From rest it comes to rest in all of the map."
