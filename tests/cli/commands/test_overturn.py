@@ -1,7 +1,6 @@
 """`rocksteady overturn`: its contract, its text, its files and what it refuses."""
 
 import csv
-import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -61,19 +60,6 @@ def test_the_full_equations_keep_the_contract(tmp_path: Path) -> None:
     assert "3.03234" in text
 
 
-def test_the_table_has_a_row_a_window() -> None:
-    ran = rocksteady(f"{POINT} -A 8 --more")
-    assert ran.code == 0
-    lines = [" ".join(line.split()) for line in ran.out.splitlines()]
-    assert "2 1.22518 2.3144 1 -" in lines
-    assert "2 2.3499 the end 0 +" in lines
-    assert "6 5.16416 7.66987 1 -" in lines
-    assert all(len(line) <= 80 for line in ran.out.splitlines())
-    assert "stands" in rocksteady("overturn --pulse one-sine -W 12 -r 0.9 -A 2").out
-    many = rocksteady("overturn --pulse type-c2 -W 0.7 -r 0.9 -A 1.2 --resolution 0.01 --more")
-    assert "narrower windows are left out" in many.out
-
-
 @pytest.mark.slow
 def test_the_files_hold_the_same(tmp_path: Path) -> None:
     names = ("w.csv", "w.nc", "w.png", "w.zarr")
@@ -96,38 +82,6 @@ def test_the_files_hold_the_same(tmp_path: Path) -> None:
     assert "exists" in refused(command)
 
 
-@every(
-    ("command", "words"),
-    [
-        ("overturn -W 2 -r 0.9", "--pulse"),
-        (f"{POINT} --model nonlinear", "--alpha-rad"),
-        (f"{POINT} --model exact", "model"),
-        ("overturn --pulse bell -W 2 -r 0.9", "no pulse of that name"),
-        ("overturn --pulse one-sine -r 0.9", "--frequency-ratio/-W"),
-        (f"{POINT} --freq-hz 2", "--freq-hz"),
-        (f"{POINT} -A 3:2", "ascend"),
-        (f"{POINT} -A 1:20:30", "range"),
-        (f"{POINT} -A many", "number"),
-        (f"{POINT} -A nan", "ascend"),
-        (f"{POINT} -A -1", "-1"),
-        (f"{POINT} -A 0:inf", "--amplitude/-A"),
-        ("overturn --pulse one-sine -W nan -r 0.9", "--frequency-ratio/-W"),
-        ("overturn --pulse one-sine -W 1:6000:5 -r 0.9", "--frequency-ratio/-W"),
-        ("overturn --pulse one-sine --freq-hz 0 --block tso-wong-1989", "--freq-hz"),
-        ("overturn --pulse one-sine --freq-hz 2 --accel-g 0 --block tso-wong-1989", "--accel-g"),
-        (f"{POINT} -A 1e9", "--amplitude/-A"),
-        (f"{POINT} --accel-g 1", "needs a block"),
-        (f"{POINT} -A 2 --accel-g 1", "both given"),
-        (f"{POINT} --resolution 2", "--resolution"),
-        (f"{POINT} --oscillations 3", "--oscillations"),
-        ("overturn --pulse one-sine -W 0.001 -r 0.9", "--frequency-ratio/-W"),
-        ("overturn --pulse one-sine -W 2 -r 0.9 --plot nowhere.png", "two frequencies"),
-    ],
-)
-def test_what_is_refused_says_so_in_one_line(command: str, words: str) -> None:
-    assert words in refused(command)
-
-
 @every("motion", ["--pulse one-sine --freq-hz 1", "--record example:near-fault"])
 def test_the_answer_of_an_asymmetric_block_has_the_direction_that_governs(motion: str) -> None:
     command = f"overturn --left-m .22 --right-m .16 --height-m 1.5 --model linear {motion}"
@@ -145,26 +99,6 @@ def test_the_answer_of_an_asymmetric_block_has_the_direction_that_governs(motion
     assert "other way" not in rocksteady(symmetric).out
     (even,) = rocksteady(f"{symmetric} --json").json["windows"]
     assert even["opposite"] == even["first"]
-
-
-@every(
-    ("motion", "begin"),
-    [
-        ("--pulse one-sine --freq-hz 1 --accel-g 0.3:0.5", "0.3 g"),
-        ("--record example:near-fault --scales 0.7:1", "0.7 x"),
-        ("--pulse one-sine --freq-hz 1:1.1:2 --accel-g 0.3:0.5", "0.3 g"),
-        ("--record example:near-fault --record example:firm-ground --scales 0.7:1", "0.7 x"),
-    ],
-)
-@every("way", ["", " --reverse"])
-def test_a_fall_at_the_begin_of_the_range_is_called_the_least_searched(
-    motion: str, begin: str, way: str
-) -> None:
-    block = "--left-m .22 --right-m .16 --height-m 1.5 --model linear"
-    lines = rocksteady(f"overturn {block} {motion}{way}").out.split("next:")[0]
-    said = re.findall(rf"first at {begin}[^,]*,? ?(.{{18}})", " ".join(lines.split()))
-    assert said
-    assert set(said) == {"the least searched"}
 
 
 def test_a_reversed_pulse_is_the_same_pulse_for_the_mirrored_block() -> None:
@@ -229,70 +163,6 @@ def test_a_kick_keeps_the_contract(tmp_path: Path) -> None:
         assert row["left_out"] == len(row["left_out_within"]) == 0
 
 
-@every(
-    ("flags", "word"),
-    [
-        ("--scales 1:2 --pulse one-sine -W 2 -r 0.9", "--scales"),
-        ("--kick -r 0.9 -W 2", "--frequency-ratio"),
-        ("--pulse one-sine -W 2 -r 0.9 --start 0.1,0", "--start"),
-        ("--kick -r 0.9 --at-s 1", "--at-s"),
-    ],
-)
-def test_flags_of_another_search_are_refused(flags: str, word: str) -> None:
-    ran = rocksteady(f"overturn {flags}")
-    assert ran.code == 2
-    assert word.split("--")[1][:5] in ran.err or "-W" in ran.err
-
-
-@every("text", ["-1", "0:1e9:3", "nan"])
-def test_a_moment_of_no_record_is_refused_as_it_was_given(text: str) -> None:
-    ran = rocksteady(f"overturn --kick {BODY} --at-s {text}")
-    assert ran.code == 2
-    assert f"--at-s = '{text}'" in ran.err
-
-
-def answer(command: str) -> list[str]:
-    """Return the lines of an answer, none of them longer than the screen."""
-    ran = rocksteady(command)
-    lines = ran.out.splitlines()
-    assert ran.code == 0
-    assert all(len(line) <= 80 for line in lines)
-    return [" ".join(line.split()) for line in lines]
-
-
-def test_the_answer_of_a_pulse_has_the_ends_of_its_windows() -> None:
-    command = "overturn --pulse one-sine -W 3 -r 0.9"
-    lines = answer(command)
-    (row,) = rocksteady(f"{command} --json").json["windows"]
-    (low, high), (above, _) = row["intervals"]
-    first = f"It falls first at A = {low:.3g}; always from A = {above:.3g} to A = 20 ("
-    assert " ".join(lines[:2]).startswith(first)
-    assert f"falls A = {low:.3g}-{high:.3g}" in lines
-    assert lines[-1] == f"next: rocksteady {command} --more"
-    assert len(lines) <= 9
-
-
-def test_the_answer_of_frequencies_counts_those_at_which_it_stands() -> None:
-    lines = answer("overturn --pulse one-sine -W 0.5:12:9 -r 0.9 -A 9")
-    rows = rocksteady("overturn --pulse one-sine -W 0.5:12:9 -r 0.9 -A 9 --json").json["windows"]
-    falls = [row for row in rows if row["intervals"]]
-    assert f"at {len(falls)} of 9 frequencies" in lines[0]
-    shown = [line for line in lines if line.startswith("W = ")]
-    left = len(falls) - len(shown)
-    fall = f"{left} falling, " if left else ""
-    more = f"not listed {9 - len(shown)} more with --more: {fall}{9 - len(falls)} standing"
-    assert more in lines
-
-
-def test_the_answer_of_a_kick_is_the_least_of_both_ways() -> None:
-    command = "overturn --kick --start 0.5,0 -r 0.9"
-    lines = answer(command)
-    values = rocksteady(f"{command} --json").json
-    assert lines[0] == f"The least kick that fells it is {values['least']:.3g} alpha g/p."
-    other = max(row["first"] for row in values["kicks"])
-    assert f"the other way -{other:.3g} alpha g/p" in lines
-
-
 def test_a_kick_at_the_begin_of_the_range_is_the_least_searched() -> None:
     found = find_fatal_kicks(DimensionlessBlock(restitution=0.9), within=(1.5, 4.0))
     text = " ".join(found.summary().split())
@@ -301,8 +171,3 @@ def test_a_kick_at_the_begin_of_the_range_is_the_least_searched() -> None:
     assert "from 1.5 alpha g/p to 4 alpha g/p, both ways" in text
     wider = find_fatal_kicks(DimensionlessBlock(restitution=0.9), within=(0.9, 4.0))
     assert "least searched" not in wider.summary()
-
-
-def test_the_answer_says_that_it_stands() -> None:
-    lines = answer("overturn --pulse one-sine -W 12 -r 0.9 -A 2")
-    assert lines[0] == "It stands in the one-sine pulse at W = 12, up to A = 2."
