@@ -4,7 +4,6 @@ import csv
 import math
 from pathlib import Path
 from typing import Any
-from zipfile import ZipFile
 
 import numpy as np
 import pytest
@@ -15,7 +14,7 @@ from rocksteady import Block, Record, compute_measures
 from rocksteady.cli.commands import record as command
 from rocksteady.measures import compute_response_spectrum, integrate_record
 from tests.cli.motion_files import at2, real, samples
-from tests.cli.program import refused, rocksteady
+from tests.cli.program import rocksteady
 from tests.every import every
 from tests.records import recording
 
@@ -45,21 +44,6 @@ def test_one_file_is_one_object_with_the_keys_of_the_contract(file: Path) -> Non
     assert "pga_per_uplift" not in values
 
 
-def test_several_files_are_records(file: Path, tmp_path: Path) -> None:
-    other = at2(tmp_path / "other.AT2", samples(2, 0.3))
-    values = rocksteady("record --json", file, other).json
-    assert [row["file"] for row in values["records"]] == [str(file), str(other)]
-    single = rocksteady("record --json", other).json
-    assert {**values["records"][1], "schema": single["schema"]} == single
-    text = rocksteady("record --more", file, other).out
-    assert [line.split()[0] for line in text.splitlines()][-4:] == [
-        "2",
-        "record",
-        "hut.AT2",
-        "other.AT2",
-    ]
-
-
 def test_a_block_adds_what_it_feels_and_periods_add_a_spectrum(file: Path) -> None:
     command = "record --json --width-m 0.4 --height-m 1.6 --periods-s 0.5:2:4 --damping 0.02"
     values = rocksteady(command, file).json
@@ -72,15 +56,6 @@ def test_a_block_adds_what_it_feels_and_periods_add_a_spectrum(file: Path) -> No
     assert values["spectrum"].pop("damping") == 0.02
     for name, found in values["spectrum"].items():
         np.testing.assert_allclose(found, getattr(spectrum, name), err_msg=name)
-
-
-def test_the_text_says_what_the_file_and_the_record_are(file: Path) -> None:
-    ran = rocksteady("record --more", file)
-    assert ran.code == 0
-    assert "Town, 1/2/1990, Hut, 090" in ran.out
-    assert "601 every 0.02 s, 12 s, in g" in ran.out
-    for words in ("PGA", "PGV/PGA", "Arias intensity", "mean period"):
-        assert words in ran.out
 
 
 def test_a_spectrum_is_printed_where_periods_are_given(file: Path) -> None:
@@ -158,66 +133,6 @@ def test_a_drift_is_said_and_a_line_taken_off_removes_it(tmp_path: Path) -> None
     assert again.json["pgd_m"] < 0.5 * ran.json["pgd_m"]
 
 
-def test_every_file_that_cannot_be_read_has_its_line(file: Path, tmp_path: Path) -> None:
-    text = file.read_text()
-    cut, odd = tmp_path / "cut.AT2", tmp_path / "odd.AT2"
-    cut.write_text(text[: len(text) // 2])
-    odd.write_text(text.replace("DT= 0.02", "DT= soon"))
-    ran = rocksteady("record", cut, file, odd)
-    assert (ran.code, ran.out) == (2, "")
-    first, last = ran.err.splitlines()
-    assert first.startswith(f"rocksteady: record = '{cut}' cannot be read: ")
-    assert last.startswith(f"rocksteady: record = '{odd}' cannot be read: line 4")
-
-
-@pytest.mark.parametrize(
-    ("flags", "words"),
-    [
-        ("nowhere.AT2", ["nowhere.AT2"]),
-        ("column.txt", ["column.txt", "unit", "give --units"]),
-        ("column.txt --units g", ["column.txt", "interval", "give --dt-s"]),
-        ("uneven.txt --units g", ["uneven.txt", "line 5", "(--resample)"]),
-        ("uneven.txt --units g --resample --dt-s 1e-12", ["uneven.txt", "another --dt-s"]),
-        ("two.csv --units g", ["two.csv", "give --column"]),
-        (
-            "hut.AT2 --units gal",
-            ["in g, and --units in gal", "leave out --units", "--ignore-header"],
-        ),
-        ("hut.AT2 --dt-s 5", ["and --dt-s 5 s", "leave out --dt-s", "--ignore-header"]),
-        ("sheet.xlsx", ["sheet.xlsx", "save the sheet as CSV (UTF-8)"]),
-        ("broken.AT2", ["broken.AT2", "line 6", "'0.1.2'"]),
-        ("hut.AT2 --damping 1", ["--damping = 1.0", "[0, 1)"]),
-        ("hut.AT2 --periods-s 0:2:4", ["--periods-s = 0.0", "from 0.0002 s"]),
-        ("hut.AT2 --periods-s x", ["--periods-s = 'x'"]),
-        ("hut.AT2 --csv x.csv --units-out km", ["--units-out = 'km'", "gal"]),
-        ("hut.AT2 --units-out g", ["--units-out = 'g'", "--csv"]),
-        ("hut.AT2 -r 0.9", ["--restitution/-r"]),
-        ("hut.AT2 hut.AT2 --csv all.csv", ["--csv = 'all.csv'", "there are 2"]),
-        ("hut.AT2 --csv hut.AT2", ["this file is read"]),
-        ("hut.AT2 --format grib", ["--format = 'grib'", "peer-at2"]),
-        ("hut.AT2 --channel 2", ["--channel = '2'", "1 (090)"]),
-        ("hut.AT2 --baseline quadratic", ["--baseline = 'quadratic'"]),
-    ],
-)
-def test_what_is_refused(
-    flags: str, words: list[str], file: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(file.parent)
-    text = file.read_text().splitlines()
-    text[5] = "  0.1.2"
-    Path("broken.AT2").write_text("\n".join(text))
-    Path("column.txt").write_text("0.1\n-0.2\n0.3\n")
-    Path("uneven.txt").write_text("t acc\n0 1\n.1 2\n.2 1\n.35 0\n.4 1\n")
-    Path("two.csv").write_text("time,alpha,beta\n0,1,2\n1,2,3\n2,1,2\n")
-    with ZipFile("sheet.xlsx", "w") as sheet:
-        sheet.writestr("xl/workbook.xml", "<workbook/>")
-    before = sorted(file.parent.iterdir())
-    line = refused(f"record {flags}")
-    for word in words:
-        assert word in line
-    assert sorted(file.parent.iterdir()) == before
-
-
 @every(
     ("pattern", "npts", "dt_s"),
     [
@@ -240,27 +155,3 @@ def test_real_records_beside_sums_of_their_samples(pattern: str, npts: int, dt_s
     assert values["arias_m_s"] == pytest.approx(math.pi / 2 / 9.80665 * energy[-1], rel=1e-3)
     begin, end = np.searchsorted(energy / energy[-1], [0.05, 0.95]) * dt_s / 20
     assert values["significant_5_95_s"] == pytest.approx(end - begin, abs=0.1 * dt_s)
-
-
-def test_one_arias_intensity_is_shown_and_its_definition(tmp_path: Path) -> None:
-    path = tmp_path / "ground.csv"
-    rows = "".join(f"{0.02 * k:.2f},{math.sin(k):.6f}\n" for k in range(200))
-    path.write_text("time_s,acceleration_m_s2\n" + rows, encoding="utf-8")
-    ran = rocksteady("record --more", path)
-    assert ran.out.count("Arias intensity ") == 3  # of the answer, the fact and the note
-    text = " ".join(ran.out.split())
-    assert "Arias intensity of straight lines between the samples" in text
-    values = rocksteady("record --json", path).json
-    assert f"{values['arias_m_s']:.3g} m/s" in text
-    assert f"{values['arias_of_samples_m_s']:.3g} m/s" not in text
-
-
-def test_the_answer_has_the_peaks_and_how_long_it_is_strong(file: Path, tmp_path: Path) -> None:
-    values = rocksteady("record --json", file).json
-    lines = rocksteady("record", file).out.splitlines()
-    peaks = [f"{values[key]:.3g}" for key in ("pga_g", "pgv_m_s", "pgd_m", "significant_5_95_s")]
-    words = "peaks at {} g, {} m/s and {} m; its strong part lasts {} s.".format(*peaks)
-    assert words in " ".join(lines[:2])
-    other = at2(tmp_path / "other.AT2", samples(2, 0.3))
-    several = rocksteady("record", file, other).out.splitlines()
-    assert several[0].startswith("2 records peak at ")
