@@ -48,13 +48,6 @@ def test_it_is_drawn_filmed_and_written(tmp_path: Path) -> None:
     assert len(table.read_text(encoding="utf-8").splitlines()) > 100
 
 
-def test_what_does_not_fit_is_one_line() -> None:
-    assert "--model" in refused("simulate -A 2 -W 3 -r 0.8 --model quadratic")
-    assert "slenderness" in refused("simulate -A 2 -W 3 -r 0.8 --model nonlinear")
-    assert "--tolerance" in refused("simulate -A 2 -W 3 -r 0.8 --tolerance 1e-9")
-    assert "--tolerance" in refused(f"{SHAKEN} --tolerance 1")
-
-
 BLOCK = "--alpha-rad 0.4 --p-rad-s 2 -r 0.8 --model nonlinear"
 
 
