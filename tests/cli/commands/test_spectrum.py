@@ -13,8 +13,7 @@ from rocksteady.measures import compute_suite_spectrum
 from rocksteady.model.blocks.housner_forms import Restitution
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
-from tests.cli.program import refused, rocksteady
-from tests.every import every
+from tests.cli.program import rocksteady
 from tests.records import peer
 from tests.seismic.grounds import ground, lifting
 
@@ -83,13 +82,6 @@ def test_the_published_peak_from_the_command_line() -> None:
     assert row["peak_rad"] == pytest.approx(0.1249485, rel=1e-5)
 
 
-def test_a_long_table_is_cut_and_says_so(files: list[Path]) -> None:
-    several = [part for file in files for part in ("--record", file)]
-    ran = rocksteady("spectrum --alpha-deg 8:20:7 --more", *several)
-    assert "more rows in the file and in JSON: " in ran.out
-    assert all(len(line) <= 80 for line in ran.out.splitlines())
-
-
 @pytest.mark.slow
 def test_the_files_hold_the_same(files: list[Path], tmp_path: Path) -> None:
     names = ("s.csv", "s.nc", "s.png", "s.zarr")
@@ -109,32 +101,6 @@ def test_the_files_hold_the_same(files: list[Path], tmp_path: Path) -> None:
     assert picture.stat().st_size > 5000
     again = rocksteady(f"{command} --resume", *several).json
     assert again["values"] == ran.json["values"]
-
-
-@every(
-    ("flags", "words"),
-    [
-        ("--periods-s 1", "--alpha-rad is not given:"),
-        ("--alpha-rad 0.2 --alpha-deg 10", "both given"),
-        ("--alpha-rad 0.2 --periods-s 1 --p-rad-s 2", "both given"),
-        ("--alpha-rad 0.2 --periods-s 0:1:3", "--periods-s = 0.0"),
-        ("--alpha-rad 1.3", "--alpha-rad = 1.3"),
-        ("--alpha-rad 0.2 -r 0.8,0.9", "both sides of a rectangle are alike"),
-        ("--alpha-rad 0.2 --scale 0", "--scale = 0.0"),
-        ("--alpha-rad 0.2 --model linear --tolerance 1e-8", "--model nonlinear"),
-        ("--alpha-rad 0.2 --model linear --vertical up.AT2", "--model nonlinear"),
-        ("--alpha-rad 0.2 --periods-s 2 --plot one.png", "two sizes or more"),
-        ("--width-m 0.4", "--height-m is not given"),
-        ("--width-m 0.4 --height-m 1.2 --alpha-rad 0.2", "both given"),
-        ("--width-m 0.4 --height-m 1.2:2:3 --plot one.png", "--plot with --width-m"),
-        ("--alpha-rad 0.2 --scale 1:2:2 --plot one.png", "several values of --scale"),
-        ("--alpha-rad 0.2 --model exact", "two equations of motion"),
-    ],
-)
-def test_what_is_not_valid_is_refused_in_one_line(
-    files: list[Path], flags: str, words: str
-) -> None:
-    assert words in refused(f"spectrum {flags} --record", files[0])
 
 
 def test_blocks_of_given_sizes_at_several_scales(files: list[Path]) -> None:
@@ -183,35 +149,3 @@ def test_a_record_is_scaled_to_a_pga(files: list[Path]) -> None:
     peaks = [row["peak"] for row in values["values"]]
     assert peaks == pytest.approx(truth.peak_angle.values.ravel().tolist(), rel=1e-8)
     assert values["pga_g"] == 0.4
-
-
-def test_a_spectrum_needs_a_record_and_one_vertical_needs_one_of_them(files: list[Path]) -> None:
-    assert "--record" in refused("spectrum --alpha-rad 0.2")
-    assert "--record" in refused("spectrum --alpha-rad 0.2 --reverse")
-    several = ["--record", files[0], "--record", files[1], "--vertical", files[2]]
-    line = refused("spectrum --alpha-rad 0.2 --model nonlinear", *several)
-    assert "there are 2" in line
-    assert "at most 6" in refused("spectrum --alpha-rad 0.1:0.3:7 --plot x.png", *several[:4])
-
-
-def test_the_answer_names_the_largest_size_that_falls(files: list[Path]) -> None:
-    command = f"spectrum {GRID} --record {files[2]}"
-    rows = rocksteady(f"{command} --json").json["values"]
-    lines = [" ".join(line.split()) for line in rocksteady(command).out.splitlines()]
-    for alpha, name in ((0.15, "8.59°"), (0.3, "17.2°")):
-        falls = [
-            row["period_s"]
-            for row in rows
-            if row["status"] == "overturned" and row["alpha_rad"] == alpha
-        ]
-        words = f"{name} falls up to {max(falls):.3g} s" if falls else f"{name} stands"
-        assert any(line.startswith(words) for line in lines), (words, lines)
-    assert len(lines) <= 8
-
-
-def test_the_answer_of_scales_names_the_least_that_fells(files: list[Path]) -> None:
-    command = f"spectrum --width-m 0.4 --height-m 1.6 --scale 0.5:4:8 --record {files[2]}"
-    rows = rocksteady(f"{command} --json").json["values"]
-    falls = [row["scale"] for row in rows if row["status"] == "overturned"]
-    (first, *_) = rocksteady(command).out.splitlines()
-    assert (f"from {min(falls):.3g} x on" in first) if falls else first.startswith("No block falls")
