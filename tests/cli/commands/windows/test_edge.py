@@ -1,14 +1,13 @@
 """`rocksteady edge`: its contract, its files and what it refuses."""
 
 import csv
-import math
 import re
 from pathlib import Path
 
 import pytest
 
 from rocksteady import DimensionlessBlock, Harmonic, find_edge_state
-from tests.cli.program import refused, rocksteady
+from tests.cli.program import rocksteady
 from tests.every import every
 
 POINT = "edge -A 0.2 -W 2 -r 0.9"
@@ -51,36 +50,6 @@ def test_without_manifolds_the_csv_is_the_tracked_motion(tmp_path: Path) -> None
 
 
 @every(
-    ("flags", "said"),
-    [
-        ("--direction up", "--direction"),
-        ("--other 0,0.01", "ends as start does"),
-        ("--other left", "--other = 'left' is not valid: it is no state; write U,V"),
-        ("--other 0.2,0.3 --direction -", "--other and --direction are both given"),
-        ("--length 4", "add --manifolds"),
-        ("--manifolds --length nan", "--length = nan is not valid: it must lie in (0, 10000]"),
-        ("--start 2,1", "least fatal kick"),
-    ],
-)
-def test_what_it_refuses(flags: str, said: str) -> None:
-    assert said in refused(f"{POINT} {flags}")
-
-
-@pytest.mark.parametrize("size", ["-A 0.2 -W 2 -r 0.9", "--block tso-wong-1989 -A 0.2 -W 2"])
-def test_the_answer_is_the_least_kick_in_the_units_given(size: str) -> None:
-    lines = rocksteady(f"edge {size}").out.splitlines()
-    values = rocksteady(f"edge {size} --json").json
-    kick = f"{values['least_kick']:.3g} alpha g/p"
-    if values["least_kick_m_s"] is not None:
-        kick = f"{values['least_kick_m_s']:.3g} m/s ({kick})"
-    assert lines[0] == f"From rest the least kick that makes it fall is {kick}."
-    assert len(lines) <= 8
-    opposite = values["opposite_kick_m_s"] or values["opposite_kick"]
-    assert lines[1].split()[3] == f"{opposite:.3g}"
-    assert f"{math.exp(values['exponent']):.3g}-fold a period" in lines[3]
-
-
-@every(
     ("command", "least", "opposite", "unit"),
     [
         (f"{ASYMMETRIC} -A .5 -W 1.7 --model linear", -0.255, 0.44, "_m_s"),
@@ -99,29 +68,6 @@ def test_a_fractal_edge_has_the_least_kick_found_of_both_directions(
     assert "in steps of 0.0001 alpha g/p; fractal" in text
     forward = " ".join(rocksteady(f"edge {command} --direction +").out.split())
     assert f"the least positive kick found that makes it fall is {opposite}" in forward
-
-
-def test_the_answer_between_two_starts_is_a_state_of_the_edge() -> None:
-    command = "edge -A 0.5 -W 2 -r 0.9 --other 0.2,0.3"
-    u, v = rocksteady(f"{command} --json").json["boundary_state"]
-    first = rocksteady(command).out.splitlines()[0]
-    assert first == f"The edge between both starts passes u = {u:.3g}, du/d(pt) = {v:.3g}."
-
-
-@every(
-    ("flags", "reason", "both"),
-    [
-        ("-A .6 -W 2 -r .9 --one-sided --direction -", "stands under every negative kick", True),
-        (f"{ASYMMETRIC} -A .9 -W 1.7 --model linear", "overturns without a kick", False),
-        ("-A .6 -W 2 -r .9 --start 1.2,0.3", "overturns without a kick", False),
-        ("-A 0 -W 2 -r .9 --start 1,0", "any disturbance decides", False),
-        ("-A 0 -W 2 -r .9 --start -1,0 --model linear", "any disturbance decides", False),
-    ],
-)
-def test_a_start_without_an_edge_has_its_reason(flags: str, reason: str, *, both: bool) -> None:
-    error = refused(f"edge {flags}")
-    assert reason in error
-    assert ("search both signs" in error) is both
 
 
 def test_a_direction_that_was_not_searched_is_told_from_one_without_a_fatal_kick() -> None:
