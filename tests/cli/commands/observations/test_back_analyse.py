@@ -63,20 +63,10 @@ def test_files_are_written_and_kept(place: Path, tmp_path: Path) -> None:
     assert "exists" in refused(command)
 
 
-def test_what_is_not_valid_is_refused_before_anything_runs(place: Path, tmp_path: Path) -> None:
-    survey = f"--survey {place / 'cemetery.csv'}"
+def test_a_survey_is_not_written_over_and_a_wrong_row_has_its_line(
+    place: Path, tmp_path: Path
+) -> None:
     suite = f"--records {place / 'suite'}"
-    assert "--survey is not given" in refused(f"{FEW} {suite}")
-    assert "--records is not given" in refused(f"{FEW} {survey}")
-    assert "--limits = '0.5'" in refused(f"{FEW} {survey} {suite} --limits 0.5")
-    assert "--limits" in refused(f"{FEW} {survey} {suite} --limits 2:1")
-    assert "--temper" in refused(f"{FEW} {survey} {suite} --temper 1.5")
-    assert "--temper" in refused(f"{FEW} {survey} {suite} --temper hot")
-    assert "--survey = " in refused(f"{FEW} --survey {tmp_path / 'none.csv'} {suite}")
-    assert "--draws" in refused(f"{FEW.replace('draws 2', 'draws 0')} {survey} {suite}")
-    assert "--measure" in refused(f"{FEW} {survey} {suite} --measure pga_g")
-    assert "--measure" in refused(f"{FEW} {survey} {suite} --measure pgx")
-    assert "--example is synthetic" in refused(f"{FEW} {survey} --example")
     copy = tmp_path / "cemetery.csv"
     copy.write_text(TABLE)
     words = refused(f"{FEW} --survey {copy} {suite} --csv {copy} --force")
@@ -85,19 +75,6 @@ def test_what_is_not_valid_is_refused_before_anything_runs(place: Path, tmp_path
     copy.write_text(TABLE.replace("stood", "stod"))
     assert "line 3, outcome = 'stod'" in refused(f"{FEW} --survey {copy} {suite}")
     assert list(tmp_path.iterdir()) == [copy]
-
-
-def test_few_records_are_refused_with_their_flag(place: Path) -> None:
-    one = place / "suite" / "G1090.AT2"
-    words = refused(f"{FEW} --survey {place / 'cemetery.csv'} --records {one}")
-    assert words.startswith("rocksteady: --records = ")
-    assert words.endswith("give more records, or --temper 0.3 --trials 0")
-    ran = rocksteady(
-        f"{FEW} --json --temper 0.5 --survey {place / 'cemetery.csv'} --records {one}".replace(
-            "--trials 1", "--trials 0"
-        )
-    )
-    assert ran.json["records"] == 1
 
 
 @pytest.mark.slow

@@ -12,7 +12,6 @@ from rocksteady.export import write_tests
 from rocksteady.motions import make_synthetic_suite
 from tests.cli.program import refused, rocksteady
 from tests.descriptions import fits
-from tests.every import every
 from tests.show.calibrated import without_pictures
 
 FEW = "--most-runs 100 --model linear"
@@ -74,53 +73,6 @@ def test_the_folder_predicts_without_the_records(table: Path, tmp_path: Path) ->
     assert "it holds fit.json" in line
     line = refused("predict --fit", out, "--record", record, "--object", "vase")
     assert "--object = 'vase'" in line
-
-
-def test_sessions_that_the_table_does_not_have_are_refused(table: Path) -> None:
-    line = refused(f"calibrate {FEW} --folds session --tests", table)
-    assert "--folds = 'session'" in line
-    assert "no test has a session" in line
-
-
-def test_the_example_needs_no_file() -> None:
-    ran = rocksteady(f"calibrate --example {FEW} --more")
-    assert ran.code == 3
-    assert ran.out.startswith("No answer: ")
-    assert "of the 200 that it takes, after 100 runs of a test" in " ".join(ran.out.split())
-    assert "\nnext: rocksteady calibrate --example --model linear --most-runs 6000" in ran.out
-    assert "The tests are synthetic" in ran.out
-    assert "alpha_rad" in ran.out
-
-
-@every(
-    ("flags", "words"),
-    [
-        ("calibrate", ["--tests is not given", "--example"]),
-        ("calibrate --tests none.csv", ["--tests = ", "none.csv"]),
-        ("calibrate --example --tests x.csv", ["--tests", "reads no file"]),
-        ("calibrate --example --records x", ["--records", "reads no file"]),
-        ("calibrate --example --prior x.toml", ["--prior", "reads no file"]),
-        ("calibrate --example --most-runs 5", ["--most-runs = 5", "from 100"]),
-        ("calibrate --example --seed -1", ["--seed = -1"]),
-        ("calibrate --example --folds day", ["--folds = 'day'", "group, record, test, session"]),
-        ("calibrate --example --model quadratic", ["--model = 'quadratic'"]),
-        ("calibrate --example --workers 0", ["--workers = 0"]),
-        ("calibrate --example --plot x.doc", ["--plot", ".png, .svg, .pdf"]),
-        ("calibrate --seed 1 --seed 2", ["--seed is given more than once"]),
-        ("predict", ["--fit is not given"]),
-        ("predict --fit none", ["--tests or --record is not given"]),
-        ("predict --fit none --tests a.csv --record b.at2", ["--tests and --record"]),
-        ("predict --fit none --tests a.csv --scale 2", ["--scale = '2'"]),
-        ("predict --fit none --tests a.csv --object vase", ["--object = 'vase'"]),
-        ("predict --fit none --record b.at2 --records x", ["--records", "without --tests"]),
-        ("predict --fit none --tests a.csv", ["--fit"]),
-    ],
-)
-def test_what_makes_no_sense_is_refused_by_the_name_of_its_flag(
-    flags: str, words: list[str]
-) -> None:
-    line = refused(flags)
-    assert all(word in line for word in words), line
 
 
 def test_no_file_that_is_read_is_written_over(table: Path) -> None:
