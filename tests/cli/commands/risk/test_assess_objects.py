@@ -166,30 +166,13 @@ def test_a_file_among_the_motions_that_is_no_record_is_left_out(place: Path) -> 
 @every(
     ("command", "words"),
     [
-        ("assess none.toml --records motions", "No such file or directory"),
         ("assess one.toml", "--records is not given: urn states no pgv_m_s, and built-in"),
-        ("assess one.csv --pga-g 0.3", "--records is not given: vase states no pgv_m_s"),
         ("assess bare.toml --records motions", "[demand] pga_g"),
         ("assess felt.toml --records motions --floor-hz 2", "--floor-hz = '2' is not accepted"),
-        ("assess statue.toml --records motions --pga-g 0.3", "it belongs in the object's file"),
-        ("assess statue.toml --records motions --width-m 1", "it belongs in the object's file"),
-        ("assess statue.toml --no-stretch", "without --records it has no meaning"),
-        ("assess statue.toml --hazard none.csv", "--hazard = 'none.csv' is not valid: there is no"),
         (f"{RATE} rises.csv", "line 3, '0.3,0.01': the rate of 0.3 is above that of 0.1"),
         (f"{RATE} single.csv", "the curve has 1 level"),
         (f"{RATE} several.csv", "it holds 2 curves, and an object stands at one site"),
         (f"{RATE} pgv.csv --no-stretch", "--hazard is over pgv_m_s"),
-        (f"{RATE} site.csv --target 0.1 --target-50-years 0.1", "a verdict is on one target"),
-        (f"{RATE} site.csv --target-50-years 1", "--target-50-years = 1.0"),
-        ("assess statue.toml --target-50-years 0.1", "--hazard"),
-        ("assess statue.toml --lognormal", "--out"),
-        ("assess statue.toml --example", "leave one of them out"),
-        ("assess --example --records motions", "--example reads no files"),
-        ("assess --example --pga-g 0.3", "--example reads no files"),
-        ("assess objects.csv --records motions", "--pgv-m-s"),
-        ("assess objects.csv --records motions --pga-g 1 --friction 1", "a table of objects does"),
-        ("assess objects.csv --pga-g 1 --pgv-m-s 1 --runs runs.zarr", "a table of objects keeps"),
-        ("assess statue.toml --records motions --target 2", "--target"),
     ],
 )
 def test_what_has_no_meaning_is_refused_in_one_line(command: str, words: str, place: Path) -> None:
@@ -199,7 +182,6 @@ def test_what_has_no_meaning_is_refused_in_one_line(command: str, words: str, pl
     (place / "bare.toml").write_text(bare, encoding="utf-8")
     felt = OBJECT.replace("pga_g = 0.4", 'place = "floor"\npga_g = 0.4')
     (place / "felt.toml").write_text(felt, encoding="utf-8")
-    (place / "one.csv").write_text("name,width_m,height_m\nvase,0.12,0.5\n", encoding="utf-8")
     for name, text in CURVES.items():
         (place / f"{name}.csv").write_text(text, encoding="utf-8")
     before = sorted(place.iterdir())

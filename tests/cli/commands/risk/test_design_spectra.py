@@ -77,21 +77,10 @@ def test_every_way_in_has_the_same_answer(folder: Path, monkeypatch: pytest.Monk
     ("flags", "words"),
     [
         (f"{BLOCK} --spectrum late.csv", "begins at 0.1 s; add its row at period 0, or state"),
-        (f"{BLOCK} --spectrum {CODE} --pga-g 0.3", "--pga-g = 0.3 is not valid: the spectrum has"),
         (f"{BLOCK} --spectrum {CODE} --damping 0.02", "--damping = [0.02] is not valid: formulas"),
-        (f"{BLOCK} --pga-g 0.3 --pgv-m-s 0.3 --damping 0.05", "--damping = '0.05' is not accepted"),
-        (f"{BLOCK} --spectrum {CODE} --no-stretch --records suite", "objects on a spectrum get"),
-        (f"{BLOCK} --spectrum {CODE} --seed 2 --records suite", "--seed = 2 is not accepted"),
-        (f"{BLOCK} --spectrum {CODE} --motions 0", "--motions = 0 is not valid"),
         (f"assess file.toml --spectrum {CODE}", "file.toml states its own spectrum"),
-        (f"assess peak.toml --spectrum {CODE}", "peak.toml states its own pga_g"),
         ("assess file.toml --no-stretch --records suite", "--no-stretch = True is not accepted"),
         (f"assess stated.csv --spectrum {CODE}", "all objects of stated.csv state a demand"),
-        ("assess file.toml --pga-g 0.3", "it belongs in the object's file"),
-        (f"assess objects.csv --spectrum {CODE} --pgv-m-s 0.3", "--spectrum and --pgv-m-s are"),
-        (f"assess --example --spectrum {CODE}", "--example reads no files"),
-        (f"fragility --width-m 0.2 --height-m 1 --spectrum {CODE} --measure pgv_m_s --example",
-         "--spectrum and --measure are both given"),
     ],
 )  # fmt: skip
 def test_what_a_spectrum_does_not_go_with_is_refused(

@@ -11,7 +11,6 @@ from rocksteady import Block, compute_fragility, open_store, read_record
 from rocksteady.risk import Levels, RestitutionBand
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
-from tests.every import every
 
 BLOCK = "--width-m 0.32 --height-m 1.8"
 FEW = f"fragility {BLOCK} -r housner --levels 0.3,0.8,2"
@@ -109,39 +108,3 @@ def test_restitutions_reach_from_that_of_the_block_to_its_root(folder: Path) -> 
     default = rocksteady(f"fragility {BLOCK} --levels 1 --json --records", folder)
     e = Block.rectangle(width=0.32, height=1.8).restitution
     assert default.json["restitution"][0] == pytest.approx(np.linspace(e, math.sqrt(e), 5))
-
-
-@every(
-    ("flags", "words"),
-    [
-        ("--measure pga", "--measure = 'pga' is not accepted: the measures are"),
-        ("--measure pga_g:1", "has no period"),
-        ("--measure sa_g:x", "it must be a number"),
-        ("--measure significant_5_75_s", "scaling a record does not change it"),
-        ("--levels 0,1", "--levels"),
-        ("--levels 1,1", "--levels"),
-        ("--levels x", "--levels = 'x'"),
-        ("--scale 1:2:3 --levels 1", "--scale and --levels are both given"),
-        ("-r 0.9:0.8", "--restitution = 0.9"),
-        ("-r 0.9:x", "a band has two ends"),
-        ("-r 0.9 --draws 3", "without --scatter"),
-        ("--draws 0", "--draws = 0"),
-        ("--mass-kg -3", "--mass-kg = -3.0 is not valid: it must lie in (0, 1000000000]"),
-        ("--scatter 2", "--scatter = 2"),
-        ("--states fallen", "the states without a peak"),
-        ("--states uplift,uplift", "each once"),
-        ("--measure sa_g:1e9", "--measure"),
-        ("--seed -1", "--seed = -1"),
-        ("--friction -1", "--friction = -1.0 is not valid"),
-        ("--example", "--example has synthetic motions"),
-        ("--include vertical", "--include = 'vertical' is not valid: it must be a kind of"),
-        ("--resume", "without --out there is no store"),
-    ],
-)
-def test_what_is_wrong_is_one_line(folder: Path, flags: str, words: str) -> None:
-    assert words in refused(f"fragility {BLOCK} {flags} --records", folder)
-
-
-def test_a_block_is_needed(folder: Path) -> None:
-    assert "fragility is of a block with a size" in refused("fragility -r 0.9 --records", folder)
-    assert "no block is described" in refused("fragility --width-m 0.3 --records", folder)

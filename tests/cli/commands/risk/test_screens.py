@@ -7,10 +7,8 @@ import pytest
 from rocksteady import Demand, read_record
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
-from tests.every import every
 
 BLOCK = "screens --width-m 0.32 --height-m 1.8"
-PEAKS = "--pga-g 0.35 --pgv-m-s 0.4"
 TABLE = "# damping 0.05\n0 0.35\n0.1 0.8\n0.4 0.8\n1 0.32\n2 0.16\n4 0.04\n"
 
 
@@ -53,38 +51,3 @@ def test_vertical_flags_reach_uplift_and_the_spectrum_row(table: Path) -> None:
     assert values["sa_v_per_sa_h"] == 0.67
     words = rocksteady(f"{BLOCK} --vertical-g 0.5 --vertical-share 0.4 --pga-g 0.1 --pgv-m-s 1").out
     assert "with a vertical peak of 0.5 g" in " ".join(words.split())
-
-
-def test_check_leaves_with_1_where_a_row_does_not_pass() -> None:
-    assert rocksteady(f"{BLOCK} {PEAKS} --check").code == 1
-    assert rocksteady(f"{BLOCK} --pga-g 0.05 --pgv-m-s 0.02 --check").code == 0
-    assert rocksteady(f"{BLOCK} {PEAKS}").code == 0
-    assert rocksteady(f"{BLOCK} --check").code == 3, "no row has a verdict"
-
-
-@every(
-    ("flags", "words"),
-    [
-        ("screens", ["--width-m with --height-m", "size"]),
-        ("screens -r 0.8", ["--width-m with --height-m"]),
-        (f"{BLOCK} --pga-g -1", ["--pga-g", "-1.0"]),
-        (f"{BLOCK} --pgv-m-s 0", ["--pgv-m-s", "0.0"]),
-        (f"{BLOCK} --friction -0.1", ["--friction", "-0.1"]),
-        (f"{BLOCK} --damping 0.05", ["--damping", "--spectrum"]),
-        (f"{BLOCK} --spectrum gone.txt", ["--spectrum", "No such file"]),
-        (f"{BLOCK} --record gone.AT2 --pgv-m-s 1", ["--record and --pgv-m-s", "both"]),
-        (f"{BLOCK} --units g", ["--units", "--record"]),
-        (f"{BLOCK} --vertical-share 0.4", ["--vertical-share", "without --vertical-g"]),
-        (f"assess{BLOCK[7:]} {PEAKS} --vertical-share 0", ["--vertical-share", "--vertical-g"]),
-        (f"{BLOCK} --vertical-g -2", ["--vertical-g", "-2.0", "without a sign"]),
-        (f"{BLOCK} --vertical-per-horizontal -1", ["--vertical-per-horizontal", "-1.0"]),
-    ],
-)
-def test_what_makes_no_sense_is_refused(flags: str, words: list[str]) -> None:
-    line = refused(flags)
-    assert all(word in line for word in words), line
-
-
-@every("damping", ["5", "x", "0.02,0.05", "0"])
-def test_a_damping_that_is_none_is_refused(table: Path, damping: str) -> None:
-    assert "--damping" in refused(f"{BLOCK} --damping {damping} --spectrum", table)
