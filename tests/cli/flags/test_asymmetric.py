@@ -16,8 +16,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
-from tests.cli.program import refused, rocksteady
-from tests.every import every
+from tests.cli.program import rocksteady
 
 FLAGS = "--left-m 0.15 --right-m 0.25 --height-m 1.2"
 BLOCK = Block.asymmetric(left=0.15, right=0.25, height=1.2)
@@ -127,27 +126,3 @@ def test_maps_and_basins_of_it(tmp_path: Path) -> None:
     ).json
     expected = tangency_amplitude(BLOCK.dimensionless().sides, 5.0)
     assert erosion["heteroclinic_amplitude"] == expected
-
-
-@every(
-    ("command", "words"),
-    [
-        (f"steady {FLAGS} -A 2 -W 4", "rocksteady orbits"),
-        ("steady -r 0.8,0.9 -A 2 -W 4", "rocksteady orbits"),
-        (f"simulate {FLAGS} -A 2 -W 4 --start steady", "`find_orbits`"),
-        (f"map {FLAGS} -A 2 -W 2:4:9 --start steady", "`find_orbits`"),
-        ("map --left-m 0.15 --right-m 0.25 --height-m 1:2:3 -A 2 -W 4", "sides of this block"),
-        ("simulate --left-m 0.15 --height-m 1.2 -A 2 -W 4", "--left-m and --right-m with"),
-        ("simulate --left-m 0.1 --right-m 0.2 --width-m 1 -A 2 -W 4", "--left-m and --right-m"),
-        (f"simulate {FLAGS} --width-m 1 -A 2 -W 4", "or the three"),
-        (f"simulate {FLAGS} --block tso-wong-1989 -A 2 -W 4", "by --block alone"),
-        ("simulate --gyration-m 0.5 -A 2 -W 4 -r 0.8", "--gyration-m"),
-        ("simulate --left-m -1 --right-m 0.2 --height-m 1 -A 2 -W 4", "--left-m = -1"),
-        ("simulate --left-m 2 --right-m 2.2 --height-m 1 -A 2 -W 4", "angular momentum"),
-        ("simulate -r 0.8,0.9,1 -A 2 -W 4", "two of them"),
-        ("simulate -r 0.8, -A 2 -W 4", "two of them"),
-        ("simulate -r 0.8,1.2 -A 2 -W 4", "--restitution/-r = 1.2"),
-    ],
-)
-def test_what_cannot_be_is_refused_in_one_line(command: str, words: str) -> None:
-    assert words in refused(command)

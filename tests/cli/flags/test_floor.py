@@ -143,47 +143,6 @@ def test_scales_of_a_record_are_those_of_the_ground(file: Path) -> None:
     assert floor["first_g"] == pytest.approx(0.6 * floor["first"], rel=5e-4)
 
 
-@pytest.mark.parametrize(
-    ("flags", "words"),
-    [
-        ("--floor-hz 0", ["--floor-hz = 0.0", "[0.001, 10000]"]),
-        ("--floor-hz x", ["--floor-hz", "x"]),
-        ("--floor-hz 1 --floor-damping 1", ["--floor-damping = 1.0", "(0, 1)"]),
-        ("--floor-hz 1,2", ["--participation", "2 modes"]),
-        ("--floor-hz 1,2 --participation 1,-2", ["--participation", "add up to -1"]),
-        ("--participation 1", ["--participation", "without --floor-hz"]),
-        ("--floor-damping 0.1", ["--floor-damping", "without --floor-hz"]),
-    ],
-)
-def test_a_mistake_is_one_line(flags: str, words: list[str], file: Path) -> None:
-    line = refused(f"simulate {SIZE} --record {file} {flags}")
-    assert all(word in line for word in words), line
-
-
-@pytest.mark.parametrize(
-    "command",
-    [
-        f"simulate {SIZE} --start 0.6,0",
-        f"screens {SIZE} --pga-g 0.3",
-        f"basins {SIZE} --accel-g 0.1 --freq-hz 1:2:3",
-        f"steady {SIZE} --accel-g 0.4 --freq-hz 1:2:3",
-        f"map {SIZE} --accel-g 0.4 --freq-hz 1:2:3 --harmonic 1,1,0 --harmonic 2,1,0",
-        "map --width-m 0.4 --height-m 1:2:3 --accel-g 0.4 --freq-hz 1 --harmonic 2,1,0",
-        "map -A 1:2:3 -W 2 -r 0.8",
-        f"steady {SIZE} --accel-g 0.1:0.4:3 --freq-hz 1",
-        f"bifurcate {SIZE} --accel-g 0.4 --freq-hz 1:2:3",
-        f"curves {SIZE} --accel-g 0.1:0.4:3 --freq-hz 1:2:3",
-        "certify orbit -A 2 -W 2 -r 0.8",
-        "assess --example",
-        "facade --example",
-        "back-analyse --example",
-        f"fragility --example {SIZE}",
-    ],
-)
-def test_a_floor_that_nothing_has_is_refused(command: str) -> None:
-    assert "--floor-hz" in refused(f"{command} --floor-hz 2")
-
-
 def test_a_floor_stands_in_the_file_or_beside_it(tmp_path: Path) -> None:
     table, buildings = tmp_path / "objects.csv", tmp_path / "museum.toml"
     table.write_text("name,width_m,height_m,floor\nvase,0.2,0.6,1\n", encoding="utf-8")
@@ -192,14 +151,6 @@ def test_a_floor_stands_in_the_file_or_beside_it(tmp_path: Path) -> None:
     records = at2(tmp_path / "across.AT2", samples())
     line = f"assess {table} --buildings {buildings} --records {records} --pga-g 0.3 --floor-hz 2"
     assert "--buildings has the floor of each object" in refused(line)
-
-
-@pytest.mark.parametrize("command", ["simulate -A 2", "overturn", "map -A 1:2:3"])
-def test_hertz_need_a_block(command: str) -> None:
-    pulse = "" if command.startswith("map") else "--pulse one-sine"
-    line = refused(f"{command} -W 2 -r 0.8 {pulse} --floor-hz 2")
-    assert "--floor-hz" in line
-    assert "describe a block" in line
 
 
 def test_windows_of_a_pulse_are_those_of_the_ground_below_the_floor() -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, State, Still, find_attractor, simulate
-from tests.cli.program import refused, rocksteady
+from tests.cli.program import rocksteady
 from tests.every import every
 
 FLAGS = "--width-m 0.3 --height-m 3 --one-sided"
@@ -70,29 +70,3 @@ def test_tables_pictures_and_films_are_written(tmp_path: Path) -> None:
         angles = [float(row["angle_per_alpha"]) for row in csv.DictReader(file)]
     assert max(angles) > 0.1
     assert min(angles) > -1e-12
-
-
-@every(
-    ("command", "words"),
-    [
-        (
-            f"simulate {FLAGS} --start=-0.3,0",
-            "--start = '-0.3,0' has angle -0.3 and velocity 0: a block against",
-        ),
-        (f"simulate {FLAGS} -A 2 -W 4 --start=0,-1", "positive side alone"),
-        (f"simulate {FLAGS} -A 2 -W 4 --start steady", "one side"),
-        (f"simulate {FLAGS} -A 2 -W 4 -r 0.5,0.6", "a block against a wall has one restitution"),
-        (f"simulate {FLAGS} -A 2 -W 4 -r 1.1", "[0, 1]"),
-        (f"simulate {FLAGS} -A 2 -W 4 -r abc", "a number in [0, 1]"),
-        ("simulate --one-sided -A 2 -W 4", "--restitution/-r is not given"),
-        ("simulate --one-sided -r housner -A 2 -W 4", "a number in [0, 1]"),
-        ("simulate --width-m 3 --height-m 1 --one-sided -A 2 -W 4", "not turned back by a wall"),
-        ("simulate --width-m 3 --height-m 1 -r 0 -A 2 -W 4", "(0, 1]"),
-        (f"steady {FLAGS} -A 2 -W 4", "--one-sided makes a block that rocks to one side alone"),
-        (f"bifurcate {FLAGS} -A 2 -W 2:4:10", "--one-sided makes a block"),
-        (f"curves {FLAGS} -A 1:2:2 -W 2:4:2", "--one-sided makes a block"),
-        ("bifurcate --one-sided -r 0:0.5:3 -A 2 -W 4", "--one-sided makes a block"),
-    ],
-)
-def test_what_a_wall_does_not_have_is_refused_in_one_line(command: str, words: str) -> None:
-    assert words in refused(command)

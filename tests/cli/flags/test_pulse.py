@@ -2,14 +2,13 @@
 
 import csv
 from pathlib import Path
-from typing import Any
 
 import pytest
 from PIL import Image
 
 from rocksteady import Block, DimensionlessBlock, Pulse, simulate
 from rocksteady.model.motions.pulses import PULSES
-from tests.cli.program import refused, rocksteady
+from tests.cli.program import rocksteady
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.9)
@@ -101,30 +100,3 @@ def test_the_help_names_every_pulse() -> None:
     for name in PULSES:
         # rich may break a line after a hyphen
         assert name in text or name.replace("-", "- ") in text, name
-
-
-@every(
-    ("flags", "words"),
-    [
-        ("-A 2 -W 5 -r 0.9 --pulse onesine", ["--pulse = 'onesine'", *PULSES]),
-        ("-A 2 -W 5 -r 0.9 --pulse type-c0", ["--pulse = 'type-c0'"]),
-        ("-r 0.9 --pulse one-sine", ["--amplitude/-A and --accel-g", "neither given"]),
-        ("-A 2 -r 0.9 --pulse one-sine", ["--frequency-ratio/-W and --freq-hz"]),
-        ("-A 2:3:5 -W 5 -r 0.9 --pulse one-sine", ["one value"]),
-        ("--accel-g 2 --freq-hz 1 -r 0.9 --pulse one-sine", ["--accel-g", "need a block"]),
-        ("-A 2 -W 5 -r 0.9 --pulse one-sine --cycles 3", ["--cycles", "a pulse ends"]),
-        ("-A 2 -W 5 -r 0.9 --pulse one-sine --phase 1", ["--phase", "one-sine pulse has none"]),
-        ("-A 2 -W 5 -r 0.9 --pulse one-sine --oscillations 2", ["--oscillations", "has none"]),
-        ("-A 2 -W 5 -r 0.9 --oscillations 2", ["--oscillations", "without --pulse"]),
-        (
-            "-A 2 -W 5 -r 0.9 --pulse mavroeidis-papageorgiou --oscillations 1",
-            ["--oscillations = 1", "(1, 50]"],
-        ),
-        ("-A 2 -W 5 -r 0.9 --pulse one-sine --start steady", ["--start = 'steady'", "harmonic"]),
-        ("-A 2 -W 5 -r 0.9 --pulse one-sine --start 0.1,tau=0", ["--start", "du/d(pt) as U,V"]),
-    ],
-)
-def test_what_is_refused(flags: str, words: list[Any]) -> None:
-    line = refused(f"simulate {flags} --json")
-    for word in words:
-        assert word in line

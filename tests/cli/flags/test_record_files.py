@@ -246,42 +246,6 @@ def test_what_topples_at_pacoima_dam(degrees: float, period: float, falls: bool)
     assert values["status"] == ("overturned" if falls else "at-rest")
 
 
-# ------------------------------------------------------------------------------- refused
-
-
-@pytest.mark.parametrize(
-    ("flags", "words"),
-    [
-        ("-r 0.9 --record across.AT2", ["--record = 'across.AT2'", "need a block"]),
-        (f"{SIZE} --record across.AT2 -A 2", ["--amplitude/-A = '2'", "--record sets"]),
-        (f"{SIZE} --record across.AT2 --freq-hz 2", ["--freq-hz = '2'", "--record sets"]),
-        (f"{SIZE} --record across.AT2 --pulse ricker", ["--pulse = 'ricker'", "--record sets"]),
-        (f"{SIZE} --record across.AT2 --phase 1", ["--phase = 1.0", "--record sets"]),
-        (f"{SIZE} --record across.AT2 --cycles 3", ["--cycles = 3.0", "a recorded motion ends"]),
-        (f"{SIZE} --record across.AT2 --scale 0", ["--scale = 0.0", "[1e-50, "]),
-        (f"{SIZE} --record across.AT2 --scale=-1", ["--scale = -1.0", "--reverse"]),
-        (
-            f"{SIZE} --record across.AT2 --vertical up.AT2 --model linear",
-            ["--vertical = 'up.AT2'", "--model nonlinear"],
-        ),
-        (f"{SIZE} --record across.AT2 --record up.AT2", ["--record names 2 files", "takes one"]),
-        (f"{SIZE} --record across.AT2 --start steady", ["--start = 'steady'", "harmonic"]),
-        (f"{SIZE} --record no.AT2", ["no.AT2"]),
-        (f"{SIZE} --scale 2 -A 2 -W 3", ["--scale", "without --record"]),
-        (f"{SIZE} --vertical up.AT2 -A 2 -W 3", ["--vertical", "without --record"]),
-        (f"{SIZE} --reverse -A 2 -W 3", ["--reverse", "without --record"]),
-        (f"{SIZE} --units g -A 2 -W 3", ["--units", "without --record"]),
-    ],
-)
-def test_what_is_refused(
-    flags: str, words: list[str], files: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(files[0].parent)
-    line = refused(f"simulate {flags} --json")
-    for word in words:
-        assert word in line
-
-
 # ------------------------------------------------------------------------- words of readers
 
 
