@@ -1,4 +1,4 @@
-// All attractors found at a point from fixed starts: which motions coexist there.
+// What the block can do at a point from other starts: a list of motions, without shares.
 
 import { attractorKind, startAt } from './attractor.mjs';
 import { settledRows } from './settled.mjs';
@@ -28,8 +28,8 @@ import { FULL_TURN, NoStart, mirroredImpact, steadyStart } from './start.mjs';
 
 /**
  * A motion that coexists with others, from the first start that leads to it.
- * @typedef {Ending & { count: number, twin: number }} Coexisting
- * `count` is that of the starts; `twin` is the place of its mirror image in the list, or -1.
+ * @typedef {Ending & { twin: number }} Coexisting
+ * `twin` is the place of its mirror image in the list, or -1.
  */
 
 const IMPACT_PHASES = 12;
@@ -142,22 +142,16 @@ export function sameEnding(one, other) {
 }
 
 /**
- * Return the distinct motions of endings, the rest first, then orbits by period and peak; the
- * mirror image of each start counts as another start.
+ * Return the distinct motions of endings and of their mirror images, the rest first, then orbits
+ * by period.
  * @param {Ending[]} endings
  * @returns {Coexisting[]}
  */
 export function coexistingOf(endings) {
   /** @type {Coexisting[]} */
   const motions = [];
-  const add = (/** @type {Ending} */ ending) => {
-    const known = motions.find((motion) => sameEnding(motion, ending));
-    if (known) known.count += 1;
-    else motions.push({ ...ending, count: 1, twin: -1 });
-  };
-  for (const ending of endings) {
-    add(ending);
-    add(mirrorEnding(ending));
+  for (const ending of endings.flatMap((one) => [one, mirrorEnding(one)])) {
+    if (!motions.some((motion) => sameEnding(motion, ending))) motions.push({ ...ending, twin: -1 });
   }
   const places = ['rest', 'symmetric', 'unsymmetric', 'aperiodic', 'undecided', 'overturned'];
   motions.sort((one, other) => places.indexOf(one.kind) - places.indexOf(other.kind)

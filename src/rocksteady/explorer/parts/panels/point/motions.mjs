@@ -21,7 +21,6 @@ import { angleWords } from './units.mjs';
  * @property {string} key  of the case
  * @property {Case} given
  * @property {Coexisting[]} found
- * @property {number} starts
  * @property {string} [fault]  why they are not known
  * @property {OtherMotion[]} [curves]  made when they are first drawn
  */
@@ -127,10 +126,10 @@ async function motionsOf({ kernels, pool, state }, key) {
     const parts = [first, ...await Promise.all(rest)];
     if (parts.some((part) => !part)) return null;
     const endings = parts.flatMap((part) => part.endings);
-    return { key, given, found: coexistingOf(endings), starts: 2 * endings.length };
+    return { key, given, found: coexistingOf(endings) };
   } catch (error) {
     const fault = error instanceof Error ? error.message : String(error);
-    return { key, given, found: [], starts: 0, fault };
+    return { key, given, found: [], fault };
   }
 }
 
