@@ -1,11 +1,17 @@
-"""Names of motions on the page: those of the package's outcomes."""
+"""Names of motions on the page, and shares: those of the package."""
 
 from rocksteady.outcomes import NEVER_LIFTS, AttractorKind, motion_words
+from rocksteady.results.numbers import chance
 from tests.explorer.in_node import InNode
 
 LINES = """
 const { NEVER_LIFTS, motionName } = await import(parts('words.mjs'));
 answer([NEVER_LIFTS, ...asked.map(([kind, period]) => motionName({ kind, period }))]);
+"""
+
+SHARES = """
+const { shareWords } = await import(parts('words.mjs'));
+answer(Array.from({ length: asked + 1 }, (_, falls) => shareWords(falls, asked)));
 """
 
 
@@ -15,3 +21,10 @@ def test_every_motion_has_the_name_of_the_package(in_node: InNode) -> None:
     assert found == [NEVER_LIFTS, *(motion_words(kind, period) for kind, period in motions)]
     assert "rocks, alike every seventh shake" not in found
     assert "rocks, alike every third shake" in found
+
+
+def test_shares_are_written_as_in_the_terminal(in_node: InNode) -> None:
+    cells = 144 * 108
+    none, *some, every = (words.split(" of the ")[0] for words in in_node(SHARES, cells))
+    assert (none, every) == ("none", "all")
+    assert some == [chance(falls / cells) for falls in range(1, cells)]

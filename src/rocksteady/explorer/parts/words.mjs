@@ -26,6 +26,21 @@ export function motionWords(motion) {
   return motion.period === 1 ? motionName(motion).replace('rocks', 'rocks with the shaking') : motionName(motion);
 }
 
+/**
+ * Return what a map says of its share: of the cells that it shows, in per cent as the package
+ * writes them (`results/numbers.py`).
+ * @param {number} falls
+ * @param {number} cells  shown
+ */
+export function shareWords(falls, cells) {
+  const percents = 100 * (falls / cells), scale = percents < 9.95 ? 10 : 1;
+  const below = Math.floor(scale * percents), half = scale * percents - below === 0.5;
+  const rounded = half && below % 2 === 0 ? below / scale : percents; // halves go to even digits
+  const part = falls === cells ? 'all' : falls === 0 ? 'none' : percents < 0.1 ? '< 0.1 %'
+    : percents >= 99.5 ? '> 99 %' : `${rounded.toFixed(scale === 10 ? 1 : 0)} %`;
+  return `${part} of the starts on this map fall`;
+}
+
 /** Return the name of a fall. @param {number} impacts  before it */
 export function fallName(impacts) {
   return `falls ${impacts ? 'after an impact' : 'at once'}`;

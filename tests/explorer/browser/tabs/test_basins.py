@@ -7,6 +7,8 @@ import pytest
 from playwright.sync_api import Page
 
 from rocksteady import DimensionlessBlock, Harmonic, State, compute_basins, find_attractor
+from rocksteady.outcomes import motion_words
+from rocksteady.results.numbers import chance
 from tests.explorer.browser.watched import TABLED, Explorer, drawn, link, until, values
 
 BASINS = "[data-panel='basins']"
@@ -57,8 +59,12 @@ def test_shares_are_those_of_the_package(explorer: Explorer) -> None:
     until(page, TABLED, BASINS)
     rows = page.locator(f"{BASINS} tbody").evaluate(CELLS_OF_ROWS)
     assert [row[0] for row in rows] == [attractor.name for attractor in basins.attractors]
-    counts = [int(re.sub(r"\D", "", row[2])) for row in rows]
+    counts = [int(re.sub(r"\D", "", row[1])) for row in rows]
     assert counts == [part.states for part in basins.fractions()]
+    (falls,) = [part.share for part in basins.fractions() if part.label == 0]
+    note = page.locator(f"{BASINS} .note").inner_text()
+    assert f"; {chance(falls)} of the starts on this map fall." in note
+    assert page.locator("main").inner_text().count("%") == 1  # said once
 
 
 @pytest.mark.slow
@@ -78,7 +84,8 @@ def test_a_state_is_dragged_and_the_other_panels_follow(explorer: Explorer) -> N
         start=State(angle=angle, velocity=velocity),
     )
     assert values(page, "[data-panel='readout']")["kind"] == found.kind.value
-    assert found.kind.value in page.locator(f"{BASINS} .note").inner_text()
+    words = motion_words(found.kind, found.period).removeprefix("rocks")
+    assert words in page.locator(f"{BASINS} .note").inner_text()
 
 
 @pytest.mark.slow
@@ -102,6 +109,7 @@ def test_wheel_box_and_keys_zoom_and_0_shows_the_whole(explorer: Explorer) -> No
     page.keyboard.press("+")
     drawn(page)
     assert window_of(page)["u1"] - window_of(page)["u0"] < 0.6 * (nearer["u1"] - nearer["u0"])
+    assert "on this map" not in page.locator(f"{BASINS} .note").inner_text()
     page.keyboard.press("0")
     drawn(page)
     assert window_of(page) == WINDOW
@@ -124,4 +132,4 @@ def test_the_safe_basin_and_arrow_keys(explorer: Explorer) -> None:
     angle, velocity = (float(part) for part in link(page)["start"].split(","))
     assert (angle, velocity) == (2.4 / 200, 3.0 / 20)
     sentence = str(page.locator(CANVAS).get_attribute("aria-label"))
-    assert re.search(r"% never fall", sentence)
+    assert re.search(r"% of the starts on this map fall", sentence)

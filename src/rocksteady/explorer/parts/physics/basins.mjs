@@ -29,6 +29,7 @@ import { impactSection } from './sweep.mjs';
  * @property {Kind} kind
  * @property {string} name  kind, period and a letter where several have both in common
  * @property {Orbit | null} orbit
+ * @property {number | null} period  forcing periods of the orbit
  * @property {number} states  how many states of the window go there
  */
 
@@ -114,7 +115,7 @@ export function labelStates(kernels, given, cells) {
   const names = attractorNames(found);
   found.forEach(({ of }, place) => { for (const cell of of) label[cell] = place; });
   const attractors = found.map(({ kind, orbit, of }, place) =>
-    ({ kind, name: names[place], orbit, states: of.length }));
+    ({ kind, name: names[place], orbit, period: orbit && orbit.period, states: of.length }));
   return { label, attractors };
 }
 

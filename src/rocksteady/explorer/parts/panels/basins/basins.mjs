@@ -2,17 +2,17 @@
 
 /** @import { App, Panel } from '../../shell/app.mjs' */
 /** @import { State } from '../../shell/state.mjs' */
-/** @import { BasinLabels } from './cells.mjs' */
 import { numeral } from '../../draw/scale.mjs';
-import { blockNumbers, startOf } from '../../shell/state.mjs';
+import { FIELDS, blockNumbers, startOf } from '../../shell/state.mjs';
 import { tableOf } from '../../shell/tables.mjs';
 import { shakingWords } from '../../shell/units.mjs';
+import { NEVER_LIFTS, motionName, motionWords, shareWords } from '../../words.mjs';
 import { buttonEntry } from '../entries.mjs';
 import { axisOf } from '../plane/axis.mjs';
 import { FOLLOWED_KEYS, followedOf } from '../point/followed.mjs';
 import { panelUnits } from '../point/units.mjs';
 import { makeBasinPlane } from './cells.mjs';
-import { basinShare, makeBasinPicture } from './picture.mjs';
+import { makeBasinPicture } from './picture.mjs';
 
 const BASIN_KEYS = /** @type {const} */ ({ x: ['u0', 'u1'], y: ['v0', 'v1'] });
 
@@ -35,8 +35,10 @@ export function makeBasinsPanel(app) {
       return start.kind === 'state' ? { x: start.angle, y: start.velocity } : { x: 0, y: 0 };
     },
     moved: ({ x, y }) => ({ start: `${x},${y}` }),
-    words: ({ x, y }, cell) =>
-      [placeText(x, y), (cell && attractorOf(cell.at)?.name) ?? 'not computed'],
+    words({ x, y }, cell) {
+      const attractor = cell && attractorOf(cell.at);
+      return [placeText(x, y), attractor ? motionName(attractor) : 'not computed'];
+    },
     hint: 'drag: initial state',
     tell: () => tell(),
   });
@@ -91,20 +93,34 @@ export function makeBasinsPanel(app) {
     return `${far ? `${far[0].toUpperCase()}${far.slice(1)}` : 'Refining 99 %'}. `;
   }
 
+  /** The sentence of the panel: what becomes of the state, and the share of the map. */
   function stateText() {
-    const start = startOf(app.state);
+    const share = shareText(), start = startOf(app.state), further = share && `; ${share}`;
     if (start.kind !== 'state' && start.kind !== 'rest') {
-      return 'Drag in the plane to choose an initial state.';
+      return `Drag in the plane to choose an initial state${further}.`;
     }
     const { followed } = followedOf(app, false);
     const { angle = 0, velocity = 0 } = start.kind === 'state' ? start : {};
-    if (!followed) return '';
-    const { kind, orbit } = followed.attractor, { factor, unit } = unitsOf(app.state).angle;
+    if (!followed) return share && `${share}.`;
+    const { attractor, history } = followed, { orbit } = attractor;
+    const { factor, unit } = unitsOf(app.state).angle;
     const from = start.kind === 'rest' ? 'From rest' : `From ${placeText(angle, velocity)}`;
-    if (!orbit) return `${from}: ${app.theme.words[kind]}.`;
+    if (!orbit) {
+      const still = attractor.kind === 'rest' && history.restTime === 0 && start.kind === 'rest';
+      return `${from} it ${still ? NEVER_LIFTS : motionWords(attractor)}${further}.`;
+    }
     const [high, low] = [orbit.highest, orbit.lowest].map((u) => numeral(u * factor, 3));
-    return `${from}: ${kind}, period ${orbit.period}, `
-      + `peaks ${high} and ${low}${unit === '°' ? '' : ' '}${unit}.`;
+    return `${from} it ${motionWords(attractor)}, `
+      + `peaks ${high} and ${low}${unit === '°' ? '' : ' '}${unit}${further}.`;
+  }
+
+  /** The share of the map that falls, once all of its cells are shown; none of another window. */
+  function shareText() {
+    const { labels: known } = labels(), keys = [...BASIN_KEYS.x, ...BASIN_KEYS.y];
+    if (!known || plane.isOther() || known.computed < known.label.length
+      || keys.some((key) => app.state[key] !== FIELDS[key].value)) return '';
+    const falls = known.attractors.find(({ kind }) => kind === 'overturned')?.states ?? 0;
+    return shareWords(falls, known.computed);
   }
 
   /** @param {number} u @param {number} v */
@@ -119,18 +135,16 @@ export function makeBasinsPanel(app) {
     if (!known) {
       return `The basins at ${shakingWords(unitsOf(state), state)} are not computed yet.`;
     }
-    const { attractors, computed } = known;
-    const parts = attractors.map(({ name, states }) => `${name} ${basinShare(states / computed)}`);
-    return `Attractors reached from ${computed} initial states at phase 0, `
-      + `${shakingWords(unitsOf(state), state)}: ${parts.join(', ')}. `
-      + `${basinShare(safeStates(known) / computed)} never fall. ${stateText()}`;
+    const names = [...new Set(known.attractors.map(motionName))].join('; ');
+    return `What ${known.computed} initial states come to at phase 0, `
+      + `${shakingWords(unitsOf(state), state)}: ${names}. ${stateText()}`;
   }
 
   function table() {
-    const { angle } = unitsOf(app.state), { attractors, computed } = labels().labels ?? { attractors: [], computed: 1 };
+    const { angle } = unitsOf(app.state), { attractors } = labels().labels ?? { attractors: [] };
     const orbits = attractors.map(({ orbit }) => orbit), states = attractors.map((each) => each.states);
     return tableOf(['attractor', attractors.map(({ name }) => name)],
-      ['share [%]', states.map((count) => (100 * count) / computed)], ['states', states],
+      ['states', states],
       ['period [forcing periods]', orbits.map((orbit) => orbit?.period ?? '')],
       [angle, orbits.map((orbit) => orbit?.highest ?? ''), 'highest '],
       [angle, orbits.map((orbit) => orbit?.lowest ?? ''), 'lowest ']);
@@ -138,18 +152,10 @@ export function makeBasinsPanel(app) {
 
   function placed() {
     for (const [safe, text, title] of [
-      ['0', 'attractors', 'One fill for each attractor'],
+      ['0', 'motions', 'One fill for each motion'],
       ['1', 'safe basin', 'The states that never fall'],
     ]) choices.set(safe, buttonEntry(text, title, () => app.set({ safe })));
     panel.bar?.append(...choices.values(), ...plane.buttons());
     plane.listen();
   }
-}
-
-/**
- * Return how many of the states never overturn.
- * @param {BasinLabels} labels
- */
-function safeStates({ attractors, computed }) {
-  return computed - (attractors.find(({ kind }) => kind === 'overturned')?.states ?? 0);
 }

@@ -1,4 +1,4 @@
-// The picture of the basins: fills of the attractors, their marks, one orbit, and the shares.
+// The picture of the basins: fills of the attractors, their marks, and one orbit.
 
 /** @import { App } from '../../shell/app.mjs' */
 /** @import { Pen } from '../../draw/svg.mjs' */
@@ -18,6 +18,7 @@ import { clipped, curve, drawHandle, drawMark, points } from '../../draw/marks.m
 import { numeral } from '../../draw/scale.mjs';
 import { historyOf, motionAt } from '../../physics/history.mjs';
 import { FULL_TURN } from '../../physics/start.mjs';
+import { MOTION_NAMES, STANDS, motionName } from '../../words.mjs';
 import { shownAxes } from '../plane/axis.mjs';
 import { attractorLooks } from './looks.mjs';
 
@@ -155,7 +156,7 @@ export function makeBasinPicture(app) {
  * @typedef {object} BasinEntry
  * @property {Look} [look]  of an area; without one a line, the orbit
  * @property {MarkKind | null} mark
- * @property {string[]} lines  name, peaks, share
+ * @property {string[]} lines  name, peaks
  */
 
 /**
@@ -166,34 +167,31 @@ export function makeBasinPicture(app) {
  */
 function keyEntries(theme, { safe, units, start, followed }, drawn) {
   if (!drawn) return [];
-  const { attractors, computed } = drawn, { angle } = units;
-  const looks = attractorLooks(theme, attractors, safe);
-  const share = (/** @type {number} */ states) => `${basinShare(states / computed)}, `
-    + `${states.toLocaleString('en')} states`;
-  const fallen = attractors.find(({ kind }) => kind === 'overturned')?.states ?? 0;
-  const unknown = attractors.find(({ kind }) => kind === 'undecided')?.states ?? 0;
+  const { attractors } = drawn, { angle } = units;
+  const orbit = start.kind === 'state' && followed ? [orbitEntry()] : [];
   if (safe) {
-    const lines = ['stands', share(computed - fallen)];
-    if (unknown) lines.push(`${unknown} of them undecided`);
+    const unknown = attractors.find(({ kind }) => kind === 'undecided')?.states ?? 0;
     return [
-      { look: classLook(theme, 'rocking'), mark: null, lines },
-      {
-        look: classLook(theme, 'overturned'), mark: null,
-        lines: [theme.words.overturned, share(fallen)],
-      },
-      ...(start.kind === 'state' && followed ? [orbitEntry()] : []),
+      { look: classLook(theme, 'rocking'), mark: null,
+        lines: [STANDS, ...(unknown ? [`${unknown} undecided`] : [])] },
+      { look: classLook(theme, 'overturned'), mark: null, lines: [MOTION_NAMES.overturned] },
+      ...orbit,
     ];
   }
-  const entries = attractors.map(({ name, kind, states, orbit }, k) => {
-    const lines = [orbit ? name : theme.words[kind]];
-    if (orbit) {
-      const [high, low] = [orbit.highest, orbit.lowest].map((u) => numeral(u * angle.factor, 3));
-      const unit = angle.unit === '°' ? '°' : ` ${angle.unit}`;
-      lines.push(orbit.symmetric ? `peak ±${high}${unit}` : `peaks ${high}, ${low}${unit}`);
-    }
-    return { ...looks[k], lines: [...lines, share(states)] };
-  });
-  return start.kind === 'state' && followed ? [...entries, orbitEntry()] : entries;
+  const looks = attractorLooks(theme, attractors, safe);
+  return [...attractors.map((attractor, k) => ({ ...looks[k],
+    lines: [...motionName(attractor).split(/(?<=,) /), ...peakLines(attractor, angle)] })), ...orbit];
+}
+
+/**
+ * @param {BasinAttractor} attractor
+ * @param {BasinView['units']['angle']} angle
+ */
+function peakLines({ orbit }, angle) {
+  if (!orbit) return [];
+  const [high, low] = [orbit.highest, orbit.lowest].map((u) => numeral(u * angle.factor, 3));
+  const unit = angle.unit === '°' ? '°' : ` ${angle.unit}`;
+  return [orbit.symmetric ? `peak ±${high}${unit}` : `peaks ${high}, ${low}${unit}`];
 }
 
 /** @returns {BasinEntry} */
@@ -232,10 +230,4 @@ function drawBasinKey(pen, theme, entries, { left, top, columns }) {
     });
   });
   pen.restore();
-}
-
-/** @param {number} share */
-export function basinShare(share) {
-  const percent = 100 * share;
-  return `${percent > 0 && percent < 0.1 ? percent.toPrecision(1) : percent.toFixed(1)} %`;
 }

@@ -189,9 +189,7 @@ export function makeDesignPanel(app) {
     },
     sentence() {
       const { state } = app, words = `Blocks under ${demandWords(app, state)}, ${equationsOf(state)} model`;
-      const share = safeShare();
-      const part = share === null ? '' : `: ${Math.round(100 * share)} % of the plane is safe (peak at most ${numeral(100 * state.limit, 3)} % of α, where it tips)`;
-      return `${words}${part}. ${leastWords()}`;
+      return `${words}. ${leastWords()}`;
     },
     table() {
       const seen = plane.task(), rows = [];
@@ -219,12 +217,6 @@ export function makeDesignPanel(app) {
   const looksSeen = () => plane.nearestCells().map((at) => (at < 0 ? -1 : lookOf(at)));
 
   /** Return the part of the plane that is safe. */
-  const safeShare = () => {
-    const near = plane.nearestCells();
-    if (!plane.progress().level) return null;
-    return near.reduce((sum, at) => sum + Number(isSafe(at)), 0) / near.length;
-  };
-
   /** Return from which width on all blocks of this height are safe, to the width of a cell. */
   const leastWords = () => {
     const seen = plane.task(), { state } = app;

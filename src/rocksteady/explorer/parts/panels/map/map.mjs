@@ -21,10 +21,9 @@ import { pageUnits, shakingWords } from '../../shell/units.mjs';
 import { axisOf, partOf, placeIn, roundPlace, shownAxes } from '../plane/axis.mjs';
 import { makePlane, wholeNumber } from '../plane/plane.mjs';
 import { makeMapBar } from './bar.mjs';
-import { counted, emptyCensus, peakEnd } from './census.mjs';
 import { drawRegions, regionPlaces } from './regions.mjs';
 import { REGION_WORDS, cellClass, cellWords, drawColourBar, drawMapLegend, legendEntries, legendShape,
-  mapLooks, peakLook, peakOf, periodLook, shareWords } from './words.mjs';
+  mapLooks, peakEnd, peakLook, peakOf, periodLook } from './words.mjs';
 
 const CURVE_POINTS = 320;
 const MAP_MARGIN = { left: 44, right: 36 }; // [px] whatever the numbers are
@@ -34,6 +33,7 @@ const NARROW_MAP = 420; // [px]
 const MAP_KEYS = /** @type {const} */ ({ x: ['w0', 'w1'], y: ['a0', 'a1'] });
 const CELL_MS = { linear: 0.02, nonlinear: 0.6 }; // until it is measured
 const HELD_MS = 120; // for which the picture of another block may stay
+const FIRST_END = 0.2; // of the colours of the peak, until peaks are known
 const MAP_TABLE = [1, 3, 5, 7, 9, 11, 13, 15].map((k) => k / 16); // parts of an axis
 
 /**
@@ -55,7 +55,7 @@ export function makeMapPanel(app) {
   let layerKey = '';
   /** @type {(state: State) => void} */
   let showChoices = () => {};
-  let census = emptyCensus(), shares = census; // of all cells so far; of the complete levels
+  let end = FIRST_END; // of the colours of the peak
   const below = document.createElement('canvas'), above = document.createElement('canvas');
   const found = () => /** @type {Tile} */ (/** @type {unknown} */ (plane.cells()));
   const plane = makePlane(app, () => panel, {
@@ -64,18 +64,16 @@ export function makeMapPanel(app) {
     rectangles: true,
     held: HELD_MS,
     tiles: (theme, ratio) => lookTiles(mapLooks(theme), ratio),
-    look: (k) => mapLook(found(), k, colouring(), census.end),
+    look: (k) => mapLook(found(), k, colouring(), end),
     undecided: (k) => found().kind[k] === MAP_KIND.undecided,
     begun: () => {
-      census = shares = emptyCensus();
+      end = FIRST_END;
     },
-    noted: (k) => counted(census, found(), k),
     levelled() {
-      const end = peakEnd(found()), other = end !== census.end;
-      census.end = end;
-      shares = { ...census, classes: [...census.classes], groups: [...census.groups] };
+      const last = end;
+      end = peakEnd(found());
       // The peaks of a finer level may need another scale of colours.
-      return other && colouring() === 'peak';
+      return end !== last && colouring() === 'peak';
     },
     axes(state) {
       const log = state.log === 1;
@@ -155,7 +153,7 @@ export function makeMapPanel(app) {
    */
   const drawBelow = (pen, size) => {
     const { theme, state } = app;
-    const entries = legendEntries(theme, colouring(), startOf(state).kind === 'steady', shares);
+    const entries = legendEntries(theme, colouring(), startOf(state).kind === 'steady');
     pen.font = theme.small;
     // On a phone the legend has the whole width.
     const left = size.width < NARROW_MAP ? 6 : MAP_MARGIN.left;
@@ -171,10 +169,10 @@ export function makeMapPanel(app) {
     fillClass(pen, theme, 'not-computed', box);
     const at = { left, top: box.top + box.height + UNDER_AXIS, width };
     if (bar) {
-      const [words, end] = si() ? ['peak |θ|', angle(shares.end)] : ['peak |θ|/α', numeral(shares.end)];
-      drawColourBar(pen, theme, at, words, ['0', `≥ ${end}`]);
+      const [words, most] = si() ? ['peak |θ|', angle(end)] : ['peak |θ|/α', numeral(end)];
+      drawColourBar(pen, theme, at, words, ['0', `≥ ${most}`]);
     }
-    drawMapLegend(pen, theme, entries, { ...at, top: at.top + bar }, shares.count > 0);
+    drawMapLegend(pen, theme, entries, { ...at, top: at.top + bar });
     return made;
   };
 
@@ -230,7 +228,7 @@ export function makeMapPanel(app) {
         plane.drawPoint(pen, made);
         return;
       }
-      const ratio = pen.getTransform().a, { level } = plane.progress();
+      const ratio = pen.getTransform().a;
       const { width, height } = size;
       if (!onto) { // the rest of the first picture in the next frame: its code is still compiled
         onto = drawBelow(pen, size);
@@ -238,7 +236,7 @@ export function makeMapPanel(app) {
         app.redraw(panel);
         return;
       }
-      const key = [width, height, ratio, app.theme.dark, level, shares.count].join();
+      const key = [width, height, ratio, app.theme.dark, end].join();
       if (key !== layerKey) {
         onto = drawBelow(blank(below, size, ratio), size);
         drawAbove(blank(above, size, ratio), onto);
@@ -259,13 +257,9 @@ export function makeMapPanel(app) {
       const cell = plane.cellAt(partOf(axes(), point()));
       const { kind } = startOf(app.state), region = regionOf(point());
       const from = kind === 'rest' ? 'rest' : kind === 'steady' ? 'the steady state' : 'a state';
-      const known = legendEntries(app.theme, 'kind', true, shares)
-        .filter(({ share }) => share > 0)
-        .map(({ label, share }) => `${label} ${shareWords(share).replace('<', 'below')}`);
       return `The point is at ${placeWords(point())}, in region ${region} of the linear model: `
         + `${REGION_WORDS[region]}.`
-        + (cell ? ` From ${from} the block settles there to: ${wordsOf(cell)}.` : '')
-        + (known.length ? ` Shares of the map: ${known.join(', ')}.` : '');
+        + (cell ? ` What the block does there from ${from}: ${wordsOf(cell)}.` : '');
     },
     table() {
       const there = (/** @type {number} */ x, /** @type {number} */ y) => placeIn(axes(), { x, y });

@@ -3,9 +3,9 @@
 /** @import { Pen } from '../../draw/svg.mjs' */
 /** @import { ClassWords, Theme } from '../../draw/theme.mjs' */
 /** @import { Look, MotionClass } from '../../draw/classes.mjs' */
+/** @import { Tile } from '../../physics/tiles.mjs' */
 import { MOTION_CLASSES, classLook, lookSwatch } from '../../draw/classes.mjs';
 import { mixed } from '../../draw/theme.mjs';
-import { numeral } from '../../draw/scale.mjs';
 import { MAP_KIND } from '../../physics/tiles.mjs';
 
 /** @typedef {'kind' | 'period' | 'peak'} MapColouring */
@@ -17,7 +17,9 @@ export const REGION_WORDS = ['', 'an out-of-phase and an in-phase solution',
 
 const PERIOD_GROUPS = ['1', '2', '3', '4', '5', '6–8', '≥ 9']; // forcing periods
 const PEAK_STEPS = 5;
-const SHARE_WIDTH = 48; // [px] of the widest share
+const LEGEND_GAP = 16; // [px]
+const PEAK_ENDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5];
+const PEAK_PART = 0.97; // of the cells whose peaks the colours tell apart
 const LEGEND_LINE = 17;
 const LEGEND_SWATCH = 18;
 
@@ -38,11 +40,25 @@ const CLASS_OF_KIND = Object.fromEntries([
   [MAP_KIND.noStart, MOTION_CLASSES.indexOf('no-start')],
 ]);
 
+/** Return the upper end of the colours of the peak: few cells are above. @param {Tile} cells */
+export function peakEnd({ kind, highest, lowest }) {
+  const below = PEAK_ENDS.map(() => 0);
+  let count = 0;
+  for (let k = 0; k < kind.length; k += 1) {
+    if (kind[k] < 0 || kind[k] > MAP_KIND.unsymmetric) continue;
+    const peak = peakOf(highest[k], lowest[k]);
+    count += 1;
+    for (let j = PEAK_ENDS.length - 1; j >= 0 && peak <= PEAK_ENDS[j]; j -= 1) below[j] += 1;
+  }
+  const found = below.findIndex((cells) => cells >= PEAK_PART * count);
+  return PEAK_ENDS[found < 0 || !count ? PEAK_ENDS.length - 1 : found];
+}
+
 /**
  * Return the number of a group of periods.
  * @param {number} period  1 or more
  */
-export function periodGroup(period) {
+function periodGroup(period) {
   return period <= 5 ? period - 1 : period <= 8 ? 5 : 6;
 }
 
@@ -111,7 +127,6 @@ export function cellWords(cell, angle, words) {
  * @typedef {object} MapEntry
  * @property {string} label
  * @property {Look} look
- * @property {number} share  of the cells, from 0 to 1
  */
 
 /**
@@ -119,22 +134,19 @@ export function cellWords(cell, angle, words) {
  * @param {Theme} theme
  * @param {MapColouring} by
  * @param {boolean} steady  whether cells may have no start
- * @param {{ classes: number[], groups: number[], count: number }} census
  * @returns {MapEntry[]}
  */
-export function legendEntries(theme, by, steady, { classes, groups, count }) {
-  const part = (/** @type {number} */ cells) => (count ? cells / count : 0);
+export function legendEntries(theme, by, steady) {
   /** @type {MotionClass[]} */
   const orbits = ['symmetric', 'unsymmetric', 'subharmonic'];
-  const inClass = (/** @type {MotionClass} */ name) => classes[MOTION_CLASSES.indexOf(name)];
   const entry = (/** @type {MotionClass} */ name) =>
-    ({ look: classLook(theme, name), label: theme.words[name], share: part(inClass(name)) });
+    ({ look: classLook(theme, name), label: theme.words[name] });
   /** @type {MotionClass[]} */
   const others = ['aperiodic', 'overturned', 'undecided'];
   if (steady) others.push('no-start');
   const middle = by === 'kind' ? orbits.map(entry) : by === 'peak' ? []
     : PERIOD_GROUPS.map((label, k) =>
-      ({ label: `period ${label}`, look: groupLook(theme, k), share: part(groups[k]) }));
+      ({ label: `period ${label}`, look: groupLook(theme, k) }));
   return [entry('rest'), ...middle, ...others.map(entry)];
 }
 
@@ -146,45 +158,35 @@ export function legendEntries(theme, by, steady, { classes, groups, count }) {
  */
 export function legendShape(pen, entries, width) {
   const widest = Math.max(...entries.map(({ label }) => pen.measureText(label).width));
-  const slot = LEGEND_SWATCH + 5 + widest + SHARE_WIDTH;
+  const slot = LEGEND_SWATCH + 5 + widest + LEGEND_GAP;
   const columns = Math.max(1, Math.min(entries.length, Math.floor(width / slot)));
   const rows = Math.ceil(entries.length / columns);
   return { columns: Math.ceil(entries.length / rows), rows, height: rows * LEGEND_LINE + 4 };
 }
 
 /**
- * Draw the legend with the shares of the classes.
+ * Draw the legend.
  * @param {Pen} pen
  * @param {Theme} theme
  * @param {MapEntry[]} entries
  * @param {{ left: number, top: number, width: number }} at
- * @param {boolean} known  whether there are shares
  */
-export function drawMapLegend(pen, theme, entries, { left, top, width }, known) {
+export function drawMapLegend(pen, theme, entries, { left, top, width }) {
   pen.save();
   pen.font = theme.small;
   pen.textAlign = 'left';
   pen.textBaseline = 'middle';
   const { columns } = legendShape(pen, entries, width);
   const slot = width / columns;
-  entries.forEach(({ label, look, share }, k) => {
+  entries.forEach(({ label, look }, k) => {
     const x = Math.round(left + (k % columns) * slot);
     const y = top + (Math.floor(k / columns) + 0.5) * LEGEND_LINE;
     const box = { left: x, top: Math.round(y) - 6, width: LEGEND_SWATCH, height: 12 };
     lookSwatch(pen, theme, look, box);
     pen.fillStyle = theme.ink;
     pen.fillText(label, x + LEGEND_SWATCH + 5, y);
-    if (!known) return;
-    pen.fillStyle = theme.quiet;
-    pen.fillText(shareWords(share), x + LEGEND_SWATCH + 10 + pen.measureText(label).width, y);
   });
   pen.restore();
-}
-
-/** @param {number} share */
-export function shareWords(share) {
-  if (share === 0) return '0 %';
-  return share < 0.001 ? '< 0.1 %' : `${numeral(100 * share, share < 0.0995 ? 2 : 3)} %`;
 }
 
 /**

@@ -11,17 +11,17 @@ import { fillClass } from '../../draw/classes.mjs';
 import { element } from '../../shell/app.mjs';
 import { drawCurve, drawGround, drawLine, drawRing, inArea, write } from '../draw.mjs';
 import { NARROW, drawReel, makePlayer, reelShape, sceneOf, tieSlider } from '../scene.mjs';
-import { MOTION_NAMES, motionWords } from '../../words.mjs';
+import { MOTION_NAMES, motionWords, shareWords } from '../../words.mjs';
 import { dragOn, makeView } from '../view.mjs';
 
 const SECONDS = 12, REACH = 1.2, SIDE = 120, ROWS = 10; // cells along an axis, rows of one job
 const FARTHEST = 1.1; // of the start
 /** @type {Record<Fate, string>} */
 const ANSWERS = {
-  rest: 'From here it comes to rest, though the ground goes on.',
-  rocking: `From here it ${motionWords({ kind: 'symmetric', period: 1 })}.`,
-  overturned: 'From here it falls.',
-  undecided: 'From here it is not known after 300 periods.',
+  rest: `${MOTION_NAMES.rest}, though the ground goes on`,
+  rocking: motionWords({ kind: 'symmetric', period: 1 }),
+  overturned: MOTION_NAMES.overturned,
+  undecided: motionWords({ kind: 'undecided', period: null }),
 };
 
 /** @type {readonly Fate[]} */
@@ -39,7 +39,7 @@ const CLEAR = [28, 30]; // [px] from the middle of a word to the curve and the r
 const middle = (k) => REACH * ((2 * k + 1) / SIDE - 1);
 
 /**
- * Return where the regions have most room for a word off a curve, and their shares.
+ * Return where the regions have most room for a word off a curve.
  * @param {Fate[]} fates
  * @param {Reel} reel  the curve
  * @param {number[]} reach  how far a word keeps off it: across, up
@@ -61,13 +61,8 @@ function regionWords(fates, { angle, velocity }, [far, high]) {
       }
     }
     taken.push([middle(best.column), middle(best.row), 1.5]);
-    return { fate, share: fates.filter((each) => each === fate).length / fates.length, ...best };
+    return { fate, ...best };
   });
-}
-
-/** Return the answer of a fate. @param {Fate} fate */
-export function fateAnswer(fate) {
-  return ANSWERS[fate];
 }
 
 /** Make the scene. @param {App} app */
@@ -86,11 +81,18 @@ export function makeFates(app) {
   /** @type {Area | null} */
   let plane = null;
 
+  /** @type {Fate} */
+  let fate;
+  const tell = () => {
+    const falls = fates.filter((each) => each === 'overturned').length;
+    const share = fates.includes(undefined) ? '' : `; ${shareWords(falls, fates.length)}`;
+    answer(`From here it ${ANSWERS[fate]}${share}.`);
+  };
   const go = () => {
     const { su: u, sv: v } = app.state;
-    const [fate] = stateFates(kernels, { alpha: block.alpha, angles: [u], velocities: [v] });
+    [fate] = stateFates(kernels, { alpha: block.alpha, angles: [u], velocities: [v] });
     reel = stateReel(kernels, block, u, v, SECONDS);
-    answer(ANSWERS[fate]);
+    tell();
   };
   const view = makeView(canvas, (pen, width, height) => {
     const { theme, state } = app, narrow = width < NARROW;
@@ -157,12 +159,11 @@ export function makeFates(app) {
       words = regionWords(/** @type {Fate[]} */ (fates), reel, [width, height].map((size, k) => (2 * REACH * CLEAR[k]) / size));
       placed = now;
     }
-    for (const { fate, share, column, row, room } of words) {
+    for (const { fate: each, column, row, room } of words) {
       if ((room * width) / SIDE < LEAST_ROOM) continue;
       const x = Math.min(left + width - WORD, Math.max(left + WORD, left + ((column + 0.5) / SIDE) * width)), y = top + (1 - (row + 0.5) / SIDE) * height;
-      const [word, role, over] = WORDS[fate], how = { bold: true, align: /** @type {const} */ ('center'), role, over };
-      write(pen, app.theme, word, x, y - 3, how);
-      write(pen, app.theme, `${Math.round(100 * share)} %`, x, y + 12, how);
+      const [word, role, over] = WORDS[each], how = { bold: true, align: /** @type {const} */ ('center'), role, over };
+      write(pen, app.theme, word, x, y + 4, how);
     }
   };
   const player = makePlayer(app, view, SECONDS, () => [reel]);
@@ -189,7 +190,8 @@ export function makeFates(app) {
       velocities: places.map((k) => middle(row + Math.floor(k / SIDE))),
     };
     app.pool.ask('stateFates', asked, { key: `story:fates${row}`, priority: 2 }).then((found) => {
-      found.forEach((/** @type {Fate} */ fate, /** @type {number} */ k) => { fates[row * SIDE + k] = fate; });
+      found.forEach((/** @type {Fate} */ each, /** @type {number} */ k) => { fates[row * SIDE + k] = each; });
+      if (!fates.includes(undefined)) tell();
       view.ask();
     });
   }
