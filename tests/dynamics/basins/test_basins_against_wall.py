@@ -66,12 +66,11 @@ def test_each_state_goes_where_it_goes_alone(block: Any, model: Model, seed: int
 
 def test_by_default_the_window_begins_at_the_wall() -> None:
     found = compute_basins(WALL, Harmonic(amplitude=0.8, frequency_ratio=2.0), max_cycles=50)
-    reach = 1.0 + 0.8 / 5.0**0.5
-    step = reach / 200
-    assert found.angle == pytest.approx((np.arange(200) + 0.5) * step)
-    assert found.velocity[[0, -1]] == pytest.approx([step - reach, reach - step])
+    assert found.angle == pytest.approx((np.arange(144) + 0.5) * 1.2 / 144)
+    half = 1.5 / 108
+    assert found.velocity[[0, -1]] == pytest.approx([half - 1.5, 1.5 - half])
     axes = plots.basins(found)
-    assert axes.get_xlim() == pytest.approx((0.0, reach))
+    assert axes.get_xlim() == pytest.approx((0.0, 1.2))
     # Below uplift all that do not fall come to rest; which ones fall hangs on the shaking.
     names = [attractor.name for attractor in found.attractors]
     assert names == ["overturned", "rest"]

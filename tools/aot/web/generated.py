@@ -6,6 +6,8 @@ from pathlib import Path
 from types import NoneType
 from typing import Any
 
+from rocksteady.dynamics.basins.basins import MAX_CYCLES
+from rocksteady.dynamics.basins.window import CELLS, HALF_WIDTHS
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code.types import Leaf, Signature, parts, signature_of
 from rocksteady.model.motions._pulse_shapes import (
@@ -25,6 +27,7 @@ REPLAY = Path(__file__).parent / "replay.mjs"
 """Repeats recorded calls in node."""
 NOTE = "// Made by `python -m tools.aot.web` from the annotations of the kernels.\n"
 NOTE_ON_PULSES = "// Made by `python -m tools.aot.web` from the shapes of pulses in Python.\n"
+NOTE_ON_WINDOW = "// Made by `python -m tools.aot.web` from the basins in Python.\n"
 PULSE_TYPES = """\
 /**
  * Shapes by name; where a Ricker wavelet ends, by the tolerance of its lines.
@@ -112,11 +115,22 @@ def pulses() -> str:
     return f"{NOTE_ON_PULSES}\n{PULSE_TYPES}export const PULSES = {{\n{''.join(lines)}}};\n"
 
 
+def window() -> str:
+    """Return the window of starts for the page: its reach, its cells, and the periods followed."""
+    (angle, velocity), (columns, rows) = HALF_WIDTHS, CELLS
+    numbers = f"angle: {angle}, velocity: {velocity}, columns: {columns}, rows: {rows}"
+    return (
+        f"{NOTE_ON_WINDOW}\n/** Angle in units of alpha, velocity of alpha p, on either side. */\n"
+        f"export const START_WINDOW = {{ {numbers}, cycles: {MAX_CYCLES} }};\n"
+    )
+
+
 _CALLED = TARGETS[PAGE].entries
 FILES: dict[Path, Callable[[], str]] = {
     WEB / "signatures.mjs": lambda: signatures(_CALLED),
     WEB / "loader.d.mts": lambda: types(_CALLED),
     WEB / "pulses.mjs": pulses,
+    WEB / "window.mjs": window,
     REPLAY.with_name("signatures.mjs"): signatures,
 }
 """What makes each file: the page's know the kernels that it calls, the last one knows all."""

@@ -22,12 +22,14 @@ class WindowFlags:
     )
     angles: str | None = window_flag(
         "--angles AXIS",
-        "u = theta/alpha, start:stop:count; by default 200 (of shares over an axis 100) up to "
-        "1 + A/sqrt(1 + W^2) on either side, beyond which a block that does not move back "
-        "falls; for an erosion up to 1.5.  With --one-sided from 0.",
+        "u = theta/alpha, start:stop:count; by default the middles of 144 cells up to 1.2 on "
+        "either side, as on the page; for an erosion, a record or a pulse 200 up to 1.5 or "
+        "further.  With --one-sided from 0.",
     )
     velocities: str | None = window_flag(
-        "--velocities AXIS", "du/d(pt), start:stop:count; by default as many up to the same bound."
+        "--velocities AXIS",
+        "du/d(pt), start:stop:count; by default 108 up to 1.5; for an erosion, a record or a "
+        "pulse as for the angles.",
     )
     seed: int | None = window_flag(
         "--seed N",

@@ -18,7 +18,7 @@ from rocksteady.dynamics.basins.cells import (
     states_at_phase,
 )
 from rocksteady.dynamics.basins.labels import BasinAttractor, labelled
-from rocksteady.dynamics.basins.measures.entropy import BOX, BasinEntropy, compute_basin_entropy
+from rocksteady.dynamics.basins.measures.entropy import BasinEntropy, compute_basin_entropy
 from rocksteady.dynamics.basins.measures.uncertainty import (
     Probe,
     UncertaintyExponent,
@@ -27,9 +27,8 @@ from rocksteady.dynamics.basins.measures.uncertainty import (
 from rocksteady.dynamics.basins.window import (
     counted,
     moment,
+    shaken_axes,
     spacing,
-    window_axes,
-    window_of,
 )
 from rocksteady.dynamics.batch.attractors import batch_size
 from rocksteady.dynamics.history.start import State
@@ -41,7 +40,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.confidence import Confidence
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, ModelChoice, chosen_model
-from rocksteady.model.motions.fourier import PeriodicMotion, largest_amplitude
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import in_units
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.numbers import CONFIDENCE
@@ -211,13 +210,14 @@ class Basins(Result):
             angle=float(self.start_angle[place]), velocity=float(self.start_velocity[place])
         )
 
-    def entropy(self, box: int | Sequence[int] = BOX) -> BasinEntropy:
+    def entropy(self, box: int | Sequence[int] | None = None) -> BasinEntropy:
         """Return the entropy of the basins, as from `compute_basin_entropy`.
 
         Parameters
         ----------
         box
-            Cells along each side of a box (default 20), in velocity and in angle.
+            Cells along each side of a box, in velocity and in angle; by default the most up to 20
+            that divide both axes.
         """
         return compute_basin_entropy(self.label, box)
 
@@ -287,8 +287,8 @@ def compute_basins(
         Its phase is that of all initial states, modulo a period and to 12 decimals.
     angles, velocities
         u = theta/alpha, shape (n,), and du/d(pt), shape (m,), evenly spaced; by default the middles
-        of 200 cells up to 1 + A/sqrt(1 + Omega^2) on either side, beyond which |u + du/ds| on a
-        flight of the linear model grows for ever.  Against a wall, angles of 0 or above.
+        of 144 cells up to 1.2 and of 108 up to 1.5 on either side, the window of the explorer's
+        page (of unlike sides in the units of the larger).  Against a wall, angles of 0 or above.
     max_cycles
         Forcing periods after which a motion counts as aperiodic or undecided (default 500).
     seed
@@ -327,12 +327,11 @@ def compute_basins(
     unsymmetric-1b 0.0450 0.031 to 0.065
     >>> steady = simulate(basins.block, basins.motion, start=basins.attractors[1].start, cycles=2)
     """
-    bare, shaken = block.dimensionless(), periodic_motion(motion)
+    shaken = periodic_motion(motion)
     equations = chosen_model(model, block)
     sides = equations.sides(block)
     half, rest = moment(shaken)
-    reaches = window_of(np.array(bare.sides), largest_amplitude(shaken), shaken.frequency_ratio)
-    angle, velocity = window_axes(block, angles, velocities, reaches, drawn=seed is not None)
+    angle, velocity = shaken_axes(block, angles, velocities, drawn=seed is not None)
     periods = FORCING_PERIODS("max_cycles", max_cycles)
     draw = None if seed is None else SEED("seed", seed)
     start = replace(shaken, phase=half * math.pi + rest)

@@ -18,8 +18,11 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.sweep.cases.axes import Axis
 
+HALF_WIDTHS, CELLS = (1.2, 1.5), (144, 108)
+"""Of the window of starts under periodic shaking, here and on the page: how far it reaches in angle
+[alpha] and in velocity [alpha p], and its cells along each."""
 POINTS = 200
-"""Default number of points along an axis of a window."""
+"""Default number of points along an axis of any other window."""
 DECIMALS = 12
 """Of a phase in radians: what is beyond them is rounding of the whole periods taken off."""
 BEHIND = (
@@ -62,6 +65,30 @@ def window_of(sides: Floats, amplitude: float, frequency_ratio: float) -> tuple[
     return angle, velocity
 
 
+def shaken_axes(
+    block: Block | DimensionlessBlock,
+    angles: ArrayLike | None,
+    velocities: ArrayLike | None,
+    *,
+    drawn: bool,
+) -> tuple[Axis, Axis]:
+    """Return the axes of a window of starts under periodic shaking.
+
+    Parameters
+    ----------
+    block, angles, velocities, drawn
+        As for `window_axes`; the default window counts in the larger units of the two sides.
+
+    Raises
+    ------
+    InputError, ModelError
+        As for `window_axes`.
+    """
+    _, leans, rates = np.array(block.dimensionless().sides).T
+    reaches = (HALF_WIDTHS[0] * float(leans.max()), HALF_WIDTHS[1] * float((leans * rates).max()))
+    return window_axes(block, angles, velocities, reaches, drawn=drawn, cells=CELLS)
+
+
 def centred(half_width: float, points: int = POINTS) -> Floats:
     """Return the middles of equal cells between -half_width and half_width, mirrored exactly."""
     from_middle = np.arange(points, dtype=np.float64) - 0.5 * (points - 1)
@@ -82,7 +109,7 @@ def window_axes(
     reaches: tuple[float, float],
     *,
     drawn: bool = False,
-    points: int = POINTS,
+    cells: tuple[int, int] = (POINTS, POINTS),
 ) -> tuple[Axis, Axis]:
     """Return the axes of angles and of velocities of a window.
 
@@ -96,8 +123,8 @@ def window_axes(
         Extent of the default window in u and in du/d(pt).
     drawn
         Whether states are drawn in the cells around the values.
-    points
-        Number of cells along a default axis.
+    cells
+        Number of cells along a default axis of angles, and of velocities.
 
     Raises
     ------
@@ -107,9 +134,9 @@ def window_axes(
         If a state lies behind the wall, or moves into it.
     """
     if angles is None:
-        angles = (against_wall if block.one_sided else centred)(reaches[0], points)
+        angles = (against_wall if block.one_sided else centred)(reaches[0], cells[0])
     if velocities is None:
-        velocities = centred(reaches[1], points)
+        velocities = centred(reaches[1], cells[1])
     angle = window_axis("angles", angles, LONG_NAMES["angle"])
     velocity = window_axis("velocities", velocities, LONG_NAMES["velocity"])
     if block.one_sided:

@@ -74,6 +74,12 @@ def test_one_basin_has_no_boundary() -> None:
     assert "no boundary" in found.summary()
 
 
+@every(("shape", "side"), [((40, 60), 20), ((108, 144), 18), ((6, 10), 2)])
+def test_boxes_are_by_default_the_largest_that_divide(shape: tuple[int, int], side: int) -> None:
+    found = compute_basin_entropy(np.zeros(shape, dtype=np.int64))
+    assert found.box == (side, side)
+
+
 def test_boxes_of_unequal_sides_and_a_safe_basin() -> None:
     window = np.linspace(-1.0, 1.0, 20)
     block, motion = DimensionlessBlock(restitution=0.9), Harmonic(amplitude=1.0, frequency_ratio=2)

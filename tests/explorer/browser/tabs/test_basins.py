@@ -1,12 +1,13 @@
 """The basins on the page: shares as Python has them, and one initial state that is dragged."""
 
+import math
 import re
 
-import numpy as np
 import pytest
 from playwright.sync_api import Page
 
 from rocksteady import DimensionlessBlock, Harmonic, State, compute_basins, find_attractor
+from rocksteady.dynamics.basins.window import CELLS
 from rocksteady.outcomes import motion_words
 from rocksteady.results.numbers import chance
 from tests.explorer.browser.watched import TABLED, Explorer, drawn, link, until, values
@@ -15,7 +16,6 @@ BASINS = "[data-panel='basins']"
 CANVAS = f"{BASINS} canvas"
 WINDOW = {"u0": -1.2, "u1": 1.2, "v0": -1.5, "v1": 1.5}
 POINT = {"A": 2, "W": 6, "tab": "basins"}
-CELLS = 160
 CELLS_OF_ROWS = "body => [...body.rows].map(row => [...row.cells].map(cell => cell.textContent))"
 
 
@@ -24,14 +24,9 @@ def refined(page: Page) -> None:
     complete = f"""() => {{
       const note = document.querySelector("{BASINS} .note").textContent;
       const words = document.querySelector("{CANVAS}").getAttribute('aria-label') ?? '';
-      return !/Refining|dimmed/.test(note) && words.includes('{CELLS * CELLS} initial states');
+      return !/Refining|dimmed/.test(note) && words.includes('{math.prod(CELLS)} initial states');
     }}"""
     until(page, complete, seconds=40.0)
-
-
-def middles(low: float, high: float) -> np.ndarray:
-    half = 0.5 * (high - low) / CELLS
-    return np.linspace(low + half, high - half, CELLS)
 
 
 def pixel(page: Page, x: float, y: float) -> tuple[float, float]:
@@ -52,8 +47,6 @@ def test_shares_are_those_of_the_package(explorer: Explorer) -> None:
     basins = compute_basins(
         DimensionlessBlock(restitution=0.8),
         Harmonic(amplitude=2.0, frequency_ratio=6.0),
-        angles=middles(-1.2, 1.2),
-        velocities=middles(-1.5, 1.5),
     )
     page.locator(f"{BASINS} .tabled > summary").click()
     until(page, TABLED, BASINS)

@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, Linear, Nonlinear, compute_basins
-from rocksteady.dynamics.basins.window import window_of
+from rocksteady.dynamics.basins.window import CELLS, HALF_WIDTHS, centred
 from rocksteady.dynamics.orbits.attractor import KINDS
+from tests.cli.program import rocksteady
+from tests.every import every
 from tests.explorer.in_node import InNode
 
 BASINS = """
-const { emptyCells, labelStates, settleStates, basinReach, cellMiddles } =
-  await import(parts('physics/basins.mjs'));
+const { emptyCells, labelStates, settleStates } = await import(parts('physics/basins.mjs'));
 answer(asked.map(({ given, angles, velocities, cycles, order }) => {
   const cells = emptyCells(angles.length * velocities.length), columns = angles.length;
   for (const places of order) {
@@ -27,10 +28,22 @@ answer(asked.map(({ given, angles, velocities, cycles, order }) => {
   }
   const { label, attractors } = labelStates(kernels, given, cells);
   return {
-    label: [...label], attractors, kinds: [...cells.kind], reach: basinReach(kernels, given),
-    middles: [...cellMiddles(angles[0], angles.at(-1), 16)],
+    label: [...label], attractors, kinds: [...cells.kind],
   };
 }));
+"""
+WHOLE = """
+const { START_WINDOW } = await import(parts('kernels/window.mjs'));
+const { cellMiddles, settleStates } = await import(parts('physics/basins.mjs'));
+const { ATTRACTOR_KINDS } = await import(parts('physics/attractor.mjs'));
+const { angle, velocity, columns, rows } = START_WINDOW;
+const [across, up] = [cellMiddles(-angle, angle, columns), cellMiddles(-velocity, velocity, rows)];
+const places = Array.from({ length: columns * rows }, (_, place) => place);
+const { kind } = settleStates(kernels, { given: asked,
+  angles: places.map((k) => across[k % columns]),
+  velocities: places.map((k) => up[Math.floor(k / columns)]) });
+const falls = kind.filter((code) => ATTRACTOR_KINDS[code] === 'overturned').length;
+answer({ across: [...across], up: [...up], share: falls / kind.length });
 """
 CASES = (  # amplitude, frequency ratio, restitution, alpha of the nonlinear model, half width
     (2.0, 1.9, 0.8, None, 1.2),
@@ -102,15 +115,7 @@ def test_cells_labels_attractors_and_shares_are_those_of_the_package(in_node: In
                 near({"side": state.side, "phase": state.phase, "speed": state.speed})
                 for state in orbit.states
             ]
-        middles = found["middles"]
-        assert middles == np.linspace(middles[0], middles[-1], 16).tolist()
-        half = (each["angles"][-1] - each["angles"][0]) / 32
-        assert [middles[0], middles[-1]] == pytest.approx(
-            [each["angles"][0] + half, each["angles"][-1] - half]
-        )
         names |= {attractor.name for attractor in basins.attractors}
-        sides = np.array([[restitution, 1.0, 1.0]] * 2)
-        assert (found["reach"], found["reach"]) == window_of(sides, amplitude, ratio)
     assert names >= {"overturned", "rest", "symmetric-1", "symmetric-3", "unsymmetric-1a"}, names
 
 
@@ -120,3 +125,32 @@ def test_states_that_are_not_computed_have_no_label(in_node: InNode) -> None:
     (found,) = in_node(BASINS, [{**asked, "order": [computed]}])
     assert {place for place, label in enumerate(found["label"]) if label >= 0} == set(computed)
     assert sum(attractor["states"] for attractor in found["attractors"]) == len(computed)
+
+
+@every(
+    "flags,alpha",
+    [
+        ("-A 0.5 -W 2 -r 0.8", None),
+        ("-A 2 -W 6 -r 0.8", None),
+        ("-A 0.3 -W 3.7 -r 0.95", None),
+        ("-A 1.7 -W 2.9 -r 0.85 --alpha-rad 0.3 --radius-m 1", 0.3),
+    ],
+)
+def test_the_share_of_the_page_is_that_of_the_terminal(
+    flags: str, alpha: float | None, in_node: InNode
+) -> None:
+    """The page's kernels, in node, and `rocksteady basins` with its defaults."""
+    _, amplitude, _, ratio, _, restitution, *_ = flags.split()
+    given = {
+        "amplitude": float(amplitude),
+        "frequencyRatio": float(ratio),
+        "restitution": float(restitution),
+        "nonlinear": alpha is not None,
+        "alpha": alpha or 0.0,
+    }
+    page = in_node(WHOLE, given)
+    axes = [centred(reach, count) for reach, count in zip(HALF_WIDTHS, CELLS, strict=True)]
+    assert [page["across"], page["up"]] == [axis.tolist() for axis in axes]
+    fractions = rocksteady(f"basins {flags} --json").json["fractions"]
+    (share,) = [part["share"] for part in fractions if part["kind"] == "overturned"]
+    assert page["share"] == share

@@ -15,6 +15,7 @@ import pytest
 
 import rocksteady as rs
 from rocksteady.cli.app import main
+from rocksteady.dynamics.basins.window import centred
 from tests.explorer.in_node import InNode
 
 IMPORTS = """
@@ -174,12 +175,11 @@ def test_a_script_of_basins_gives_the_shares_of_the_window(
     in_node: InNode, run_script: Callable[[str], list[str]]
 ) -> None:
     found = printed(run_script(in_node(IMPORTS + COPIED, OTHERS[5])[0]))
-    half, low = 0.5 * 2.25 / 160, 0.5 / 160
     basins = rs.compute_basins(
         rs.DimensionlessBlock(restitution=0.8),
         rs.Harmonic(amplitude=0.8, frequency_ratio=2.0),
-        angles=np.linspace(-1.25 + half, 1 - half, 160),
-        velocities=np.linspace(-0.5 + low, 0.5 - low, 160),
+        angles=0.5 * (-1.25 + 1) + (np.arange(144) - 71.5) * (2.25 / 144),
+        velocities=centred(0.5, 108),
     )
     expected = {
         each.name: part.share

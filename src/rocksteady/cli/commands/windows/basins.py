@@ -48,7 +48,7 @@ EXAMPLES = (
     "Examples:\n\n"
     "rocksteady basins -A 0.5 -W 2 -r 0.95 --plot basins.png\n\n"
     "rocksteady basins -A 1.5 -W 4 -r 0.9 --angles=-1:1:400 --velocities=-1.2:1.2:400 --json\n\n"
-    "rocksteady basins -A 0.5 -W 2 -r 0.95 --entropy 20 --exponent\n\n"
+    "rocksteady basins -A 0.5 -W 2 -r 0.95 --entropy 18 --exponent\n\n"
     "rocksteady basins -A 0.5 -W 1.5:3:31 -r 0.95 --seed 1 --plot shares.png\n\n"
     "rocksteady basins -A 0:1.6:33 -W 2 -r 0.9 --plot erosion.png\n\n"
     "rocksteady basins --width-m 0.8 --height-m 3 --record example:firm-ground --scale 0.5 --plot "
@@ -87,7 +87,7 @@ def basins(
     entropy: int | None = measure_flag(
         "--entropy CELLS",
         "Compute the basin entropy and the boundary basin entropy, with boxes of this many "
-        "states a side, as 20, which must divide the counts of --angles and --velocities.",
+        "states a side, as 18, which must divide the counts of --angles and --velocities.",
     ),
     exponent: bool = measure_flag(
         "--exponent",
@@ -137,10 +137,11 @@ def basins(
     from rocksteady.dynamics.basins.measures.entropy import box_sides
     from rocksteady.dynamics.basins.measures.uncertainty import probe_sizes
     from rocksteady.dynamics.basins.over import shares as over
-    from rocksteady.dynamics.basins.window import POINTS
+    from rocksteady.dynamics.basins.window import CELLS, POINTS
 
-    points = POINTS if moving is None or eroding else over.POINTS
-    shape = tuple(len(chosen.get(name, range(points))) for name in ("velocities", "angles"))
+    cells = (POINTS, POINTS) if eroding else CELLS
+    names = zip(("velocities", "angles"), reversed(cells), strict=True)
+    shape = tuple(len(chosen.get(name, range(count))) for name, count in names)
     if entropy is not None:
         box_sides(entropy, shape)
     for by in PROBES if exponent else ():

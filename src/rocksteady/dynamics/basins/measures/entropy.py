@@ -18,7 +18,7 @@ from rocksteady.results.doubts import FEWEST_BOXES
 from rocksteady.results.result import Result
 
 BOX = 20
-"""Default number of cells along a side of a box, that of Attractors.jl."""
+"""Cells along a side of a box by default, as in Attractors.jl, or the most below that divide."""
 
 
 @checked_result
@@ -104,7 +104,7 @@ class BasinEntropies(Result):
 
 @checked
 def compute_basin_entropy(
-    labels: Annotated[ArrayLike, INSIDE], box: int | Sequence[int] = BOX
+    labels: Annotated[ArrayLike, INSIDE], box: int | Sequence[int] | None = None
 ) -> BasinEntropy:
     """Compute the basin entropy and the boundary basin entropy of labelled states.
 
@@ -120,8 +120,8 @@ def compute_basin_entropy(
         Integers, or truths for safe and not, one per state, of any number of dimensions: the states
         of a window as `Basins.label`, those of an erosion as ``erosion.safe[0]``.
     box
-        Cells along each side of a box (default 20), one number or one for each axis, of which the
-        shape of `labels` is a multiple.
+        Cells along each side of a box, one number or one for each axis, of which the shape of
+        `labels` is a multiple; by default the most up to 20 that divide all axes.
 
     Returns
     -------
@@ -182,13 +182,16 @@ def label_array(labels: Any) -> Integers:
 
 
 def box_sides(box: object, shape: tuple[int, ...]) -> tuple[int, ...]:
-    """Return the cells along each side of boxes that divide an array of a shape.
+    """Return the cells along each side of boxes that divide an array of a shape; None: the default.
 
     Raises
     ------
     InputError
         If they do not, or are no whole numbers.
     """
+    whole = math.gcd(*shape)
+    if box is None:
+        box = max((side for side in range(2, BOX + 1) if whole % side == 0), default=BOX)
     given = tuple(box) if isinstance(box, Sequence) else (box,) * len(shape)
     if len(given) != len(shape):
         valid = f"there is one number for all axes, or one for each of {len(shape)}"
@@ -196,7 +199,6 @@ def box_sides(box: object, shape: tuple[int, ...]) -> tuple[int, ...]:
     hint = "give cells along a side of a box"
     sides = tuple(whole_number("box", side, at_least=1, hint=hint) for side in given)
     if any(length % side for length, side in zip(shape, sides, strict=True)):
-        whole = math.gcd(*shape)
         fit = [side for side in range(2, whole + 1) if whole % side == 0]
         raise InputError(
             "box",

@@ -18,11 +18,11 @@ from rocksteady.dynamics.basins.cells import (
     drawn_states,
     found_in_cells,
 )
-from rocksteady.dynamics.basins.measures.entropy import BOX, BasinEntropies, compute_basin_entropy
+from rocksteady.dynamics.basins.measures.entropy import BasinEntropies, compute_basin_entropy
 from rocksteady.dynamics.basins.over._seeding import Here, seed_neighbours
 from rocksteady.dynamics.basins.over.families import BasinFamily, families_of
 from rocksteady.dynamics.basins.over.matching import MatchingOptions
-from rocksteady.dynamics.basins.window import moment, spacing, window_axes, window_of
+from rocksteady.dynamics.basins.window import moment, shaken_axes, spacing
 from rocksteady.dynamics.batch.attractors import (
     batch_size,
     settled_cells,
@@ -41,7 +41,6 @@ from rocksteady.model.equations import Model, ModelChoice, chosen_model
 from rocksteady.model.motions.fourier import (
     PeriodicMotion,
     harmonics_of,
-    largest_amplitude,
 )
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import AttractorKind
@@ -58,8 +57,6 @@ if TYPE_CHECKING:
 
 MOVED = (*PARAMETERS, "phase")
 """Parameters over which shares are computed."""
-POINTS = 100
-"""Default number of points along an axis of the window."""
 MAX_CYCLES = 500
 
 
@@ -71,9 +68,8 @@ class SamplingOptions:
     Parameters
     ----------
     angles, velocities
-        u = theta/alpha, shape (n,), and du/d(pt), shape (m,), evenly spaced, as for
-        `compute_basins`; by default the middles of 100 cells up to the bound of that function,
-        where it is widest.
+        u = theta/alpha, shape (n,), and du/d(pt), shape (m,), evenly spaced; those of
+        `compute_basins` by default.
     seed
         With one, a state is drawn in each cell, the same at each value; without, its middle.
     max_cycles
@@ -168,13 +164,14 @@ class BasinShares(Result):
         """
         return share_interval(self.share, self.label[0].size, confidence)
 
-    def entropies(self, box: int | Sequence[int] = BOX) -> BasinEntropies:
+    def entropies(self, box: int | Sequence[int] | None = None) -> BasinEntropies:
         """Return the entropy of the basins at each value, as from `compute_basin_entropy`.
 
         Parameters
         ----------
         box
-            Cells along each side of a box (default 20), in velocity and in angle.
+            Cells along each side of a box, in velocity and in angle; by default the most up to 20
+            that divide both axes.
         """
         return BasinEntropies(
             parameter=self.parameter,
@@ -303,7 +300,7 @@ def compute_basin_shares(
     along = _axis(parameter, values)
     shaken = periodic_motion(motion)
     line = [moved_to(block, shaken, parameter, value) for value in along.points.tolist()]
-    angle, velocity = _window(block, line, how)
+    angle, velocity = shaken_axes(block, how.angles, how.velocities, drawn=how.seed is not None)
     clocks = [moment(moved) for _, moved in line]
     tables = np.array([equations.sides(block_at) for block_at, _ in line])
     cases = functools.partial(
@@ -365,29 +362,6 @@ def _axis(parameter: str, values: ArrayLike) -> Axis:
     # What a state settles to has a phase of its own among the outputs.
     name = "initial_phase" if parameter == "phase" else parameter
     return Axis(name=name, values=points, long_name=AXES[parameter].long_name)
-
-
-def _window(
-    block: Block | DimensionlessBlock,
-    line: list[tuple[Block | DimensionlessBlock, PeriodicMotion]],
-    sampling: SamplingOptions,
-) -> tuple[Axis, Axis]:
-    """Return the axes of the one window of all values."""
-    reaches = np.max(
-        [
-            window_of(np.array(bare.sides), largest_amplitude(moved), moved.frequency_ratio)
-            for bare, moved in ((each.dimensionless(), moved) for each, moved in line)
-        ],
-        axis=0,
-    ).tolist()
-    return window_axes(
-        block,
-        sampling.angles,
-        sampling.velocities,
-        (reaches[0], reaches[1]),
-        drawn=sampling.seed is not None,
-        points=POINTS,
-    )
 
 
 def _settled_along(

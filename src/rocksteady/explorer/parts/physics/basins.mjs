@@ -5,7 +5,8 @@
 /** @import { Case } from './case.mjs' */
 /** @import { Impact } from './start.mjs' */
 /** @import { Kind, Orbit } from './attractor.mjs' */
-import { evaluate, systemOf } from './case.mjs';
+import { START_WINDOW } from '../kernels/window.mjs';
+import { systemOf } from './case.mjs';
 import { ATTRACTOR_KINDS, ORBIT_COLUMNS, attractorKind, orbitFrom } from './attractor.mjs';
 import { settledRows } from './settled.mjs';
 import { FULL_TURN } from './start.mjs';
@@ -32,9 +33,6 @@ import { impactSection } from './sweep.mjs';
  * @property {number | null} period  forcing periods of the orbit
  * @property {number} states  how many states of the window go there
  */
-
-export const BASIN_SIDE = 160; // states along an axis of the page's window
-export const BASIN_CYCLES = 500; // forcing periods for which a state is followed
 
 const SAME_ORBIT = 1e-6, SLOWEST = 1e-3; // distance of one state, speed that errors are of at least
 /** @type {Kind[]} */
@@ -64,7 +62,7 @@ export function emptyCells(count) {
  *   cycles?: number }} asked  an angle and a velocity a state
  * @returns {Cells}
  */
-export function settleStates(kernels, { given, angles, velocities, cycles = BASIN_CYCLES }) {
+export function settleStates(kernels, { given, angles, velocities, cycles = START_WINDOW.cycles }) {
   const cells = emptyCells(angles.length);
   const every = (/** @type {number} */ value) => new Float64Array(angles.length).fill(value);
   settledRows(kernels, given, { amplitude: every(given.amplitude),
@@ -120,30 +118,16 @@ export function labelStates(kernels, given, cells) {
 }
 
 /**
- * Return the middles of equal cells between two ends, as `numpy.linspace` gives them between the
- * first and the last.
+ * Return the middles of equal cells between two ends, mirrored exactly where these are: as
+ * `centred` of dynamics/basins/window.py gives them.
  * @param {number} from
  * @param {number} to
  * @param {number} count
  * @returns {Float64Array}
  */
 export function cellMiddles(from, to, count) {
-  const half = (0.5 * (to - from)) / count, first = from + half, last = to - half;
-  const step = (last - first) / (count - 1);
-  const middles = Float64Array.from({ length: count }, (_, place) => place * step + first);
-  middles[count - 1] = last;
-  return middles;
-}
-
-/**
- * Return how far in theta/alpha and in its derivative by pivot time a state may be that does not
- * fly off whatever the phase: the half-width of the default window.
- * @param {Kernels} kernels
- * @param {Case} given
- * @returns {number}
- */
-export function basinReach(kernels, { amplitude, frequencyRatio }) {
-  return 1 + amplitude / evaluate(kernels, 'hypot', 1, frequencyRatio);
+  const middle = 0.5 * (from + to), step = (to - from) / count;
+  return Float64Array.from({ length: count }, (_, place) => middle + (place - 0.5 * (count - 1)) * step);
 }
 
 /** @param {ArrayLike<number>} values @param {(value: number, place: number) => boolean} holds */

@@ -3,11 +3,11 @@
 /** @import { PutIn } from './app.mjs' */
 /** @import { Start } from '../physics/case.mjs' */
 /** @import { State } from './state.mjs' */
-import { BASIN_SIDE } from '../physics/basins.mjs';
+import { START_WINDOW } from '../kernels/window.mjs';
 import { STRIP_VALUES } from '../physics/sweep.mjs';
 import { GRAVITY } from '../physics/case.mjs';
 import { linkOf } from './link.mjs';
-import { equationsOf, startOf } from './state.mjs';
+import { equationsOf, isWhole, startOf } from './state.mjs';
 
 /**
  * What is computed: a motion, a map, two sweeps, basins, a pulse, a record, a block and a demand.
@@ -77,8 +77,9 @@ export function commandOf(state, subject, motion) {
       return ['map', over, axis, other, kept, ...blockFlags(state), ...start];
     },
     basins: () => {
-      const [u, v] = basinWindow(state).map((axis) => axisText(centresOf(axis, BASIN_SIDE)));
-      return ['basins', ...shaking, ...blockFlags(state), `--angles=${u}`, `--velocities=${v}`];
+      const [u, v] = basinWindow(state).map((axis) => axisText(centresOf(axis, axis.count)));
+      const window = isWhole(state) ? [] : [`--angles=${u}`, `--velocities=${v}`];
+      return ['basins', ...shaking, ...blockFlags(state), ...window];
     },
     pulse: () => {
       const size = ['-A', shellNumber(state.pA), '-W', shellNumber(state.pW)];
@@ -177,7 +178,8 @@ function windowOf(state) {
 
 /** @param {State} state */
 function basinWindow({ u0, u1, v0, v1 }) {
-  return [{ from: u0, to: u1, log: false }, { from: v0, to: v1, log: false }];
+  const { columns, rows } = START_WINDOW;
+  return [{ from: u0, to: u1, log: false, count: columns }, { from: v0, to: v1, log: false, count: rows }];
 }
 
 /** @param {State} state */
@@ -320,31 +322,32 @@ function stripLines(state) {
 
 /** @param {State} state */
 function basinLines(state) {
-  const [u, v] = basinWindow(state).map(middlesText);
+  const [u, v] = basinWindow(state).map(middlesText), whole = isWhole(state);
   return [
-    `def middles(low, high, cells=${BASIN_SIDE}):`,
-    '    half = 0.5 * (high - low) / cells',
-    '    return np.linspace(low + half, high - half, cells)',
-    '',
-    '',
+    ...(whole ? [] : ['def middles(low, high, cells):',
+      '    places = np.arange(cells) - 0.5 * (cells - 1)',
+      '    return 0.5 * (low + high) + places * ((high - low) / cells)',
+      '',
+      '']),
     blockLine(state),
     motionLine(state),
-    'found = rs.compute_basins(',
-    '    block,',
-    '    motion,',
-    `    angles=${u},`,
-    `    velocities=${v},`,
-    `    model=${modelText(state)},`,
-    ')',
+    ...(whole ? [`found = rs.compute_basins(block, motion, model=${modelText(state)})`]
+      : ['found = rs.compute_basins(',
+        '    block,',
+        '    motion,',
+        `    angles=${u},`,
+        `    velocities=${v},`,
+        `    model=${modelText(state)},`,
+        ')']),
     'print("states:", found.label.size)',
     'for attractor, part in zip(found.attractors, found.fractions()):',
     '    print(f"{attractor.name}:", part.share)',
   ];
 }
 
-/** @param {{ from: number, to: number }} axis */
-function middlesText({ from, to }) {
-  return `middles(${pythonNumber(from)}, ${pythonNumber(to)})`;
+/** @param {{ from: number, to: number, count: number }} axis */
+function middlesText({ from, to, count }) {
+  return `middles(${pythonNumber(from)}, ${pythonNumber(to)}, ${count})`;
 }
 
 /** @param {State} state */

@@ -3,6 +3,7 @@
 /** @import { Kernels } from '../kernels/loader.mjs' */
 /** @import { Case, Measures, Start } from '../physics/case.mjs' */
 import { PULSES } from '../kernels/pulses.mjs';
+import { START_WINDOW } from '../kernels/window.mjs';
 import { measuresOf } from '../physics/case.mjs';
 
 /** Places of the story, in their order. */
@@ -95,10 +96,10 @@ export const FIELDS = {
   by: choiceField('w', 'a'),
   record: numberField(0, 0, 9999), // number of the ground motion, from 0
   scale: numberField(1, 0.01, 100), // of its accelerations
-  u0: numberField(-1.2, -100, 100), // window of the basins
-  u1: numberField(1.2, -100, 100),
-  v0: numberField(-1.5, -100, 100),
-  v1: numberField(1.5, -100, 100),
+  u0: numberField(-START_WINDOW.angle, -100, 100), // window of the basins
+  u1: numberField(START_WINDOW.angle, -100, 100),
+  v0: numberField(-START_WINDOW.velocity, -100, 100),
+  v1: numberField(START_WINDOW.velocity, -100, 100),
   safe: optionField(0, 1), // whether the basins show the safe basin alone
   pulse: choiceField('one-sine', ...Object.keys(PULSES)),
   pA: numberField(2.5, 0, 1000),
@@ -278,6 +279,12 @@ export function startText(start) {
 export function blockNumbers(kernels, state) {
   const measures = measuresOf(kernels, state.b, state.h);
   return { ...measures, restitution: state.rh === 1 ? measures.housner : state.r };
+}
+
+/** Return whether the window of the basins is the default one. @param {State} state */
+export function isWhole(state) {
+  const keys = /** @type {const} */ (['u0', 'u1', 'v0', 'v1']);
+  return keys.every((key) => state[key] === FIELDS[key].value);
 }
 
 /**

@@ -3,7 +3,7 @@
 /** @import { App, Panel } from '../../shell/app.mjs' */
 /** @import { State } from '../../shell/state.mjs' */
 import { numeral } from '../../draw/scale.mjs';
-import { FIELDS, blockNumbers, startOf } from '../../shell/state.mjs';
+import { blockNumbers, isWhole, startOf } from '../../shell/state.mjs';
 import { tableOf } from '../../shell/tables.mjs';
 import { shakingWords } from '../../shell/units.mjs';
 import { NEVER_LIFTS, motionName, motionWords, shareWords } from '../../words.mjs';
@@ -116,9 +116,8 @@ export function makeBasinsPanel(app) {
 
   /** The share of the map that falls, once all of its cells are shown; none of another window. */
   function shareText() {
-    const { labels: known } = labels(), keys = [...BASIN_KEYS.x, ...BASIN_KEYS.y];
-    if (!known || plane.isOther() || known.computed < known.label.length
-      || keys.some((key) => app.state[key] !== FIELDS[key].value)) return '';
+    const { labels: known } = labels();
+    if (!known || plane.isOther() || known.computed < known.label.length || !isWhole(app.state)) return '';
     const falls = known.attractors.find(({ kind }) => kind === 'overturned')?.states ?? 0;
     return shareWords(falls, known.computed);
   }

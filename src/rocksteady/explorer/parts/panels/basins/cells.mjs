@@ -6,8 +6,9 @@
 /** @import { PlanePart } from '../plane/plane.mjs' */
 /** @import { RasterOptions } from '../plane/raster.mjs' */
 import { lookTiles } from '../../draw/classes.mjs';
+import { START_WINDOW } from '../../kernels/window.mjs';
 import { ATTRACTOR_KINDS } from '../../physics/attractor.mjs';
-import { BASIN_SIDE, cellMiddles, emptyCells } from '../../physics/basins.mjs';
+import { cellMiddles, emptyCells } from '../../physics/basins.mjs';
 import { caseOf } from '../../shell/state.mjs';
 import { makePlane } from '../plane/plane.mjs';
 import { attractorLooks } from './looks.mjs';
@@ -41,7 +42,7 @@ export function makeBasinPlane(app, panelOf, part) {
   const cells = () => /** @type {Cells} */ (/** @type {unknown} */ (plane.cells()));
   const plane = makePlane(app, panelOf, {
     name: 'basins',
-    grid: { columns: BASIN_SIDE, rows: BASIN_SIDE },
+    grid: START_WINDOW,
     steps: [8, 4, 2, 1],
     late: true,
     arrow: 1 / 200,

@@ -12,7 +12,6 @@ import { beginOf } from '../start.mjs';
 /** @typedef {'rest' | 'rocking' | 'overturned' | 'undecided'} Fate */
 
 export const FATE_SHAKING = { amplitude: 0.5, frequencyRatio: 2, restitution: 0.8 };
-const FATE_CYCLES = 300;
 
 /**
  * Return what some states come to, the phase of the shaking being 0: a job of the pool.
@@ -22,7 +21,7 @@ const FATE_CYCLES = 300;
  */
 export function stateFates(kernels, { alpha, angles, velocities }) {
   const given = { ...FATE_SHAKING, nonlinear: false, alpha };
-  const { kind } = settleStates(kernels, { given, angles, velocities, cycles: FATE_CYCLES });
+  const { kind } = settleStates(kernels, { given, angles, velocities });
   return Array.from(kind, (code) => {
     const name = ATTRACTOR_KINDS[code];
     return name === 'rest' || name === 'overturned' || name === 'undecided' ? name : 'rocking';

@@ -7,6 +7,8 @@
 import { GRAVITY } from '../../physics/case.mjs';
 import { FATE_SHAKING, stateFates, stateReel } from '../../physics/story/fates.mjs';
 import { rectangle } from '../../physics/story/pulses.mjs';
+import { START_WINDOW } from '../../kernels/window.mjs';
+import { cellMiddles } from '../../physics/basins.mjs';
 import { fillClass } from '../../draw/classes.mjs';
 import { element } from '../../shell/app.mjs';
 import { drawCurve, drawGround, drawLine, drawRing, inArea, write } from '../draw.mjs';
@@ -14,7 +16,9 @@ import { NARROW, drawReel, makePlayer, reelShape, sceneOf, tieSlider } from '../
 import { MOTION_NAMES, motionWords, shareWords } from '../../words.mjs';
 import { dragOn, makeView } from '../view.mjs';
 
-const SECONDS = 12, REACH = 1.2, SIDE = 120, ROWS = 10; // cells along an axis, rows of one job
+const { angle: WIDE, velocity: FAST, columns: COLUMNS, rows: ROWS } = START_WINDOW;
+const TILTS = cellMiddles(-WIDE, WIDE, COLUMNS), SPEEDS = cellMiddles(-FAST, FAST, ROWS);
+const SECONDS = 12, BATCH = 12; // rows of one job
 const FARTHEST = 1.1; // of the start
 /** @type {Record<Fate, string>} */
 const ANSWERS = {
@@ -31,12 +35,9 @@ const WORDS = {
   rest: [MOTION_NAMES.rest, 'ink', 'rest'], rocking: [MOTION_NAMES.symmetric, 'onRocks', 'rocks'],
   overturned: [MOTION_NAMES.overturned, 'onFalls', 'falls'], undecided: ['', 'ink', 'paper'],
 };
-const WORD = 44; // [px] half of the widest word
+const WORD = 48; // [px] half of the widest word
 const LEAST_ROOM = 10; // [px] of a region on each side of its word's middle
 const CLEAR = [28, 30]; // [px] from the middle of a word to the curve and the ring: across, up
-
-/** Return the state in the middle of a column or a row. @param {number} k */
-const middle = (k) => REACH * ((2 * k + 1) / SIDE - 1);
 
 /**
  * Return where the regions have most room for a word off a curve.
@@ -48,19 +49,19 @@ function regionWords(fates, { angle, velocity }, [far, high]) {
   // What words keep off: the curve and, at 1.5 times the distance, each other.
   const taken = Array.from(angle, (u, k) => [u, velocity[k], 1]);
   const clear = (/** @type {number} */ row, /** @type {number} */ column) => taken.every(([u, v, times]) =>
-    Math.abs(u - middle(column)) > times * far || Math.abs(v - middle(row)) > times * high);
+    Math.abs(u - TILTS[column]) > times * far || Math.abs(v - SPEEDS[row]) > times * high);
   return FATES.filter((fate) => fates.includes(fate)).map((fate) => {
-    const at = (/** @type {number} */ row, /** @type {number} */ column) => row >= 0 && row < SIDE
-      && column >= 0 && column < SIDE && fates[row * SIDE + column] === fate;
+    const at = (/** @type {number} */ row, /** @type {number} */ column) => row >= 0 && row < ROWS
+      && column >= 0 && column < COLUMNS && fates[row * COLUMNS + column] === fate;
     let best = { room: 0, row: 0, column: 0 };
-    for (let row = 0; row < SIDE; row++) {
-      for (let column = 0; column < SIDE; column++) {
+    for (let row = 0; row < ROWS; row++) {
+      for (let column = 0; column < COLUMNS; column++) {
         let half = 0;
         while (at(row, column - half) && at(row, column + half) && at(row - half, column) && at(row + half, column)) half++;
         if (half > best.room && clear(row, column)) best = { room: half, row, column };
       }
     }
-    taken.push([middle(best.column), middle(best.row), 1.5]);
+    taken.push([TILTS[best.column], SPEEDS[best.row], 1.5]);
     return { fate, ...best };
   });
 }
@@ -74,7 +75,7 @@ export function makeFates(app) {
   /** @type {Reel} */
   let reel;
   /** @type {(Fate | undefined)[]} */
-  const fates = new Array(SIDE * SIDE);
+  const fates = new Array(COLUMNS * ROWS);
   /** @type {ReturnType<typeof regionWords>} */
   let words = [];
   let placed = ''; // for which start and size they are
@@ -104,8 +105,8 @@ export function makeFates(app) {
     const left = wide + 44, high = height - 62, top = 26;
     const side = narrow ? high : Math.min(width - left - 10, high);
     plane = [left, top, width - left - 10, side];
-    const area = plane, across = (/** @type {number} */ u) => left + ((u / REACH + 1) / 2) * area[2];
-    const up = (/** @type {number} */ v) => top + ((1 - v / REACH) / 2) * side;
+    const area = plane, across = (/** @type {number} */ u) => left + ((u / WIDE + 1) / 2) * area[2];
+    const up = (/** @type {number} */ v) => top + ((1 - v / FAST) / 2) * side;
     drawFates(pen, area);
     pen.save();
     pen.beginPath();
@@ -131,14 +132,14 @@ export function makeFates(app) {
 
   /** @param {CanvasRenderingContext2D} pen @param {Area} area */
   const drawFates = (pen, [left, top, width, height]) => {
-    const { theme } = app, step = width / SIDE, tall = height / SIDE;
+    const { theme } = app, step = width / COLUMNS, tall = height / ROWS;
     for (const fate of FATES) {
       pen.beginPath();
-      for (let row = 0; row < SIDE; row++) {
-        for (let from = 0; from < SIDE; from++) {
-          if (fates[row * SIDE + from] !== fate) continue;
+      for (let row = 0; row < ROWS; row++) {
+        for (let from = 0; from < COLUMNS; from++) {
+          if (fates[row * COLUMNS + from] !== fate) continue;
           let to = from;
-          while (to < SIDE && fates[row * SIDE + to] === fate) to++;
+          while (to < COLUMNS && fates[row * COLUMNS + to] === fate) to++;
           pen.rect(left + from * step, top + height - (row + 1) * tall, (to - from) * step + 0.4, tall + 0.4);
           from = to;
         }
@@ -156,12 +157,13 @@ export function makeFates(app) {
     if (fates.includes(undefined)) return;
     const { su, sv } = app.state, now = [su, sv, width, height].join();
     if (now !== placed) {
-      words = regionWords(/** @type {Fate[]} */ (fates), reel, [width, height].map((size, k) => (2 * REACH * CLEAR[k]) / size));
+      const clear = [(2 * WIDE * CLEAR[0]) / width, (2 * FAST * CLEAR[1]) / height];
+      words = regionWords(/** @type {Fate[]} */ (fates), reel, clear);
       placed = now;
     }
     for (const { fate: each, column, row, room } of words) {
-      if ((room * width) / SIDE < LEAST_ROOM) continue;
-      const x = Math.min(left + width - WORD, Math.max(left + WORD, left + ((column + 0.5) / SIDE) * width)), y = top + (1 - (row + 0.5) / SIDE) * height;
+      if ((room * width) / COLUMNS < LEAST_ROOM) continue;
+      const x = Math.min(left + width - WORD, Math.max(left + WORD, left + ((column + 0.5) / COLUMNS) * width)), y = top + (1 - (row + 0.5) / ROWS) * height;
       const [word, role, over] = WORDS[each], how = { bold: true, align: /** @type {const} */ ('center'), role, over };
       write(pen, app.theme, word, x, y + 4, how);
     }
@@ -178,19 +180,19 @@ export function makeFates(app) {
   element('go-fates').addEventListener('click', player.play);
   dragOn(canvas, (x, y) => (inArea(plane, x, y, 4) ? 'start' : null), (_, x, y, done) => {
     const [left, top, width, height] = /** @type {Area} */ (plane);
-    const within = (/** @type {number} */ part) =>
-      Number(Math.max(-FARTHEST, Math.min(FARTHEST, (2 * part - 1) * REACH)).toFixed(3));
-    app.set({ su: within((x - left) / width), sv: within(1 - (y - top) / height) },
+    const within = (/** @type {number} */ part, /** @type {number} */ reach) =>
+      Number(Math.max(-FARTHEST, Math.min(FARTHEST, (2 * part - 1) * reach)).toFixed(3));
+    app.set({ su: within((x - left) / width, WIDE), sv: within(1 - (y - top) / height, FAST) },
       { settled: done, push: false });
   });
-  for (let row = 0; row < SIDE; row += ROWS) {
-    const places = Array.from({ length: ROWS * SIDE }, (_, k) => k);
+  for (let row = 0; row < ROWS; row += BATCH) {
+    const places = Array.from({ length: BATCH * COLUMNS }, (_, k) => k);
     const asked = {
-      alpha: block.alpha, angles: places.map((k) => middle(k % SIDE)),
-      velocities: places.map((k) => middle(row + Math.floor(k / SIDE))),
+      alpha: block.alpha, angles: places.map((k) => TILTS[k % COLUMNS]),
+      velocities: places.map((k) => SPEEDS[row + Math.floor(k / COLUMNS)]),
     };
     app.pool.ask('stateFates', asked, { key: `story:fates${row}`, priority: 2 }).then((found) => {
-      found.forEach((/** @type {Fate} */ each, /** @type {number} */ k) => { fates[row * SIDE + k] = each; });
+      found.forEach((/** @type {Fate} */ each, /** @type {number} */ k) => { fates[row * COLUMNS + k] = each; });
       if (!fates.includes(undefined)) tell();
       view.ask();
     });
