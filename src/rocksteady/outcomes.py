@@ -164,6 +164,26 @@ def motion_words(kind: AttractorKind, period: int | None) -> str:
     return f"rocks, alike every {ORDINALS.get(period, f'{period}th')} shake"
 
 
+def motion_verb(kind: AttractorKind, period: int | None) -> str:
+    """Return what stands after "it" in a sentence.
+
+    Examples
+    --------
+    >>> motion_verb(AttractorKind.UNSYMMETRIC, 1), motion_verb(AttractorKind.SYMMETRIC, 3)
+    ('rocks with the shaking, further to one side', 'rocks, alike every third shake')
+    """
+    words = motion_words(kind, period)
+    if period == 1:
+        words = words.replace("rocks", "rocks with the shaking")
+    return _VERBS.get(kind, words)
+
+
+_VERBS = {
+    AttractorKind.APERIODIC: "rocks and never repeats",
+    AttractorKind.UNDECIDED: "is not decided",
+}
+
+
 class Event(_Outcome, IntEnum):
     """Event that ends a passage of the return map, with the codes of its kernel.
 

@@ -21,8 +21,13 @@ LIFTED = State(angle=0.5, velocity=0.0)
 @every(
     ("motion", "start", "sentence", "known"),
     [
-        (SYMMETRIC, Rest(), "It settles to a symmetric steady motion, up to ", True),
-        (UNSYMMETRIC, Rest(), "It settles to an unsymmetric steady motion, from ", True),
+        (SYMMETRIC, Rest(), "It rocks with the shaking, and leans ", True),
+        (
+            UNSYMMETRIC,
+            Rest(),
+            "It rocks with the shaking, further to one side, and leans from ",
+            True,
+        ),
         (WEAK, Rest(), "It never lifts under the motion.", False),
         (WEAK, LIFTED, "It comes to rest, and the motion does not lift it again.", True),
         (STRONG, Rest(), "It falls: from this start (rest) it reaches no steady motion.", False),

@@ -88,7 +88,7 @@ def test_what_does_not_settle_is_explained() -> None:
 
 @every(
     ("frequency", "names"),
-    [(4.2, ["symmetric"]), (1.9, ["falls", "unsymmetric a", "unsymmetric b"])],
+    [(4.2, ["rocks"]), (1.9, ["falls", "rocks a", "rocks b"])],
 )
 def test_a_letter_distinguishes_mirror_images_alone(frequency: float, names: list[str]) -> None:
     motion, near = Harmonic(amplitude=2.0, frequency_ratio=frequency), [-0.05, 0.0, 0.05]

@@ -14,7 +14,7 @@ from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.dynamics.steady.verdicts import BEYOND
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import case_text, tilt_text
-from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
+from rocksteady.outcomes import INFINITELY_MANY, NEVER_LIFTS, AttractorKind, motion_verb
 from rocksteady.results.datasets import ColumnWords, padded, variables_of
 from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import angle, number, number_or_none, plural, quantity
@@ -145,26 +145,24 @@ def _settles(attractor: Attractor) -> str:
     """Return what a motion settles to, in a sentence."""
     kind, orbit, start = attractor.kind, attractor.orbit, start_text(attractor.initial)
     if orbit is not None:
-        article = "an" if kind is AttractorKind.UNSYMMETRIC else "a"
-        period = f" of period {orbit.period}" if orbit.period > 1 else ""
         if orbit.symmetric:
-            reach = f"up to {tilt_text(orbit.block, orbit.highest)}"
+            reach = f"{tilt_text(orbit.block, orbit.highest)} at most"
         elif isinstance(orbit.block, Block):
             ends = [angle(u * orbit.block.alpha) for u in (orbit.highest, orbit.lowest)]
             reach = f"from {ends[0]} to {ends[1]}"
         else:
             reach = f"from {number(orbit.highest)} to {number(orbit.lowest)} alpha"
-        return f"It settles to {article} {kind.value} steady motion{period}, {reach}."
+        return f"It {motion_verb(kind, orbit.period)}, and leans {reach}."
     if kind is AttractorKind.UNDECIDED:
         return f"Undecided: {attractor.reason}."
     if kind is AttractorKind.OVERTURNED:
         return f"It falls: from this start ({start}) it reaches no steady motion."
     if kind is AttractorKind.REST:
         if isinstance(attractor.initial, Rest) and not attractor.after:
-            return "It never lifts under the motion."
-        return "It comes to rest, and the motion does not lift it again."
+            return f"It {NEVER_LIFTS} under the motion."
+        return f"It {kind.plain}, and the motion does not lift it again."
     grows = number(math.exp(attractor.lyapunov))
-    return f"It rocks on and never repeats: a small difference grows {grows}-fold a period."
+    return f"It {motion_verb(kind, None)}: a small difference grows {grows}-fold a period."
 
 
 def _period(orbit: Orbit | None) -> str:

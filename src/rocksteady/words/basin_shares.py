@@ -26,6 +26,7 @@ from rocksteady.words.windows import (
     FEW,
     MOST_BASINS,
     axis_facts,
+    basin_name,
     coordinates_of,
     ends_text,
     window_text,
@@ -239,8 +240,9 @@ def over_answer(shares: BasinShares, families: Sequence[Row]) -> tuple[str, list
     rows = []
     for each in ranked[:MOST_BASINS]:
         where = "" if each["values"] == len(shares.values) else _where(each, symbol)
-        name = "comes to rest" if each["name"] == "rest" else each["name"]
-        rows.append(line(name, _range(each) + where))
+        typical = shares.families[each["label"]].typical
+        does, further = basin_name(typical.kind, typical.period, each["name"])
+        rows.append(line(does, ", ".join([_range(each), *[further] * bool(further)]) + where))
     left = len(ranked) - len(rows)
     facts = [
         *rows,

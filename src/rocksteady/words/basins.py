@@ -27,6 +27,7 @@ from rocksteady.words.windows import (
     BETWEEN,
     MOST_BASINS,
     axis_facts,
+    basin_name,
     coordinates_of,
     ends_text,
     fraction_described,
@@ -128,12 +129,13 @@ def basins_answer(basins: Basins) -> tuple[str, list[Fact]]:
     rows = []
     for each, share in pairs[:MOST_BASINS]:
         words, orbit = [f"{100.0 * share:.1f} %"], each.orbit
+        does, further = basin_name(each.kind, each.period, each.name)
         if basins.seed is not None:
             part = basins.fractions()[each.label]
             words[0] += f" (90 %: {100.0 * part.low:.1f} to {100.0 * part.high:.1f} %)"
         if orbit is not None:
-            words += [f"period {orbit.period}", f"tilt {tilt_text(basins.block, _reach(orbit))}"]
-        rows.append(line(_name(each), ", ".join(words)))
+            words += [further] * bool(further) + [f"tilt {tilt_text(basins.block, _reach(orbit))}"]
+        rows.append(line(does, ", ".join(words)))
     left = pairs[MOST_BASINS:]
     total = sum(share for _, share in left)
     beyond = sum(each.orbit is not None and beyond_alpha(each.orbit) for each in basins.attractors)
@@ -158,13 +160,6 @@ def _open(attractor: BasinAttractor) -> bool:
 def _reach(orbit: Orbit) -> float:
     """Return the largest tilt of an orbit."""
     return float(max(orbit.highest, -orbit.lowest))
-
-
-def _name(attractor: BasinAttractor) -> str:
-    """Return a basin in a word, with the letter that distinguishes mirror images."""
-    plain = {AttractorKind.OVERTURNED: "falls", AttractorKind.REST: "comes to rest"}
-    letter = attractor.name[-1] if attractor.orbit and attractor.name[-1].isalpha() else ""
-    return f"{plain.get(attractor.kind, attractor.kind.value)} {letter}".strip()
 
 
 def basins_dataset(basins: Basins) -> "xarray.Dataset":

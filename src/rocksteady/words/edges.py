@@ -17,6 +17,7 @@ from rocksteady.model.facts import (
     other_kick_text,
     solved_text,
 )
+from rocksteady.outcomes import AttractorKind, motion_verb
 from rocksteady.results.description import Column, Description, Fact, Table, line
 from rocksteady.results.numbers import DIGITS, number, number_or_none, plural
 from rocksteady.results.result import describes
@@ -93,8 +94,7 @@ def describe_edge(edge: EdgeState) -> Description:
 
 def _edge_answer(edge: EdgeState) -> tuple[str, list[Fact]]:
     """Return the least kick or a state of the edge, and the motion there."""
-    plain = {"rest": "comes to rest"}
-    first, second = (plain.get(each, each.replace("overturned", "falls")) for each in edge.outcomes)
+    first, second = (_end(each) for each in edge.outcomes)
     start = "rest" if _pair(edge.start) == [0.0, 0.0] else _text(edge.start)
     if edge.kick is None:
         words = f"the edge between both starts passes {_state(edge.boundary)}"
@@ -123,6 +123,15 @@ def _edge_answer(edge: EdgeState) -> tuple[str, list[Fact]]:
             line("computed", f"{edge.model.name}; {edge.bisections} outcomes over {periods}"),
         ],
     )
+
+
+def _end(outcome: str) -> str:
+    """Return what a start comes to, after "it"."""
+    kind, _, period = outcome.partition(" orbit of period ")
+    if period:
+        return motion_verb(AttractorKind(kind), int(period))
+    kind, _, side = outcome.partition(" ")
+    return f"{AttractorKind(kind).plain} {side}".strip()
 
 
 def _other_way(edge: EdgeState, digits: int = DIGITS) -> str:

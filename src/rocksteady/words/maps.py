@@ -7,6 +7,7 @@ from rocksteady.dynamics.maps.cell_classes import map_counts
 from rocksteady.dynamics.parameters import AXES
 from rocksteady.model.blocks.gravity import in_g
 from rocksteady.model.blocks.housner_forms import ratio_words
+from rocksteady.outcomes import AttractorKind, motion_verb
 from rocksteady.results.description import Description, Fact, line
 from rocksteady.results.numbers import angle, length, number, plural, quantity, share
 from rocksteady.sweep.cases.facts import cell_count, count_table, grid_facts
@@ -32,6 +33,13 @@ SHORT = {
 """Symbols and units of axes."""
 ROCKING = ("rocking", "symmetric", "unsymmetric", "subharmonic", "aperiodic")
 """Classes of cells that rock on."""
+MOTIONS = {
+    "symmetric": motion_verb(AttractorKind.SYMMETRIC, 1).removeprefix("rocks "),
+    "unsymmetric": AttractorKind.UNSYMMETRIC.plain.removeprefix("rocks, "),
+    "subharmonic": "alike every n-th shake",
+    "aperiodic": AttractorKind.APERIODIC.plain,
+}
+"""What such a cell does, after "rocks"."""
 FEW = 1e-3
 """Share of undecided cells that is no failure."""
 START = ("start", "branch", "order", "side", "kick", "angle", "velocity")
@@ -60,13 +68,11 @@ def describe_map(dataset: "Labelled") -> Description:
         parts = ", ".join(f"{count:,} {kind}" for kind, count in longer.items())
         notes.append(f"subharmonic: of period 2 or longer, {parts}")
     table = count_table(counts, cells=cells, heading=name)
-    sentence, screen = _answer(dataset, counts, longer, cells)
+    sentence, screen = _answer(dataset, counts, cells)
     return Description(headline(dataset), [*screen, *facts], [table], notes, sentence)
 
 
-def _answer(
-    dataset: "Labelled", counts: "dict[str, int]", longer: "dict[str, int]", cells: int
-) -> tuple[str, list[Fact]]:
+def _answer(dataset: "Labelled", counts: "dict[str, int]", cells: int) -> tuple[str, list[Fact]]:
     """Return in which share of a map the block falls, rocks and comes to rest."""
     given = dataset.attrs
     falls, rests = counts["overturned"], counts.get("rest", 0) + counts.get("at-rest", 0)
@@ -86,11 +92,10 @@ def _answer(
     sentence = f"from {start} it {words}{one_body}."
     late = undecided > FEW * cells
     sentence = f"Undecided in {share(undecided, cells)}; {sentence}" if late else sentence
-    subharmonic = f"period 2 or more {share(moving['subharmonic'], cells)}" if longer else ""
     kinds = [
-        f"{word} {share(count, cells)}" if word != "subharmonic" else subharmonic
+        f"{MOTIONS[word]} {share(count, cells)}"
         for word, count in moving.items()
-        if count and word != "rocking"
+        if count and word in MOTIONS
     ]
     restitution = f"{ratio_words(given['restitution'])}, " if "restitution" in given else ""
     model = f"{_model(dataset)}; {restitution}{_cycles(dataset):,} periods at most"

@@ -113,7 +113,7 @@ def orbit_facts(orbit: Orbit) -> list[Fact]:
     values, block = orbit_values(orbit), orbit.block
     period = "1 forcing period"
     if orbit.period > 1:
-        period = f"{orbit.period} forcing periods, subharmonic"
+        period = f"{orbit.period} forcing periods"
     if isinstance(block, Block):
         period += f", {quantity(orbit.period / orbit.motion.frequency_hz(block), 's')}"
     impacts = "infinitely many in a period"

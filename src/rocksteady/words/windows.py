@@ -9,6 +9,7 @@ from rocksteady.dynamics.basins.over.shares import BasinShares
 from rocksteady.dynamics.basins.window import LONG_NAMES
 from rocksteady.model.checks.confidence import CONFIDENCE_TEXT
 from rocksteady.model.facts import lean_text
+from rocksteady.outcomes import AttractorKind, motion_words
 from rocksteady.results.description import Column, Description, Fact
 from rocksteady.results.numbers import chance, number
 
@@ -32,6 +33,21 @@ def shares_sentence(ends: Iterable[tuple[str, float]], undecided: float) -> str:
         parts = [f"all {verb}" for verb, share in shares.items() if share]
     words = ", ".join(parts[:-1]) + f" and {parts[-1]}" if len(parts) > 1 else parts[0]
     return f"{'Undecided: of' if undecided > FEW else 'Of'} these starts {words}."
+
+
+def basin_name(kind: AttractorKind, period: int | None, name: str) -> tuple[str, str]:
+    """Return what a basin's motion does, for a row, and the rest of the name of that motion.
+
+    Parameters
+    ----------
+    kind, period
+        Of the motion.
+    name
+        The basin's own, whose letter distinguishes mirror images.
+    """
+    does, _, further = motion_words(kind, period).partition(", ")
+    letter = f" {name[-1]}" if period and name[-1].isalpha() else ""
+    return does + letter, further
 
 
 def ends_text(result: Windowed) -> str:

@@ -13,7 +13,7 @@ from rocksteady.formulas import steady_states
 from rocksteady.kernels.orbits.closed_form import symmetry_breaking
 from rocksteady.kernels.orbits.settle import UNSETTLED
 from rocksteady.orbits import Attractor
-from rocksteady.outcomes import AttractorKind
+from rocksteady.outcomes import AttractorKind, motion_verb
 from tests.dynamics.kicks import apart
 from tests.dynamics.recurrence import seen
 from tests.dynamics.settling import Start, is_an_orbit_that_attracts, settled
@@ -130,8 +130,8 @@ def test_the_period_doubles_where_the_reference_has_it() -> None:
         assert one.orbit.impacts == 2 * (one.period or 0)
         assert one.kind is AttractorKind.UNSYMMETRIC
         answer = one.describe()
-        words = f" of period {one.period}" if one.period != 1 else ""
-        assert answer.sentence.startswith(f"It settles to an unsymmetric steady motion{words}, ")
+        words = motion_verb(one.kind, one.period)
+        assert answer.sentence.startswith(f"It {words}, and leans from ")
     for side in (1, -1):
         gone = settled(2.0, 1.77, 0.8, start=Steady(), side=side)
         assert gone.kind is AttractorKind.OVERTURNED

@@ -168,15 +168,15 @@ one_sided = partial(
 order = partial(
     motion_flag,
     "--order -n N",
-    "Set the half periods of the shaking in one half cycle, odd: 1 harmonic, 3 the 1/3 "
-    "subharmonic.",
+    "Set the half periods of the shaking in one half cycle, odd: 1 rocks with the shaking, 3 "
+    "alike every third shake.",
     default=1,
 )
 orders = partial(
     motion_flag,
     "--order -n N",
-    "Set the half periods of the shaking in one half cycle, odd: 1 harmonic (default), 3 "
-    "the 1/3 subharmonic; may be repeated.",
+    "Set the half periods of the shaking in one half cycle, odd: 1 (default) rocks with the "
+    "shaking, 3 alike every third shake; may be repeated.",
 )
 start = partial(
     start_flag,

@@ -43,9 +43,9 @@ def peaks_of(page: Page) -> tuple[str, float]:
 
 
 @pytest.mark.slow
-def test_rest_and_the_harmonic_motion_coexist_at_a_glance(explorer: Explorer) -> None:
+def test_that_the_start_decides_is_seen_at_a_glance(explorer: Explorer) -> None:
     page = explorer.open({"A": 0.8, "W": 2})
-    assert "Two motions coexist" in swept(page)
+    assert "How it begins decides at" in swept(page)
     page.locator(f"{STRIP} .tabled > summary").click()
     until(page, TABLED, STRIP)
     rows = page.locator(f"{STRIP} tbody tr").all_inner_texts()
@@ -119,7 +119,7 @@ def test_the_point_is_dragged_along_the_strip_and_stays_in_its_row(explorer: Exp
 @pytest.mark.slow
 def test_the_stable_subharmonic_is_one_click_away(explorer: Explorer) -> None:
     page = explorer.open({"A": 2, "W": 6})
-    assert "1/3 subharmonic is stable" in swept(page)
+    assert "it rocks, alike every third shake" in swept(page)
     box = box_of(page)
     x = box["x"] + 0.7 * box["width"]
     for share in np.arange(0.85, 0.2, -0.02):

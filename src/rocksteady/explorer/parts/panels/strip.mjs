@@ -11,6 +11,7 @@ import { make, say } from '../shell/layout.mjs';
 import { caseOf, startText } from '../shell/state.mjs';
 import { tableOf } from '../shell/tables.mjs';
 import { pageUnits } from '../shell/units.mjs';
+import { MOTION_NAMES, motionName } from '../words.mjs';
 import { FOLLOWED_KEYS, followedOf } from './point/followed.mjs';
 import { drawStrip } from './stripdrawing.mjs';
 import { dotAngles, placeInSweep, sameStep, stripLine, stripUnits } from './stripline.mjs';
@@ -174,8 +175,8 @@ export function makeStripPanel(app) {
     return places;
   }
 
-  /** Where the 1/3 subharmonic is stable, which sweeps need not meet. */
-  function subharmonicText() {
+  /** Where motions alike every third shake are stable, which sweeps need not meet. */
+  function thirdText() {
     const third = closed?.curves.find(({ order, branch }) => order === 3 && branch === 1);
     if (!closed || !third || closed.key !== wanted) return '';
     const { x, unit, symbol } = stripUnits(app, app.state);
@@ -184,18 +185,18 @@ export function makeStripPanel(app) {
     const [first, last] = [there[0], there[there.length - 1]].map((value) => numeral(value * x, 3));
     const where = first === last ? `at ${symbol} = ${first}`
       : `for ${symbol} from ${first} to ${last}`;
-    return ` A 1/3 subharmonic is stable ${where}${unit && ` ${unit}`}: click its line to see it.`;
+    return ` From some starts it ${motionName({ kind: 'symmetric', period: 3 })}, ${where}${unit && ` ${unit}`}: click that line.`;
   }
 
   function differenceText() {
     const places = differingPlaces();
     if (!run || !places.length) {
-      return `Both sweeps meet the same motions wherever neither falls.${subharmonicText()}`;
+      return `Both sweeps meet the same motions wherever neither falls.${thirdText()}`;
     }
     const [first, last] = [places[0], places[places.length - 1]].map((place) => valueText(place));
     const where = first === last ? `at ${first}` : `between ${first} and ${last}`;
-    return `Two motions coexist at ${places.length} of ${STRIP_VALUES} values ${where}: `
-      + `the sweeps differ there.${subharmonicText()}`;
+    return `How it begins decides at ${places.length} of ${STRIP_VALUES} values ${where}: `
+      + `the sweeps differ there.${thirdText()}`;
   }
 
   /** @param {number} place */
@@ -222,7 +223,7 @@ export function makeStripPanel(app) {
     const { y, angleUnit } = stripUnits(app, app.state);
     const high = numeral(peaks[step].reduce((most, u) => Math.max(most, Math.abs(u)), 0) * y, 3);
     const peak = `peak ${high}${angleUnit}`;
-    return kind === 'aperiodic' ? `${kind}, ${peak}` : `${kind}, period ${periods[step]}, ${peak}`;
+    return `${motionName({ kind, period: periods[step] })}, ${peak}`;
   }
 
   function sentence() {
@@ -233,7 +234,7 @@ export function makeStripPanel(app) {
       /** @type {Map<string, number>} */
       const counts = new Map();
       for (const kind of sweep.kinds) counts.set(kind, (counts.get(kind) ?? 0) + 1);
-      const list = [...counts].map(([kind, count]) => `${kind} ${count}`).join(', ');
+      const list = [...counts].map(([kind, count]) => `${MOTION_NAMES[kind]} at ${count}`).join('; ');
       return `${sweep.way}ward from ${sweep.from}: ${list || 'not computed'}`;
     });
     return `Peaks of the flights over ${ends} at ${fixed}. Of ${STRIP_VALUES} values, `

@@ -9,6 +9,7 @@ import { classSwatch, fillClass } from '../draw/classes.mjs';
 import { frame } from '../draw/frame.mjs';
 import { clipped, curve, drawMark, lineLabel, rule } from '../draw/marks.mjs';
 import { mixed } from '../draw/theme.mjs';
+import { motionWords } from '../words.mjs';
 
 const STRIP_LANE = 9; // [px]
 const STRIP_DOTS = [2.6, 1.7]; // radius [px]: the larger of the upward sweep shows around the other
@@ -17,7 +18,6 @@ const STRIP_HANDLE = 9; // [px] above the box
 const FLOW_LINE = 16, FLOW_SWATCH = 16;
 /** Fates that have no dots of their own, in lanes along the upper edge. @type {MotionClass[]} */
 const STRIP_FATES = ['overturned', 'rest', 'undecided'];
-const ORDER_WORDS = { 1: 'harmonic', 3: '1/3 subharmonic' };
 
 /**
  * An entry of a legend in rows.
@@ -118,7 +118,7 @@ function labelClosed(pen, onto, { closed, units }) {
   for (const { order, branch, peaks, stable } of closed.curves) {
     if (branch !== 1 || !stable.some((holds) => holds)) continue;
     const ys = Float64Array.from(peaks, (peak, k) => (stable[k] ? peak * units.y : NaN));
-    const text = ORDER_WORDS[/** @type {1 | 3} */ (order)];
+    const text = motionWords({ kind: 'symmetric', period: order }).replace(/^rocks,? /, '');
     const part = order === 1 ? 0.3 : 0.6; // apart where the curves are close
     lineLabel(pen, onto, xs, ys, text,
       { colour: orderColour(onto.theme, order), part, above: 12 });

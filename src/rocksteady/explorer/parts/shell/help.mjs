@@ -17,7 +17,7 @@ const PANEL_WORDS = {
   section: 'the state once a period; a periodic motion is a few points',
   multipliers: 'Floquet multipliers; inside the unit circle the motion is stable',
   strip: 'what the block settles to along the row or the column of the point, in an upward and a '
-    + 'downward sweep; where they differ, two motions coexist',
+    + 'downward sweep; where they differ, how it begins decides',
   basins: 'where the block goes from each initial state; drag a state to see its motion',
   pulse: 'whether a single pulse fells the block, and after how many impacts',
   pulsehistory: 'base motion and angle under the pulse at the point',
@@ -40,13 +40,13 @@ const DRAG_WORDS = [
  * @type {readonly (readonly [words: string, patch: Record<string, string | number>])[]}
  */
 const EXAMPLES = [
-  ['Harmonic rocking', {}],
-  ['Rest or rocking: two motions coexist', { A: 0.8, W: 2 }],
-  ['Period 1 or period 3', { A: 2, W: 6 }],
-  ['Symmetry is lost: the block leans', { A: 2, W: 2, r: 0.5 }],
-  ['Aperiodic rocking', { A: 2.13, W: 1.95, r: 0.3 }],
+  ['It rocks with the shaking', {}],
+  ['It comes to rest or rocks: how it begins decides', { A: 0.8, W: 2 }],
+  ['It rocks alike every shake, or every third', { A: 2, W: 6 }],
+  ['It rocks further to one side', { A: 2, W: 2, r: 0.5 }],
+  ['It never repeats', { A: 2.13, W: 1.95, r: 0.3 }],
   ['Nonlinear equations, a stocky block', { model: 'nonlinear', b: 0.8, h: 1.6, units: 'si' }],
-  ['Basins of rest and rocking', { tab: 'basins', A: 0.8, W: 2, start: '0.4,0' }],
+  ['Starts that come to rest, rock or fall', { tab: 'basins', A: 0.8, W: 2, start: '0.4,0' }],
   ['One pulse: two ways to fall', { tab: 'pulse' }],
   ['A tall rack in an earthquake', { tab: 'quake', b: 0.8, h: 5 }],
   ['The size of a cabinet', { tab: 'design', b: 0.6, h: 1.8 }],

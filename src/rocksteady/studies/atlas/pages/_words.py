@@ -3,17 +3,6 @@
 from collections.abc import Sequence
 
 
-def family_name(order: int) -> str:
-    """Return what the motions of a family are called.
-
-    Examples
-    --------
-    >>> family_name(1), family_name(3)
-    ('harmonic motions', '1/3 subharmonic motions')
-    """
-    return "harmonic motions" if order == 1 else f"1/{order} subharmonic motions"
-
-
 def percent(share: float) -> str:
     r"""Return a share in percent, with three figures, as far as a picture could show it.
 

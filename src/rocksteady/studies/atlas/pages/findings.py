@@ -283,7 +283,7 @@ def rest_sentences(result: FromRest, harmonic: FamilyMap | None) -> list[str]:
         safe = harmonic.stable(result.plane.amplitudes)
         fallen = (result.overturned > 0.0) & safe
         texts.append(
-            "A stable harmonic motion does not mean that a block reaches it: in "
+            "A stable motion with the shaking does not mean that a block reaches it: in "
             f"{percent(float(fallen.sum() / max(int(safe.sum()), 1)))} of the cells that have one "
             "of n = 1, unsymmetric and doubled ones included, it overturns from rest at some phase."
         )

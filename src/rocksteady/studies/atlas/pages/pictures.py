@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.arrays import Floats
+from rocksteady.outcomes import AttractorKind, motion_verb
 from rocksteady.show.style import palette
 from rocksteady.show.style.areas import area_style, swatch
 from rocksteady.show.style.tokens import DASHED, Inks, inks_of, mixed
@@ -27,7 +28,6 @@ from rocksteady.studies.atlas.pages._marks import (
     prepare,
     shades,
 )
-from rocksteady.studies.atlas.pages._words import family_name
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -90,7 +90,7 @@ def draw_families(
         rows = figure.subplots(len(families), 1, squeeze=False)[:, 0]
         inks = inks_of(rows[0])
         for axes, family in zip(rows, families, strict=True):
-            title = f"n = {family.order}: {family_name(family.order)}"
+            title = f"n = {family.order}: {motion_verb(AttractorKind.SYMMETRIC, family.order)}"
             prepare(axes, plane, title=title, bottom=axes is rows[-1])
             edges = family.edges
             _draw_bands(axes, plane, edges)
@@ -116,7 +116,7 @@ def draw_families(
 def draw_coexistence(
     result: Coexistence, families: Sequence[FamilyMap], lines: Sequence[Line]
 ) -> "Figure":
-    """Draw the number of motions, and the regions of motions that are not harmonic."""
+    """Draw the number of motions, and the regions of those that do not rock with the shaking."""
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
 
@@ -133,7 +133,7 @@ def draw_coexistence(
         handles: list[Artist] = [swatch(inks, "falls", "0: falls")]
         handles += [filled(inks, colours[count], str(count)) for count in range(1, most + 1)]
         upper.legend(handles=handles, **BESIDE)
-        prepare(lower, plane, title="Where motions other than the plain harmonic one were found")
+        prepare(lower, plane, title="Where motions other than rocking with the shaking were found")
         three = result.having(lambda kind: kind.period == 3)
         five = result.having(lambda kind: kind.period == 5)
         codes = np.where(three | five, three + 2.0 * five - 1.0, np.nan)
@@ -239,7 +239,7 @@ def _magnify(axes: "Axes", family: FamilyMap, lines: Sequence[Line]) -> None:
         plane.ratios[column - 1 : column + 2]
     )
     height = limit - doubled
-    # At the right of the harmonic motions and at the left of the others nothing is in the way.
+    # At the right of the family of n = 1 and at the left of the others nothing is in the way.
     place = (0.66, 0.2, 0.3, 0.62) if family.order == 1 else (0.06, 0.42, 0.26, 0.5)
     inset = axes.inset_axes(place)
     _draw_bands(inset, plane, edges)

@@ -14,6 +14,7 @@ import { PULSES } from '../../kernels/pulses.mjs';
 import { evaluate, rectangleOf } from '../../physics/case.mjs';
 import { DESIGN_FATE } from '../../physics/demand/design.mjs';
 import { equationsOf } from '../../shell/state.mjs';
+import { NEVER_LIFTS } from '../../words.mjs';
 import { buttonEntry, choiceEntry, numberEntry } from '../entries.mjs';
 import { axisOf, partOn, valueOn } from '../plane/axis.mjs';
 import { makePlane } from '../plane/plane.mjs';
@@ -159,7 +160,7 @@ export function makeDesignPanel(app) {
       return [...steps, overturns];
     }
     return [
-      { words: 'does not lift', look: looks[DESIGN_LOOK.rests] },
+      { words: NEVER_LIFTS, look: looks[DESIGN_LOOK.rests] },
       { words: `safe: peak ≤ ${numeral(100 * limit, 3)} % of α`, look: looks[DESIGN_LOOK.safe] },
       { words: 'stands, peak beyond', look: looks[DESIGN_LOOK.beyond] }, overturns,
       ...(app.state.rh === 1 ? [{ words: 'too stocky to rock', look: looks[DESIGN_LOOK.impossible] }] : []),

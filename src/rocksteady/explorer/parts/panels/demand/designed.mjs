@@ -134,7 +134,7 @@ export function makeDesignedPanel(app) {
       const each = neighbours.find((one) => one.change === change);
       if (!each) return make('td');
       const words = each.fate !== DESIGN_FATE.stands ? fateWord(each.fate)
-        : each.peak ? `stands, ${numeral(100 * each.peak, 3)} % of α` : 'does not lift';
+        : each.peak ? `stands, ${numeral(100 * each.peak, 3)} % of α` : NEVER_LIFTS;
       return make('td', { class: isFallen(each.fate) === isFallen(fate) ? '' : 'other' }, words);
     };
     const names = neighbours.map(({ change }) => change.replace(/ [−+].*/, ''));

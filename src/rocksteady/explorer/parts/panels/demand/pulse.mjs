@@ -19,6 +19,7 @@ import { buttonEntry, choiceEntry, numberEntry } from '../entries.mjs';
 import { axisOf } from '../plane/axis.mjs';
 import { makePlane } from '../plane/plane.mjs';
 import { drawFates } from './key.mjs';
+import { NEVER_LIFTS } from '../../words.mjs';
 import { impactWords, sideWords, unitsOf } from './words.mjs';
 
 const PULSE_KEYS = /** @type {const} */ ({ x: ['pw0', 'pw1'], y: ['pa0', 'pa1'] });
@@ -131,7 +132,7 @@ export function makePulsePanel(app) {
     const modes = PULSE_MODES.map((words, k) => ({ words, look: looks[PULSE_LOOK.first + 2 * k] }));
     return [...modes, { words: 'falls to the right', look: looks[PULSE_LOOK.first + 1] },
       { words: 'stands', look: looks[PULSE_LOOK.stands] },
-      { words: 'does not lift', look: looks[PULSE_LOOK.rests] }];
+      { words: NEVER_LIFTS, look: looks[PULSE_LOOK.rests] }];
   };
 
   /** @type {Panel} */

@@ -7,6 +7,7 @@
 import { MOTION_CLASSES, classLook, lookSwatch } from '../../draw/classes.mjs';
 import { mixed } from '../../draw/theme.mjs';
 import { MAP_KIND } from '../../physics/tiles.mjs';
+import { motionName } from '../../words.mjs';
 
 /** @typedef {'kind' | 'period' | 'peak'} MapColouring */
 
@@ -120,7 +121,7 @@ export function cellWords(cell, angle, words) {
   }
   const shape = kind === MAP_KIND.symmetric ? 'symmetric' : 'unsymmetric';
   const many = impacts < 0 ? 'chatter' : `${impacts} impacts`;
-  return `${shape}, period ${period}, ${many}, peak ${angle(peakOf(highest, lowest))}`;
+  return `${motionName({ kind: shape, period })}, ${many}, peak ${angle(peakOf(highest, lowest))}`;
 }
 
 /**

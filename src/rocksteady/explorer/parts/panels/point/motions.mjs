@@ -1,4 +1,4 @@
-// Which motions coexist at the point: asked of the workers, named, and told in a sentence.
+// What the block can do at the point: asked of the workers, named, and told in a sentence.
 
 import { coexistingOf, sameEnding, startOn } from '../../physics/coexisting.mjs';
 import { caseOf, equationsOf } from '../../shell/state.mjs';
@@ -188,7 +188,7 @@ export function motionPeak({ highest, lowest }) {
  * @param {Motions} motions
  */
 export function motionsSentence(app, block, { fault, found, given }) {
-  if (fault) return `Which motions coexist here is not known: ${fault}.`;
+  if (fault) return `What it can do here is not known: ${fault}.`;
   const words = found.map((motion, k) => {
     const peak = motionPeak(motion), { kind, twin } = motion;
     if (kind === 'undecided') {

@@ -1,4 +1,4 @@
-// The headline of the point: which motions coexist, what the block comes to, and its numbers.
+// The headline of the point: what the block can do there, what it comes to, and its numbers.
 
 import { classSwatch } from '../../draw/classes.mjs';
 import { numeral } from '../../draw/scale.mjs';
@@ -58,7 +58,7 @@ export function makeReadoutPanel(app) {
       const exact = presentMotions(app), motions = exact ?? app.shared.motions;
       if (settled || FOLLOWED_KEYS.some((key) => changed.has(key))) dragged = !settled;
       parts.stale(!exact && !dragged);
-      if (!motions) parts.sentence('Looking for the motions that coexist here …');
+      if (!motions) parts.sentence('Looking for what it can do here …');
       else {
         const key = `${motions.key} ${state.units}`, { block, attractor } = followed;
         parts.sentence(motionsSentence(app, block, motions));
@@ -79,7 +79,7 @@ export function makeReadoutPanel(app) {
 }
 
 /**
- * What is shown of a motion that coexists.
+ * What is shown of a motion.
  * @typedef {object} Chip
  * @property {Coexisting} motion
  * @property {string} name
@@ -209,7 +209,7 @@ function numbersOf(app, { attractor, history, given, block }) {
   };
   const degrees = (/** @type {number} */ u) =>
     (si ? `${numeral((u * block.alpha * 180) / Math.PI, 4)}°` : `${numeral(u)} α`);
-  put('kind', 'settles to', attractor.kind);
+  put('kind', 'motion', attractor.kind, motionName(attractor));
   put('period', 'period', attractor.period, si && attractor.period
     ? `${numeral((attractor.period * FULL_TURN) / (given.frequencyRatio * block.p))} s` : '');
   put('highest', 'highest', attractor.highest, degrees(attractor.highest ?? 0));
@@ -244,7 +244,7 @@ function numbersOf(app, { attractor, history, given, block }) {
  */
 function readoutElements(body, choose) {
   const sentence = make('p', { class: 'headline', 'data-name': 'motions' });
-  const group = { class: 'chips', role: 'group', 'aria-label': 'motions that coexist here' };
+  const group = { class: 'chips', role: 'group', 'aria-label': 'what it can do here' };
   const chips = make('div', group);
   const words = make('summary', { 'data-name': 'outcome' });
   const list = make('dl', { class: 'numbers' });
