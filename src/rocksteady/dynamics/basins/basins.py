@@ -288,7 +288,8 @@ def compute_basins(
     angles, velocities
         u = theta/alpha, shape (n,), and du/d(pt), shape (m,), evenly spaced; by default the middles
         of 144 cells up to 1.2 and of 108 up to 1.5 on either side, the window of the explorer's
-        page (of unlike sides in the units of the larger).  Against a wall, angles of 0 or above.
+        page; where the sides differ, in the units of the larger.  Against a wall, angles of 0 or
+        above.
     max_cycles
         Forcing periods after which a motion counts as aperiodic or undecided (default 500).
     seed

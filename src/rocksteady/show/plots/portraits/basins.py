@@ -69,7 +69,7 @@ def plot_basins(
     ...     compute_basins(DimensionlessBlock(restitution=0.8), shaking), Figure().add_subplot()
     ... )
     >>> [text.get_text() for text in axes.get_legend().get_texts()]
-    ['falls  92.8 %', 'unsymmetric-1a  3.4 %', 'unsymmetric-1b  3.8 %']
+    ['falls  89.1 %', 'unsymmetric-1a  5.5 %', 'unsymmetric-1b  5.4 %']
     """
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
