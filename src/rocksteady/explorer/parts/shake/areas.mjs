@@ -121,8 +121,10 @@ function nameArea(pen, theme, { columns, rows, codes }, box, kinds, kind, avoid)
   if (place < 0 || (tight && area < LEAST_AREA * columns * rows)) return;
   const x = box.left + ((place % columns) + 0.5) * across;
   const y = box.top + box.height - (Math.floor(place / columns) + 0.5) * up;
-  const wide = half + EDGE, inside = Math.min(Math.max(x, box.left + wide), box.left + box.width - wide);
-  lines.forEach((line, k) => write(pen, theme, line, tight ? inside : x, y + 5 + (k - 0.5 * (lines.length - 1)) * LINE, {
+  const within = (/** @type {number} */ at, /** @type {number} */ from, /** @type {number} */ size, /** @type {number} */ part) =>
+    Math.min(Math.max(at, from + part), from + size - part);
+  const inside = tight ? { x: within(x, box.left, box.width, half + EDGE), y: within(y, box.top, box.height, tall) } : { x, y };
+  lines.forEach((line, k) => write(pen, theme, line, inside.x, inside.y + 5 + (k - 0.5 * (lines.length - 1)) * LINE, {
     size: tight ? SIZES.tight : SIZES.roomy, bold: true, align: 'center', role: kind.ink, over: tight ? kind.over : undefined,
   }));
 }
