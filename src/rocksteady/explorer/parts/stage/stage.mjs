@@ -291,7 +291,7 @@ export function makeStage(app, canvas, setting) {
     const tip = Math.max(-1.2, Math.min(1.2, state.angle));
     write(pen, theme, 'tilt', right + 8, up(tip) + 4, { role: 'motion', bold: true });
     write(pen, theme, 'ground', right + 8, low + 4, { role: 'base', bold: true });
-    if (hits.length) write(pen, theme, 'impacts', left, middle + 18, { role: 'impact', bold: true });
+    if (hits.length) write(pen, theme, 'impacts', left, size < 18 ? middle - 2 : middle + 18, { role: 'impact', bold: true });
   };
 
   const busy = () => held !== null || keys !== 0 || film !== null || (shows && events.length > 1)
