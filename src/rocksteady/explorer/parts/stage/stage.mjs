@@ -71,7 +71,7 @@ export function makeStage(app, canvas, setting) {
   let { body } = setting, block = measured(body), shape = shapeOf(body.width, body.height);
   let ground = STILL_GROUND, state = STANDING, lies = false;
   let clock = 0, time = 0; // of the page, and since the block was stood up [s]
-  let hand = 0, camera = 0, unit = 0, wanted = 0;
+  let hand = 0, camera = 0, unit = 0, wanted = 0, room = '';
   /** @type {{ time: number, place: number }[]} */
   let events = [];
   /** @type {{ id: number, what: 'push' | 'wide' | 'tall' | 'top', x: number, hand: number } | null} */
@@ -216,7 +216,8 @@ export function makeStage(app, canvas, setting) {
   const view = makeView(canvas, (pen, width, height) => {
     const { theme } = app, given = setting.layout(width, height, body), { level } = given;
     if (held?.what !== 'wide' && held?.what !== 'tall') wanted = given.tall / body.height;
-    if (!unit || app.still) unit = wanted;
+    if (app.still || room !== `${width} ${height}`) unit = wanted;
+    room = `${width} ${height}`;
     const at = spots(given), still = state.side === 0 && !lies;
     if (shows || time > 0 && (trace.length > 2)) drawTrace(pen, given);
     drawGround(pen, theme, { width, height: height - level, y: level, x: at.x, unit });
