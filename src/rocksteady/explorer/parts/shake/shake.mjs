@@ -24,7 +24,6 @@ import { makePicture } from './picture.mjs';
 import { INVITED, shakenSentence } from './sentence.mjs';
 
 const USES = ['tab', 'kind', 'b', 'h', 'r', 'rh', 'A', 'W', 'pA', 'pW'];
-const NARROW = 821; // [px] from which the picture stands beside the block
 const LEAST_HZ = 0.2, LEAST_TOP = 0.5; // [Hz], [g] of the axes
 const LIFTS = 6, TURNS = 8; // strengths in those that lift it, turns in p
 const STEP = { hz: 0.5, g: 0.25 }; // to which the ends of the axes are rounded
@@ -299,8 +298,8 @@ function bodyOf({ kernels, state }) {
  * @param {Body} body
  */
 function shakeLayout(width, height, body) {
-  const beside = innerWidth >= NARROW ? element('shake-right').offsetLeft - 16 : width, roomy = height > 420;
-  const level = height - (roomy ? 112 : 104), head = roomy ? 150 : 70, column = Math.min(beside > 0 ? beside : width, width);
+  const aside = element('shake-right').offsetLeft, beside = aside > 0.25 * width ? aside - 16 : width, roomy = height > 420;
+  const level = height - (roomy ? 112 : 104), head = roomy ? 150 : 70, column = Math.min(beside, width);
   const tall = Math.min((level - head) * 0.93, column * 0.84, (column * 0.42 * body.height) / body.width);
   return {
     middle: 0.5 * column, level, tall, under: roomy ? 68 : 62, ticks: '',

@@ -158,13 +158,20 @@ export function applyTheme(app) {
   for (const panel of app.panels) app.redraw(panel);
 }
 
-/** Print in light colours whatever the page has. @param {App} app */
+/** Print in light colours, and draw at the size of the sheet, whatever the window has. @param {App} app */
 export function printInLight(app) {
+  const { dataset } = document.documentElement;
   addEventListener('beforeprint', () => {
+    dataset.sheet = '';
+    element('shake').dataset.address = decodeURI(location.href);
     wear(app, false);
     app.paintAll();
+    document.dispatchEvent(new Event('sheet'));
   });
-  addEventListener('afterprint', () => applyTheme(app));
+  addEventListener('afterprint', () => {
+    delete dataset.sheet;
+    applyTheme(app);
+  });
 }
 
 /** @param {App} app @param {boolean} dark */

@@ -8,6 +8,8 @@
  * @property {() => void} paint  draws it at once
  */
 
+const SHEET = 3; // pixels of a canvas that is printed, each way
+
 /**
  * Return a view that draws on a canvas.
  * @param {HTMLCanvasElement} canvas
@@ -31,7 +33,7 @@ export function makeView(canvas, draw) {
     paint() {
       const { clientWidth: width, clientHeight: height } = canvas;
       if (!width || !height) return;
-      const ratio = Math.min(devicePixelRatio || 1, 2);
+      const ratio = 'sheet' in document.documentElement.dataset ? SHEET : Math.min(devicePixelRatio || 1, 2);
       const across = Math.round(width * ratio), down = Math.round(height * ratio);
       if (canvas.width !== across || canvas.height !== down) {
         Object.assign(canvas, { width: across, height: down });
@@ -47,6 +49,7 @@ export function makeView(canvas, draw) {
     view.ask();
   }).observe(canvas);
   document.addEventListener('theme', view.ask);
+  document.addEventListener('sheet', view.paint);
   return view;
 }
 
