@@ -6,6 +6,7 @@ import { FIELDS, defaultState, patched } from './state.mjs';
 const LINK_VERSION = '2';
 /** What links of an older version mean that name no tab. */
 const OLDER = { version: '1', tab: 'explore' };
+const LANDING = 'push'; // what a place that is not known leads to
 const LONGEST_LINK = 4000; // characters
 
 /**
@@ -47,5 +48,6 @@ export function stateOfLink(fragment) {
     }
   }
   const { state, refused } = patched(defaultState(), older ? { tab: OLDER.tab, ...patch } : patch);
-  return { state, ignored: [...ignored, ...refused] };
+  const { state: found } = refused.includes('at') ? patched(state, { at: LANDING }) : { state };
+  return { state: found, ignored: [...ignored, ...refused] };
 }
