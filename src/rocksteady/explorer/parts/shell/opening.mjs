@@ -38,5 +38,6 @@ export function refusal(error) {
   console.error(error);
   document.documentElement.dataset.ready = 'false';
   element('story').hidden = element('refusal').hidden = false;
+  element('refusal').append(element('still'));
   element('cause').textContent = error instanceof Error ? error.message : String(error);
 }
