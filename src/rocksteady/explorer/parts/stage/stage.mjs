@@ -121,7 +121,7 @@ export function makeStage(app, canvas, setting) {
     if (held || keys || shows) return;
     // A body that lies is brought to the middle of its column.
     const aside = lies ? Math.sign(state.angle) * 0.5 * (body.width + body.height) : 0;
-    camera += (ground.place - aside - camera) * Math.min(1, 3 * passed);
+    camera += (ground.place - aside - camera) * (app.still ? 1 : Math.min(1, 3 * passed));
   };
   /** Move the ground after the hand. @param {number} now @param {number} count  of steps */
   const pull = (now, count) => {
