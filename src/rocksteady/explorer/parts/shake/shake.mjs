@@ -266,6 +266,7 @@ export function makeShake(app) {
       const [from, to] = name === 'b' ? [least, Math.min(widest, stout * state.h)] : [state.b / stout, tallest];
       if (typeof value === 'number' && value >= from - 1e-9 && value <= to + 1e-9) {
         [byHand, opened] = [false, true];
+        fields[name].value = String(value);
         resize({ b: state.b, h: state.h, [name]: value }, true);
         return;
       }

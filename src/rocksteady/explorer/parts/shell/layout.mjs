@@ -132,7 +132,7 @@ export function makeTabs(app) {
   const row = element('tabs');
   TABS.forEach((name, k) => {
     const attributes = {
-      role: 'tab', id: `tab-${name}`, type: 'button', 'aria-controls': 'panels',
+      role: 'tab', id: `tab-${name}`, type: 'button', 'aria-controls': name === 'shake' ? name : 'panels',
       title: `${TAB_WORDS[k]} (key ${k + 1})`,
     };
     const tab = make('button', attributes, TAB_WORDS[k]);
