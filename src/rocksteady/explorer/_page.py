@@ -14,7 +14,7 @@ from rocksteady.explorer._palette import page_theme, style_variables
 from rocksteady.explorer._program import PARTS, program
 from rocksteady.explorer._still import still_picture
 
-SHEETS = ("base.css", "style.css", "story.css", "shake.css")
+SHEETS = ("base.css", "style.css", "story.css", "bench.css")
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 _SPACE = re.compile(r"\s*([{};,])\s*|\s+")

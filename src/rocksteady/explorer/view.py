@@ -25,7 +25,7 @@ from rocksteady.model.equations import (
 from rocksteady.model.motions.segments import Harmonic
 
 PLACES: Final = (*SCENES, "lab")
-TABS: Final = ("shake", "basins", "quake", "design", "explore", "pulse")
+TABS: Final = ("shake", "start", "quake", "size", "explore", "basins", "pulse", "design")
 """Questions of the laboratory, and two rooms for researchers behind the first."""
 LIMITS: Final = {
     "amplitude": (0.0, 1000.0),

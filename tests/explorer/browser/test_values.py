@@ -135,7 +135,7 @@ def test_the_motions_that_coexist_are_seen_with_their_peaks(
     state: dict[str, float], peaks: dict[tuple[str, int], float], explorer: Explorer
 ) -> None:
     page = explorer.open(state)
-    chips = page.locator(f"{READOUT} .chip[data-kind]:not([data-kind='overturned'])")
+    chips = page.locator(f"{READOUT} .chip[data-value]:not([data-value='overturned'])")
     chips.nth(len(peaks) - 1).wait_for()
     found = {
         (chip["kind"], int(chip["period"])): round(float(chip["highest"]), 3)

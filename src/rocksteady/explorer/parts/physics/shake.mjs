@@ -1,5 +1,5 @@
 // What a block at rest does that is shaken on and on, or pushed once, by the full equations.
-import { evaluate, GRAVITY } from './case.mjs';
+import { evaluate, GRAVITY, rectangleOf } from './case.mjs';
 import { attractorOf } from './attractor.mjs';
 import { FATE, pulseFates } from './demand/pulse.mjs';
 import { baseReel } from './push/falling.mjs';
@@ -36,9 +36,10 @@ import { pulseNumbers } from './story/pulses.mjs';
 export const SHAKEN = { still: 0, stands: 1, once: 2, after: 3, undecided: 4 };
 export const SHAKES = 64; // after which what has not fallen counts as rocking
 const FALLS = 2n; // outcome of `settle_cells`
-const SHOWN = 20; // shakes of a film
+export const SHOWN = 20; // shakes of a film
 const SETTLED = 48; // shakes after which the lean of what has not repeated is taken
 const AFTER = 14, TUMBLE = 8; // pivot time of a reel after a push, and after what goes on
+const CENTIMETRE = 0.01, TURNED = 4; // [m] from width to width, widths in turn that are otherwise
 const HELD = 1; // [s] for which a block that lies is shown
 
 /**
@@ -68,6 +69,47 @@ export function shakenCells(kernels, { block, push, hz, g }) {
 }
 
 /**
+ * Return the fates of blocks of some sizes under one shaking: a job of the pool.
+ * @param {Kernels} kernels
+ * @param {{ restitution: number | null, push: boolean, hz: number, g: number, x: ArrayLike<number>,
+ *   y: ArrayLike<number> }} asked  widths and heights [m]; restitution null stands for Housner's
+ * @returns {{ fate: Uint8Array }}
+ */
+export function sizeCells(kernels, { restitution, push, hz, g, x, y }) {
+  const fate = Uint8Array.from(x, (width, k) => {
+    const { housner, ...measures } = rectangleOf(kernels, { width, height: y[k] });
+    const block = { ...measures, restitution: restitution ?? housner, nonlinear: true };
+    if (evaluate(kernels, 'tan', block.alpha) < g && !(block.restitution > 0)) return SHAKEN.undecided;
+    return shakenCells(kernels, { block, push, hz: [hz], g: [g] }).fate[0];
+  });
+  return { fate };
+}
+
+/**
+ * Return the nearest other width, in centimetres, at which it is otherwise whether a block falls,
+ * and stays so for some more: narrower where it stands, wider where it falls; a job of the pool.
+ * @param {Kernels} kernels
+ * @param {{ restitution: number | null, push: boolean, hz: number, g: number, width: number,
+ *   height: number, least: number, most: number }} asked  [m]; of the widths
+ * @returns {{ falls: boolean, turns: number | null }}  [m]; null where no width is otherwise
+ */
+export function widthTurn(kernels, { width, height, least, most, ...shaking }) {
+  const falls = (/** @type {number[]} */ widths) => Array.from(
+    sizeCells(kernels, { ...shaking, x: widths, y: widths.map(() => height) }).fate,
+    (code) => code === SHAKEN.once || code === SHAKEN.after);
+  const [now] = falls([width]), way = now ? CENTIMETRE : -CENTIMETRE;
+  const all = Array.from({ length: Math.ceil((most - least) / CENTIMETRE) }, (_, k) => width + (k + 1) * way)
+    .filter((each) => each > least - 1e-9 && each < most + 1e-9);
+  /** @type {number[]} */
+  let turned = []; // widths in turn that are otherwise
+  for (const each of all) {
+    turned = falls([each])[0] === now ? [] : [...turned, each];
+    if (turned.length === TURNED) break;
+  }
+  return { falls: now, turns: turned[0] ?? null };
+}
+
+/**
  * Return the run of a block under one shaking: a job of the pool.
  * @param {Kernels} kernels
  * @param {{ block: RecordBlock, push: boolean, hz: number, g: number }} asked
@@ -80,13 +122,10 @@ export function shakenRun(kernels, { block, push, hz, g }) {
   const reel = baseReel(kernels, {
     block, seconds, ...(push ? { pulse: { shape: 'one-sine', amplitude, ratio } } : { harmonic: { amplitude, ratio } }),
   });
-  const falls = fate === SHAKEN.once || fate === SHAKEN.after;
-  const flat = (0.5 * Math.PI * (1 - 1e-9)) / alpha, down = falls ? reel.angle.findIndex((u) => Math.abs(u) >= flat) : -1;
-  const lies = down < 0 ? null : down * reel.step;
-  const end = lies === null ? push ? seconds : SHOWN / hz : lies + HELD, count = Math.ceil(end / reel.step) + 1;
   // So that the ground, whose push is a line between samples, goes to and fro about one place.
   const turned = 2 * Math.PI * hz, speed = push ? 0 : ((-g * GRAVITY) / turned) * (1 - (turned * reel.step) ** 2 / 12);
-  const shown = { ...reel, angle: reel.angle.slice(0, count), velocity: reel.velocity.slice(0, count), base: reel.base.slice(0, count) };
+  const falls = fate === SHAKEN.once || fate === SHAKEN.after;
+  const { lies, ...film } = filmOf(reel, falls, push ? seconds : SHOWN / hz, speed);
   const { time } = reel.impacts, until = lies ?? Infinity;
   const settles = fate === SHAKEN.stands && !push;
   const found = settles ? attractorOf(kernels, { ...block, amplitude, frequencyRatio: ratio }, { kind: 'rest' }, SHAKES) : null;
@@ -94,9 +133,27 @@ export function shakenRun(kernels, { block, push, hz, g }) {
   const most = found?.orbit ? Math.max(found.orbit.highest, -found.orbit.lowest)
     : late.reduce((top, u) => Math.max(top, Math.abs(u)), 0);
   return {
-    fate, lies, reel: shown, impacts: time.filter((at) => at <= until).length, lean: most * alpha,
+    fate, lies, ...film, impacts: time.filter((at) => at <= until).length, lean: most * alpha,
     kind: found?.orbit ? found.kind : 'rocking', period: found?.period ?? null,
-    places: placesOf(shown.base.map((a) => a * alpha * GRAVITY), reel.step, speed),
+  };
+}
+
+/**
+ * Return what is shown of a run: up to a time, or until the block has lain for a while.
+ * @param {Reel & { base: Float64Array }} reel
+ * @param {boolean} falls
+ * @param {number} seconds
+ * @param {number} speed  of the ground at the start [m/s]
+ * @returns {Pick<ShakenRun, 'lies' | 'reel' | 'places'>}
+ */
+export function filmOf(reel, falls, seconds, speed) {
+  const { alpha } = reel.block, flat = (0.5 * Math.PI * (1 - 1e-9)) / alpha;
+  const down = falls ? reel.angle.findIndex((u) => Math.abs(u) >= flat) : -1, lies = down < 0 ? null : down * reel.step;
+  const count = Math.ceil((lies === null ? seconds : lies + HELD) / reel.step) + 1;
+  const cut = (/** @type {Float64Array} */ course) => course.slice(0, count), base = cut(reel.base);
+  return {
+    lies, reel: { ...reel, angle: cut(reel.angle), velocity: cut(reel.velocity), base },
+    places: placesOf(base.map((a) => a * alpha * GRAVITY), reel.step, speed),
   };
 }
 

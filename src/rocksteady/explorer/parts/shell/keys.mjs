@@ -13,7 +13,7 @@ export const KEY_WORDS = [
   ['Space', 'play or stop the film'],
   [', .', 'step the film back or forward'],
   ['P', 'pin the present history, to compare others with it'],
-  ['1 to 4', 'Shake it, Basins, Earthquake, Design'],
+  ['1 to 4', 'Shake it, Let it go, Earthquake, Which block'],
   ['B', 'bifurcation strip: along the row or the column of the point'],
   ['E', 'save or copy the panel that has the focus'],
   ['L', 'logarithmic or linear axes of the map'],

@@ -3,13 +3,12 @@
 /** @import { App, Panel } from './app.mjs' */
 import { theme } from '../draw/theme.mjs';
 import { element, sizeOf } from './app.mjs';
-import { TABS } from './state.mjs';
+import { ROOMS, TABS } from './state.mjs';
 
-export const TAB_WORDS = ['Shake it', 'Basins', 'Earthquake', 'Design'];
+export const TAB_WORDS = ['Shake it', 'Let it go', 'Earthquake', 'Which block'];
 
 /** What to do first, by the tab. @type {Readonly<Record<string, string>>} */
 const LEADS = {
-  shake: '',
   explore: 'For researchers: drag the point on the map to change the shaking.',
   basins: 'Drag the ring to change the angle and velocity at the start.',
   pulse: 'For researchers: drag the point to change the pulse that acts on the block.',
@@ -96,9 +95,9 @@ export function place(app, panel, tabs) {
   panel.placed?.();
 }
 
-/** Return the question behind which a tab stands. @param {string} tab */
-function questionOf(tab) {
-  return TABS.includes(tab) ? tab : 'shake';
+/** Return whether a tab is a question of the bench. @param {string} tab */
+export function onBench(tab) {
+  return TABS.includes(tab) && tab !== 'quake';
 }
 
 /**
@@ -106,21 +105,23 @@ function questionOf(tab) {
  * @param {App} app
  */
 export function showTab(app) {
-  const question = questionOf(app.state.tab);
-  element('panels').dataset.tab = element('lab').dataset.tab = app.state.tab;
+  const { tab } = app.state, question = ROOMS[tab] ?? tab;
+  element('panels').dataset.tab = tab;
+  element('lab').dataset.on = onBench(tab) ? 'bench' : 'panels';
   element('panels').setAttribute('aria-labelledby', `tab-${question}`);
-  element('shake').hidden = app.state.tab !== 'shake';
-  element('panels').hidden = element('given').hidden = app.state.tab === 'shake';
-  element('back').hidden = question === app.state.tab;
-  element('lead').textContent = LEADS[app.state.tab];
+  element('bench').hidden = !onBench(tab);
+  setOn(element('bench'), 'aria-labelledby', `tab-${question}`);
+  element('panels').hidden = element('given').hidden = onBench(tab);
+  element('back').hidden = question === tab;
+  element('lead').textContent = LEADS[tab] ?? '';
   for (const panel of app.panels) {
     const tabs = panel.root?.dataset.tabs?.split(' ') ?? [];
-    if (panel.root) panel.root.hidden = !tabs.includes(app.state.tab);
+    if (panel.root) panel.root.hidden = !tabs.includes(tab);
   }
   for (const name of TABS) {
-    const tab = element(`tab-${name}`);
-    tab.setAttribute('aria-selected', String(name === question));
-    tab.tabIndex = name === question ? 0 : -1;
+    const button = element(`tab-${name}`);
+    button.setAttribute('aria-selected', String(name === question));
+    button.tabIndex = name === question ? 0 : -1;
   }
 }
 
@@ -132,7 +133,7 @@ export function makeTabs(app) {
   const row = element('tabs');
   TABS.forEach((name, k) => {
     const attributes = {
-      role: 'tab', id: `tab-${name}`, type: 'button', 'aria-controls': name === 'shake' ? name : 'panels',
+      role: 'tab', id: `tab-${name}`, type: 'button', 'aria-controls': onBench(name) ? 'bench' : 'panels',
       title: `${TAB_WORDS[k]} (key ${k + 1})`,
     };
     const tab = make('button', attributes, TAB_WORDS[k]);
@@ -163,7 +164,7 @@ export function printInLight(app) {
   const { dataset } = document.documentElement;
   addEventListener('beforeprint', () => {
     dataset.sheet = '';
-    element('shake').dataset.address = decodeURI(location.href);
+    element('bench').dataset.address = decodeURI(location.href);
     wear(app, false);
     app.paintAll();
     document.dispatchEvent(new Event('sheet'));

@@ -1,22 +1,23 @@
 // Where the script begins, in the page and in its workers.
 
 /** @import { App } from './app.mjs' */
+import { makeBench } from '../bench/bench.mjs';
 import { jobs } from '../work/jobs.mjs';
 import { makePool } from '../work/pool.mjs';
 import { serve } from '../work/worker.mjs';
 import { warmUp } from '../panels/point/followed.mjs';
-import { makeShake } from '../shake/shake.mjs';
 import { makeStory } from '../story/story.mjs';
 import { element, makeApp } from './app.mjs';
 import { makeControls } from './controls.mjs';
 import { addExamples, addHelp } from './help.mjs';
 import { KEY_WORDS, listenToKeys } from './keys.mjs';
-import { applyTheme, darkSystem, makeTabs, printInLight, showTab } from './layout.mjs';
+import { applyTheme, darkSystem, makeTabs, onBench, printInLight, showTab } from './layout.mjs';
 import { addMenus } from './menus.mjs';
 import { motionsPutIn } from './motions.mjs';
 import { blockText, openKernels, refusal } from './opening.mjs';
 import { placePanels } from './places.mjs';
 import { openPlaces } from './rooms.mjs';
+import { ROOMS } from './state.mjs';
 import { describePanels } from './tables.mjs';
 
 /** Begin. */
@@ -53,13 +54,13 @@ async function openLab(app) {
   makeTabs(app);
   showTab(app);
   await turn();
-  makeShake(app);
+  makeBench(app);
   listenToKeys(app);
-  element('back').addEventListener('click', () => app.set({ tab: 'shake' }));
+  element('back').addEventListener('click', () => app.set(app.shared.picture ?? { tab: ROOMS[app.state.tab] ?? 'shake' }));
   /** @type {Promise<void> | undefined} */
   let panels;
   let { tab } = app.state;
-  const show = () => (tab === 'shake' ? undefined : (panels ??= openPanels(app)));
+  const show = () => (onBench(tab) ? undefined : (panels ??= openPanels(app)));
   document.addEventListener('state', () => {
     if (app.state.tab === tab) return;
     ({ tab } = app.state);

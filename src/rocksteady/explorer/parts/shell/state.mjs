@@ -8,9 +8,10 @@ import { measuresOf } from '../physics/case.mjs';
 
 /** Places of the story, in their order. */
 export const STORY = ['push', 'swing', 'size', 'fall', 'fates', 'order', 'quake'];
-/** Questions of the laboratory; two have rooms for researchers behind them. */
-export const TABS = ['shake', 'basins', 'quake', 'design'];
-export const ROOMS = ['explore', 'pulse'];
+/** Questions of the laboratory, and of the rooms for researchers the questions that they are behind. */
+export const TABS = ['shake', 'start', 'quake', 'size'];
+/** @type {Readonly<Record<string, string>>} */
+export const ROOMS = { explore: 'shake', pulse: 'shake', basins: 'start', design: 'size' };
 
 const DECIMAL = /^\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*$/i; // no 0x10
 
@@ -74,8 +75,9 @@ export const FIELDS = {
   sv: numberField(0.35, -1.1, 1.1),
   shake: numberField(2.699, 2, 2.75), // amplitude over alpha g
   pga: numberField(0.5, 0.2, 1.1), // [g]
-  tab: choiceField(...TABS, ...ROOMS),
+  tab: choiceField(...TABS, ...Object.keys(ROOMS)),
   kind: choiceField('on', 'push'), // whether the shaking goes on
+  ground: choiceField('still', 'shaken'), // on which a block is let go
   model: choiceField('auto', 'linear', 'nonlinear'), // auto: as `equationsOf` says
   units: choiceField('si', 'none'), // of a block with a size, or dimensionless
   look: choiceField('auto', 'light', 'dark'),
@@ -138,6 +140,7 @@ export const FIELDS = {
  * @property {number} pga
  * @property {string} tab
  * @property {string} kind  on or push
+ * @property {string} ground  still or shaken
  * @property {'auto' | 'linear' | 'nonlinear'} model
  * @property {'none' | 'si'} units
  * @property {'auto' | 'light' | 'dark'} look
@@ -294,7 +297,7 @@ export function isWhole(state) {
  */
 export function equationsOf(state) {
   if (state.model !== 'auto') return state.model;
-  const sized = state.units === 'si' ? ['pulse', 'quake', 'design'] : ['quake', 'design'];
+  const sized = [...TABS, 'design', ...(state.units === 'si' ? ['pulse'] : [])];
   return sized.includes(state.tab) ? 'nonlinear' : 'linear';
 }
 

@@ -42,6 +42,7 @@ import { degreeText } from '../story/words.mjs';
  * @property {() => void} [ended]  the film has come to its end
  * @property {(push: { top: number, longest: number }) => void} [pushed]  [g], [s] one way; the ground is let go
  * @property {(body: Body, done: boolean) => void} [sized]  by its handles; with this its top is one too, by which it is tilted and let go
+ * @property {(tilt: number, done: boolean) => boolean} [tilted]  theta/alpha by its top; whether it then is held there
  * @property {(at: Record<'wide' | 'tall', { x: number, y: number, shown: boolean }>) => void} [placed]
  */
 
@@ -339,6 +340,10 @@ export function makeStage(app, canvas, setting) {
     begin();
     setting.touched();
   };
+  /** Hold the block at a tilt. @param {number} angle */
+  const hold = (angle) => {
+    state = Math.abs(angle) < 0.01 ? STANDING : { ...STANDING, side: Math.sign(angle), angle };
+  };
   const place = (/** @type {PointerEvent} */ event) => {
     const box = canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
@@ -347,6 +352,7 @@ export function makeStage(app, canvas, setting) {
   const under = ({ x, y }, reach) => {
     const at = spots(layout()), near = (/** @type {{ x: number, y: number }} */ spot) =>
       Math.hypot(spot.x - x, spot.y - y) < reach;
+    if (setting.sized && leaned && near(at.top)) return 'top';
     if (setting.sized && !state.side && !lies) {
       for (const what of /** @type {const} */ (['wide', 'tall', 'top'])) if (near(at[what])) return what;
     }
@@ -388,7 +394,8 @@ export function makeStage(app, canvas, setting) {
     } else {
       const theta = Math.atan2(at.x - x, level - y), most = TILTED * block.alpha;
       const angle = Math.min(Math.max(theta, -most), most) / block.alpha;
-      state = Math.abs(angle) < 0.01 ? STANDING : { ...STANDING, side: Math.sign(angle), angle };
+      hold(angle);
+      setting.tilted?.(state.angle, false);
     }
     wake();
   };
@@ -398,7 +405,7 @@ export function makeStage(app, canvas, setting) {
       const { what } = held;
       held = null;
       if (what === 'push') setting.pushed?.({ top: tale.top, longest: tale.longest });
-      else if (what === 'top') leaned = false;
+      else if (what === 'top') leaned = setting.tilted?.(state.angle, true) ?? false;
       else setting.sized?.(body, true);
       wake();
     });
@@ -437,6 +444,17 @@ export function makeStage(app, canvas, setting) {
       [block, shape] = [measured(body), shapeOf(body.width, body.height)];
       if (!held || held.what === 'push') stand();
       else view.ask();
+    },
+    /** Hold the block at a tilt until it is let go; null stands it up where it was held. @param {number | null} angle */
+    lean(angle) {
+      if (held) return;
+      if (angle === null && !leaned) return;
+      stand();
+      if (angle !== null) {
+        leaned = true;
+        hold(angle);
+      }
+      wake();
     },
     /** @param {Film} next */
     play(next) {

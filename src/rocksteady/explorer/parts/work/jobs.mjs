@@ -9,7 +9,8 @@ import { pulseFates, pulseHistory } from '../physics/demand/pulse.mjs';
 import { pulseWindows } from '../physics/demand/windows.mjs';
 import { baseReel } from '../physics/push/falling.mjs';
 import { historyOf, longSection } from '../physics/history.mjs';
-import { shakenCells, shakenRun } from '../physics/shake.mjs';
+import { releasedRun, rockCurve, startCells } from '../physics/released.mjs';
+import { shakenCells, shakenRun, sizeCells, widthTurn } from '../physics/shake.mjs';
 import { crowdReels } from '../physics/story/crowd.mjs';
 import { stateFates } from '../physics/story/fates.mjs';
 import { cascadeOf, orderAt } from '../physics/story/order.mjs';
@@ -41,8 +42,13 @@ export const jobs = {
   pulseHistory,
   pulseWindows,
   ...recordJobs,
+  releasedRun,
+  rockCurve,
   shakenCells,
   shakenRun,
+  sizeCells,
+  startCells,
+  widthTurn,
   settleStates: (kernels, asked) => timed(() => settleStates(kernels, asked)),
   stateFates,
   steadyCurves,

@@ -4,6 +4,7 @@ import { GRAVITY, sidesOf } from '../case.mjs';
 import { baseCourse } from '../demand/run.mjs';
 import { harmonicTable, pulseTable, recordTable } from '../motions.mjs';
 import { firstRows, flightsAt, runOf, statesAt } from '../run.mjs';
+import { beginOf } from '../start.mjs';
 
 /** @import { Floats, Kernels } from '../../kernels/loader.mjs' */
 /** @import { GroundMotion } from '../motions.mjs' */
@@ -98,22 +99,23 @@ function filmed(kernels, block, run, seconds) {
 }
 
 /**
- * A block at rest under a pulse, harmonic shaking or a motion.
+ * A block under a pulse, harmonic shaking or a motion: at rest, or let go from a state.
  * @typedef {object} FilmAsked
  * @property {RecordBlock} block
  * @property {number} seconds
  * @property {{ shape: string, amplitude: number, ratio: number }} [pulse]
  * @property {{ amplitude: number, ratio: number }} [harmonic]
  * @property {GroundMotion} [motion]
+ * @property {{ angle: number, velocity: number }} [start]  theta/alpha and du/d(pt)
  */
 
 /**
- * Film a block at rest, with the accelerations of its base over alpha g: a job of the pool.
+ * Film a block, with the accelerations of its base over alpha g: a job of the pool.
  * @param {Kernels} kernels
  * @param {FilmAsked} asked
  * @returns {Reel & { base: Float64Array }}
  */
-export function baseReel(kernels, { block, seconds, pulse, harmonic, motion }) {
+export function baseReel(kernels, { block, seconds, pulse, harmonic, motion, start }) {
   const { nonlinear, p, alpha } = block;
   const table = motion ? recordTable(kernels, motion, nonlinear, p, alpha * GRAVITY)
     : pulse ? pulseTable(kernels, pulse.shape, pulse.amplitude, pulse.ratio, { nonlinear })
@@ -123,7 +125,9 @@ export function baseReel(kernels, { block, seconds, pulse, harmonic, motion }) {
   const [rows, columns] = table.shape, starts = new Float64Array(rows);
   for (let row = 1; row < rows; row++) starts[row] = starts[row - 1] + table.values[(row - 1) * columns];
   const base = baseCourse(kernels, table, starts, reelTimes(seconds, p));
-  return { ...reelOf(kernels, block, table, seconds), base };
+  const still = { amplitude: 0, frequencyRatio: 1, ...block };
+  const march = start && beginOf(kernels, still, { kind: 'state', ...start }).march;
+  return { ...reelOf(kernels, block, table, seconds, { start: march }), base };
 }
 
 /** @param {number} seconds @param {number} p */

@@ -16,6 +16,7 @@ import { runOf } from '../run.mjs';
  */
 
 const NONLINEAR_COLUMNS = 12;
+const TWO_IMPACTS = 4; // flights that hold two impacts
 const RELEASE_TILTS = 48, RELEASE_SPEEDS = 60;
 
 /**
@@ -77,16 +78,33 @@ function stillTable(kernels) {
 }
 
 /**
- * Return when a block on a still base strikes it first [s].
+ * Return how long a block takes from its first impact to its second, let go from a tilt [s].
+ * @param {Kernels} kernels
+ * @param {RecordBlock} block
+ * @param {number} tilt  theta/alpha
+ */
+export function firstRock(kernels, block, tilt) {
+  const [first, second] = impactTimes(kernels, block, { angle: tilt }, TWO_IMPACTS);
+  return second - first;
+}
+
+/** @param {Kernels} kernels @param {RecordBlock} block @param {Partial<March>} start */
+function firstImpact(kernels, block, start) {
+  return impactTimes(kernels, block, start, 1)[0] ?? Infinity;
+}
+
+/**
+ * Return when a block on a still base strikes it [s].
  * @param {Kernels} kernels
  * @param {RecordBlock} block
  * @param {Partial<March>} start
+ * @param {number} most  flights
  */
-function firstImpact(kernels, block, start) {
+function impactTimes(kernels, block, start, most) {
   const segments = stillTable(kernels);
   const sides = sidesOf(kernels, { ...block, amplitude: 0, frequencyRatio: 0 });
-  const run = runOf(kernels, { segments, sides }, { start: { ...STANDING, side: 1, ...start }, most: 1 });
+  const run = runOf(kernels, { segments, sides }, { start: { ...STANDING, side: 1, ...start }, most });
   segments.free();
   sides.free();
-  return run.impacts.time.length ? run.impacts.time[0] / block.p : Infinity;
+  return Array.from(run.impacts.time, (at) => at / block.p);
 }

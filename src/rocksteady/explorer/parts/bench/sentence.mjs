@@ -1,18 +1,22 @@
-// What the laboratory says of a shaken block: one sentence with one number, and a fact or two.
+// What the laboratory says of a block: one sentence with one number, and a fact or two.
 
 /** @import { ShakenRun } from '../physics/shake.mjs' */
 /** @import { PulseWindow } from '../physics/demand/windows.mjs' */
+/** @import { ReleasedRun } from '../physics/released.mjs' */
+/** @import { Share } from './cells.mjs' */
 import { SHAKEN } from '../physics/shake.mjs';
 import { degreeText, gText, impactText } from '../story/words.mjs';
-import { fallName, motionWords } from '../words.mjs';
+import { NEVER_LIFTS, STANDS, fallName, motionWords, shareWords } from '../words.mjs';
 
 /** @typedef {{ words: readonly [string, string, string], facts: string }} Sentence  the second is the number */
 
 const CENTIG = 100; // advice is in hundredths of g
-const plain = (/** @type {string} */ words) => /** @type {const} */ ([words, '', '']);
+const UNDECIDED = 'What becomes of it is not decided.';
 
-/** Before the reader has done anything. @type {Sentence} */
-export const INVITED = { words: plain('Push the ground, or drag the point on the map.'), facts: '' };
+/** Return a sentence without a number. @param {string} words @returns {readonly [string, string, string]} */
+export function plain(words) {
+  return [words, '', ''];
+}
 
 /**
  * Return the sentence on a run.
@@ -24,7 +28,7 @@ export const INVITED = { words: plain('Push the ground, or drag the point on the
 export function shakenSentence(run, { push, g, lift, alpha }, windows) {
   const { fate, lies, impacts } = run, limit = `it tips past ${degreeText(alpha)}`;
   if (fate === SHAKEN.still) return { words: ['It never lifts: to lift it takes ', gText(lift), '.'], facts: '' };
-  if (fate === SHAKEN.undecided) return { words: plain('What becomes of it is not decided.'), facts: '' };
+  if (fate === SHAKEN.undecided) return { words: plain(UNDECIDED), facts: '' };
   if (fate !== SHAKEN.stands) {
     if (push) return { words: weaker(fate === SHAKEN.once ? 0 : 1, g, windows), facts: fallen(run) };
     if (lies === null) return { words: plain('It falls.'), facts: '' };
@@ -38,6 +42,44 @@ export function shakenSentence(run, { push, g, lift, alpha }, windows) {
   const leans = `it leans ${degreeText(run.lean)} of ${degreeText(alpha)}`;
   if (worse) return { words: ['It stands: safer than a push of ', strengthIn(worse), '.'], facts: leans };
   return { words: ['It rocks, leans ', degreeText(run.lean), ', and stands.'], facts: limit };
+}
+
+/**
+ * Return the sentence on a block that was let go.
+ * @param {ReleasedRun} run
+ * @param {{ alpha: number, shaken: boolean }} asked
+ * @param {Share | null} share  of the starts on the map that fall
+ * @returns {Sentence}
+ */
+export function releasedSentence(run, { alpha, shaken }, share) {
+  const facts = `it tips past ${degreeText(alpha)}`;
+  if (!shaken) {
+    if (Number.isNaN(run.rock)) return { words: plain('It falls: that is past its tipping angle.'), facts };
+    return { words: ['The first rock takes ', `${run.rock.toFixed(2)} s`, '.'], facts };
+  }
+  const here = run.fate === SHAKEN.undecided ? UNDECIDED.slice(0, -1)
+    : `From here it ${run.fate === SHAKEN.once ? 'falls' : motionWords(run)}`;
+  if (!share) return { words: plain(`${here}.`), facts };
+  const [part, rest] = shareWords(share.falls, share.cells).split(/ (?=of the)/);
+  return { words: [`${here}; `, part, ` ${rest}.`], facts };
+}
+
+/**
+ * Return the sentence on a size.
+ * @param {ShakenRun} run
+ * @param {{ falls: boolean, turns: number | null } | null} turn  the width at which it is otherwise [m]; null: not known yet
+ * @param {{ push: boolean, lift: number, alpha: number, width: number }} asked
+ * @returns {Sentence}
+ */
+export function sizeSentence(run, turn, { push, lift, alpha, width }) {
+  const falls = run.fate === SHAKEN.once || run.fate === SHAKEN.after;
+  const facts = `it lifts at ${gText(lift)} and tips past ${degreeText(alpha)}`;
+  if (run.fate === SHAKEN.undecided) return { words: plain(UNDECIDED), facts };
+  const now = falls ? 'falls' : run.fate === SHAKEN.still ? NEVER_LIFTS : push ? STANDS : 'rocks';
+  if (!turn || turn.falls !== falls) return { words: plain(`It ${now}.`), facts };
+  if (turn.turns === null) return { words: plain(`It ${now}, at any ${falls ? 'greater' : 'smaller'} width too.`), facts };
+  const by = `${Math.round(100 * Math.abs(turn.turns - width))} cm`;
+  return { words: [`It ${now}; `, by, falls ? ' wider it stands.' : ' narrower it falls.'], facts };
 }
 
 /** Say at which weaker push it would stand: the nearest in hundredths of g. @param {number} impacts

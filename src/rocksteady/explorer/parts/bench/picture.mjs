@@ -1,4 +1,4 @@
-// The map at the right: what becomes of the block over strength and frequency, with a point to drag.
+// The picture at the right: what becomes of the block over two quantities, with a point to drag.
 
 /** @import { App } from '../shell/app.mjs' */
 /** @import { Box, Cells, Kind } from './areas.mjs' */
@@ -8,18 +8,27 @@ import { drawCurve, drawLine, drawRing, write } from '../story/draw.mjs';
 import { makeView } from '../story/view.mjs';
 import { drawAreas } from './areas.mjs';
 
-/** @typedef {{ hz: number, g: number }} Place */
+/** @typedef {{ x: number, y: number }} Place */
+/** @typedef {{ from: number, to: number, label: string }} Axis */
 
 /**
- * What the map shows.
+ * What the axes and the point of a picture are.
+ * @typedef {object} Plane
+ * @property {Axis} x
+ * @property {Axis} y
+ * @property {Place} point
+ * @property {string} tag  of the point
+ * @property {{ y: number, words: string }} [limit]
+ * @property {Place & { words: string } | null} [dot]
+ */
+
+/**
+ * What the picture shows: areas, or a curve.
  * @typedef {object} Shown
+ * @property {Plane} plane
  * @property {Cells | null} cells
  * @property {readonly Kind[]} kinds
- * @property {{ hz: readonly [number, number], g: readonly [number, number] }} ends  of the axes
- * @property {readonly [string, string]} labels  of the axes
- * @property {Place} point
- * @property {number} lift  [g]
- * @property {Place | null} yours  the reader's last push
+ * @property {readonly Place[]} curve
  */
 
 const ROOM = { left: 52, right: 16, top: 30, bottom: 46 }, NARROW = 500; // [px]
@@ -27,7 +36,7 @@ const TAG = { height: 24, room: 14 }; // [px]
 const NUDGES = 200; // presses of an arrow along an axis
 
 /**
- * Make the map.
+ * Make the picture.
  * @param {App} app
  * @param {HTMLCanvasElement} canvas
  * @param {() => Shown} shown
@@ -39,39 +48,41 @@ export function makePicture(app, canvas, shown, moved) {
     const left = width < NARROW ? 40 : ROOM.left;
     return { left, top: ROOM.top, width: width - left - ROOM.right, height: height - ROOM.top - ROOM.bottom };
   };
-  /** @param {Box} box @param {Shown} given */
-  const scalesOf = ({ left, top, width, height }, { ends }) => ({
-    x: scale({ from: ends.hz[0], to: ends.hz[1], start: left, end: left + width }),
-    y: scale({ from: ends.g[0], to: ends.g[1], start: top + height, end: top }),
+  /** @param {Box} box @param {Plane} plane */
+  const scalesOf = ({ left, top, width, height }, { x, y }) => ({
+    x: scale({ ...x, start: left, end: left + width }),
+    y: scale({ ...y, start: top + height, end: top }),
   });
 
   const view = makeView(canvas, (pen, width, height) => {
-    const { theme } = app, given = shown(), box = boxOf(width, height), { x, y } = scalesOf(box, given);
-    const inside = (/** @type {Place} */ { hz, g }) => ({
-      x: Math.min(Math.max(x.at(hz), box.left), box.left + box.width),
-      y: Math.min(Math.max(y.at(g), box.top), box.top + box.height),
+    const { theme } = app, { plane, cells, kinds, curve } = shown(), { point, tag, dot } = plane;
+    const box = boxOf(width, height), { x, y } = scalesOf(box, plane);
+    const inside = (/** @type {Place} */ place) => ({
+      x: Math.min(Math.max(x.at(place.x), box.left), box.left + box.width),
+      y: Math.min(Math.max(y.at(place.y), box.top), box.top + box.height),
     });
-    const at = inside(given.point), tag = `${given.point.g.toFixed(2)} g  ${given.point.hz.toFixed(2)} Hz`;
+    const at = inside(point);
     const right = at.x > box.left + box.width - 170, low = at.y < box.top + 40;
     const tagBox = tagAt(pen, tag, at.x + (right ? -20 : 20), at.y + (low ? 26 : -22), right, width);
-    const limit = y.at(given.lift), seen = limit > box.top + 20;
+    const limit = plane.limit ? y.at(plane.limit.y) : 0, seen = limit > box.top + 20;
     const avoid = [tagBox, { left: at.x - 24, top: at.y - 24, width: 48, height: 48 },
       { left: at.x - 2, top: box.top, width: 4, height: box.height }, { left: box.left, top: at.y - 2, width: box.width, height: 4 },
       ...(seen ? [{ left: box.left + box.width - 150, top: limit, width: 150, height: 24 }] : [])];
     pen.fillStyle = theme.paper;
     pen.fillRect(box.left, box.top, box.width, box.height);
-    if (given.cells) drawAreas(pen, theme, given.cells, box, given.kinds, avoid);
-    if (seen) {
+    if (cells) drawAreas(pen, theme, cells, box, kinds, avoid);
+    drawCurve(pen, theme, curve.length, (k) => [x.at(curve[k].x), y.at(curve[k].y)], { role: 'motion', width: 2.5 });
+    if (plane.limit && seen) {
       drawLine(pen, theme, [box.left, limit, box.left + box.width, limit], 'ink', 1.25, [5, 4]);
-      write(pen, theme, `lifts above ${given.lift.toFixed(2)} g`, box.left + box.width - 8, limit + 16, { align: 'right', size: 13 });
+      write(pen, theme, plane.limit.words, box.left + box.width - 8, limit + 16, { align: 'right', size: 13 });
     }
-    drawAxes(pen, box, x, y, given.labels);
+    drawAxes(pen, box, x, y, [plane.x.label, plane.y.label]);
     for (const [role, dashes, wide] of /** @type {const} */ ([['paper', [], 2], ['ink', [2, 4], 1]])) {
       drawLine(pen, theme, [box.left, at.y, box.left + box.width, at.y], role, wide, [...dashes]);
       drawLine(pen, theme, [at.x, box.top, at.x, box.top + box.height], role, wide, [...dashes]);
     }
-    if (given.yours) {
-      const mine = inside(given.yours), aside = mine.x > width - 130;
+    if (dot) {
+      const mine = inside(dot), aside = mine.x > width - 130;
       pen.beginPath();
       pen.arc(mine.x, mine.y, 6, 0, 2 * Math.PI);
       pen.fillStyle = theme.ink;
@@ -79,7 +90,7 @@ export function makePicture(app, canvas, shown, moved) {
       pen.lineWidth = 2.5;
       pen.strokeStyle = theme.paper;
       pen.stroke();
-      drawTag(pen, 'your push', tagAt(pen, 'your push', mine.x + (aside ? -12 : 12), mine.y, aside, width));
+      drawTag(pen, dot.words, tagAt(pen, dot.words, mine.x + (aside ? -12 : 12), mine.y, aside, width));
     }
     drawRing(pen, theme, at.x, at.y, held < 0 ? 12 : 14);
     drawTag(pen, tag, tagBox);
@@ -128,10 +139,10 @@ export function makePicture(app, canvas, shown, moved) {
   /** @param {PointerEvent} event @returns {Place} */
   const placeOf = (event) => {
     const { left, top } = canvas.getBoundingClientRect(), box = boxOf(canvas.clientWidth, canvas.clientHeight);
-    const { x, y } = scalesOf(box, shown());
+    const { x, y } = scalesOf(box, shown().plane);
     const across = Math.min(Math.max(event.clientX - left, box.left), box.left + box.width);
     const down = Math.min(Math.max(event.clientY - top, box.top), box.top + box.height);
-    return { hz: x.value(across), g: y.value(down) };
+    return { x: x.value(across), y: y.value(down) };
   };
   canvas.addEventListener('pointerdown', (event) => {
     if (event.button || held >= 0) return;
@@ -146,7 +157,7 @@ export function makePicture(app, canvas, shown, moved) {
     canvas.addEventListener(name, (event) => {
       if (event.pointerId !== held) return;
       held = -1;
-      moved(shown().point, true);
+      moved(shown().plane.point, true);
     });
   }
   canvas.addEventListener('keydown', (event) => {
@@ -154,8 +165,8 @@ export function makePicture(app, canvas, shown, moved) {
     if (!along && !up) return;
     event.preventDefault();
     event.stopPropagation();
-    const { point, ends: { hz, g } } = shown(), far = event.shiftKey ? 10 : 1;
-    moved({ hz: point.hz + (far * along * (hz[1] - hz[0])) / NUDGES, g: point.g + (far * up * (g[1] - g[0])) / NUDGES }, true);
+    const { point, x, y } = shown().plane, far = event.shiftKey ? 10 : 1;
+    moved({ x: point.x + (far * along * (x.to - x.from)) / NUDGES, y: point.y + (far * up * (y.to - y.from)) / NUDGES }, true);
   });
   return view;
 }

@@ -7,7 +7,7 @@ from tests.every import every
 from tests.explorer.in_node import InNode
 
 SAID = """
-const { shakenSentence } = await import(parts('shake/sentence.mjs'));
+const { shakenSentence } = await import(parts('bench/sentence.mjs'));
 answer(asked.map(([run, given, windows]) => shakenSentence(run, given, windows)));
 """
 RUN: dict[str, Any] = {
