@@ -226,7 +226,10 @@ def test_a_browser_that_fails_ends_nothing(
         ("-A 1:2:3", ["--amplitude/-A"]),
         ("--start steady:2", ["--start = 'steady:2'"]),
         ("--start 1", ["--start = '1'"]),
-        ("--tab map", ["--tab = 'map'", "shake, basins, quake, design, explore, pulse"]),
+        (
+            "--tab map",
+            ["--tab = 'map'", "shake, start, quake, size, explore"],
+        ),
         ("--scale 2", ["--scale = '2'", "--record"]),
         ("--units g", ["--units = 'g'", "--record"]),
         ("--force", ["--force", "--out"]),

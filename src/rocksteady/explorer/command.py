@@ -83,8 +83,9 @@ def explore(
     model: str | None = options.model(),
     tab: str | None = options.output_flag(
         "--tab NAME",
-        "Open on shake, basins, quake or design, or for researchers on explore or pulse; default "
-        "quake with --record, else shake, or explore with a start, linear equations or no size.",
+        "Open on shake, start, quake or size, or for researchers on explore, basins, pulse or "
+        "design; default quake with --record, else shake, or explore with a start, linear "
+        "equations or no size.",
     ),
     scene: str | None = options.output_flag(
         "--scene NAME",

@@ -26,7 +26,7 @@ from rocksteady.model.motions.segments import Harmonic
 
 PLACES: Final = (*SCENES, "lab")
 TABS: Final = ("shake", "start", "quake", "size", "explore", "basins", "pulse", "design")
-"""Questions of the laboratory, and two rooms for researchers behind the first."""
+"""Questions of the laboratory, and the rooms for researchers behind them."""
 LIMITS: Final = {
     "amplitude": (0.0, 1000.0),
     "frequency_ratio": (0.01, 1000.0),
@@ -64,9 +64,9 @@ class ExplorerView:
         ``"linear"`` or ``"nonlinear"``; None (default) for linear in maps of harmonic shaking and
         of a dimensionless block, else nonlinear.
     tab
-        A question, "shake", "basins", "quake" or "design", or a room for researchers, "explore" or
-        "pulse"; None (default) for "quake" where ground motions are put in, else "shake", which has
-        blocks with a size at rest and the full equations, else "explore".
+        A question, "shake", "start", "quake" or "size", or a room for researchers, "explore",
+        "basins", "pulse" or "design"; None (default) for "quake" where ground motions are put in,
+        else "shake", which has blocks with a size at rest and the full equations, else "explore".
     scale
         Factor of the ground motion that is shown first, from 0.01 to 100; default 1.
     scene
@@ -83,9 +83,9 @@ class ExplorerView:
 
     Examples
     --------
-    >>> view = ExplorerView(block=Block.rectangle(width=0.5, height=1.8), tab="design")
+    >>> view = ExplorerView(block=Block.rectangle(width=0.5, height=1.8), tab="size")
     >>> view.tab
-    'design'
+    'size'
     """
 
     block: Block | DimensionlessBlock | None = None

@@ -12,7 +12,7 @@ from tests.explorer.in_node import InNode
 BLOCK = Block.rectangle(width=0.25, height=1.0, restitution=0.8)
 CELLS = """
 const { shakenCells } = await import(parts('physics/shake.mjs'));
-answer(asked.map((one) => [...shakenCells(kernels, one).fate]));
+answer(asked.map((one) => [...shakenCells(kernels, { ...one, x: one.hz, y: one.g }).fate]));
 """
 RUNS = """
 const { shakenRun } = await import(parts('physics/shake.mjs'));

@@ -26,7 +26,7 @@ const { stateOfLink } = await import(parts('shell/link.mjs'));
 const { attractorOf } = await import(parts('physics/attractor.mjs'));
 const { historyOf } = await import(parts('physics/history.mjs'));
 const stateOf = ({ patch, further }) => {
-    const { state, refused } = patched(defaultState(), patch ?? {});
+    const { state, refused } = patched(defaultState(), { tab: 'explore', ...patch });
     if (refused.length) throw new Error(`refused: ${refused}`);
     return { ...state, ...further };
 };

@@ -149,7 +149,7 @@ export function makeBench(app) {
     say(element('bench-facts'), told?.facts ?? '');
     const size = `${app.state.b.toFixed(2)} by ${app.state.h.toFixed(2)} metres`;
     setOn(stageAt, 'aria-label', `Your block, ${size}. ${says.textContent} The left and right arrow keys push the ground; R stands the block up.`);
-    setOn(pictureAt, 'aria-label', `${question().title} ${question().plane(sizing, answers()).tag}. The arrow keys move the point.`);
+    setOn(pictureAt, 'aria-label', `${question().title} ${question().plane(sizing, answers()).tag.replace('  ', ', ')}. The arrow keys move the point.`);
   };
   /** What leads to the researchers' room. @returns {Partial<State>} */
   const roomOf = () => ({ units: 'si', model: equationsOf(app.state), ...question().more() });

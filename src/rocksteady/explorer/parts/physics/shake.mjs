@@ -12,12 +12,12 @@ import { pulseNumbers } from './story/pulses.mjs';
 /** @import { Reel } from './push/falling.mjs' */
 
 /**
- * Shakings of a block: harmonic ones that go on, or single sines.
+ * Shakings of a block: harmonic ones that go on, or single sines; the axes of a map.
  * @typedef {object} Shaken
  * @property {RecordBlock} block
  * @property {boolean} push  one sine
- * @property {ArrayLike<number>} hz
- * @property {ArrayLike<number>} g  largest acceleration
+ * @property {ArrayLike<number>} x  frequency [Hz]
+ * @property {ArrayLike<number>} y  largest acceleration [g]
  */
 
 /**
@@ -48,10 +48,10 @@ const HELD = 1; // [s] for which a block that lies is shown
  * @param {Shaken} asked
  * @returns {{ fate: Uint8Array }}
  */
-export function shakenCells(kernels, { block, push, hz, g }) {
-  const lift = evaluate(kernels, 'tan', block.alpha), fate = new Uint8Array(hz.length);
-  const lifted = Array.from(g, (_, k) => k).filter((k) => g[k] > lift);
-  const all = lifted.map((k) => pulseNumbers(block, g[k], hz[k]));
+export function shakenCells(kernels, { block, push, x, y }) {
+  const lift = evaluate(kernels, 'tan', block.alpha), fate = new Uint8Array(x.length);
+  const lifted = Array.from(y, (_, k) => k).filter((k) => y[k] > lift);
+  const all = lifted.map((k) => pulseNumbers(block, y[k], x[k]));
   const amplitude = Float64Array.from(all, (one) => one.amplitude), ratio = Float64Array.from(all, (one) => one.ratio);
   if (push && lifted.length) {
     const { status, impacts } = pulseFates(kernels, { ...block, shape: 'one-sine', amplitudes: amplitude, ratios: ratio });
@@ -80,7 +80,7 @@ export function sizeCells(kernels, { restitution, push, hz, g, x, y }) {
     const { housner, ...measures } = rectangleOf(kernels, { width, height: y[k] });
     const block = { ...measures, restitution: restitution ?? housner, nonlinear: true };
     if (evaluate(kernels, 'tan', block.alpha) < g && !(block.restitution > 0)) return SHAKEN.undecided;
-    return shakenCells(kernels, { block, push, hz: [hz], g: [g] }).fate[0];
+    return shakenCells(kernels, { block, push, x: [hz], y: [g] }).fate[0];
   });
   return { fate };
 }
@@ -117,7 +117,7 @@ export function widthTurn(kernels, { width, height, least, most, ...shaking }) {
  */
 export function shakenRun(kernels, { block, push, hz, g }) {
   const { alpha, p } = block, { amplitude, ratio } = pulseNumbers(block, g, hz);
-  const { fate: [fate] } = shakenCells(kernels, { block, push, hz: [hz], g: [g] });
+  const { fate: [fate] } = shakenCells(kernels, { block, push, x: [hz], y: [g] });
   const seconds = push ? 1 / hz + AFTER / p : SHAKES / hz + TUMBLE / p;
   const reel = baseReel(kernels, {
     block, seconds, ...(push ? { pulse: { shape: 'one-sine', amplitude, ratio } } : { harmonic: { amplitude, ratio } }),

@@ -11,7 +11,7 @@ export const STORY = ['push', 'swing', 'size', 'fall', 'fates', 'order', 'quake'
 /** Questions of the laboratory, and of the rooms for researchers the questions that they are behind. */
 export const TABS = ['shake', 'start', 'quake', 'size'];
 /** @type {Readonly<Record<string, string>>} */
-export const ROOMS = { explore: 'shake', pulse: 'shake', basins: 'start', design: 'size' };
+export const ROOMS = { explore: 'shake', basins: 'start', pulse: 'shake', design: 'size' };
 
 const DECIMAL = /^\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*$/i; // no 0x10
 
