@@ -30,7 +30,8 @@ DARK_COLUMNS = """() => {
 def ink(page: Page) -> np.ndarray:
     """Return where the picture of a page is not white."""
     shot = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
-    return (255 - np.asarray(shot, dtype=int)).max(axis=2) > 8
+    dark: np.ndarray = (255 - np.asarray(shot, dtype=int)).max(axis=2) > 8
+    return dark
 
 
 @every(
