@@ -11,16 +11,21 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
+from playwright.sync_api import Browser
 from pytest_benchmark.plugin import pytest_benchmark_generate_machine_info
 from rich.console import Console
 from rich.table import Table
 
 from bench.explorer.session import (
+    BLOCK,
+    COARSE,
     DRAG,
+    FIRST_MAP,
     LANDING,
     MAP,
-    MAP_OF,
-    REFINED,
+    MOVED,
+    PUSH,
+    SHAKE,
     STAGE,
     chromium,
     opened,
@@ -34,18 +39,21 @@ from rocksteady.export import ExplorerView
 OPENINGS = 11
 EVENTS = 200
 DRAGS = 3
+MOVES = 12
+BLOCKS = {"rack": (0.6, 2.0), "cabinet": (0.25, 1.0)}
+"""Width and height [m]."""
+KINDS = {"on": "goes on", "push": "one push"}
 INTRODUCTION = """\
 Written by `make bench-explorer`; do not edit. The page of `rocksteady explore` without ground
-motions, in Chromium {version} without a graphics card, 1440 x 900 pixels. *First picture*: from the
-request of the file until the block is drawn, or all panels of the laboratory, each time in a new
-profile. *From hand to block*: what an event of the hand and the frame after it take together on
-the main thread, the march of the kernels included; 200 events, 3 times.
-*Drag*: {events} events over the map, one a frame, {drags} times: *work* is what handler and frame
-take together on the main thread, computing and drawing of all panels; *next frame* ends with the
-frame after the event. *Coarse map*: from a zoom until there is a cell for each 8 x 8 pixels; *whole
-map*: a cell for each pixel, {cells} of them. *128 x 128 cells*: 16 jobs of the page's workers.
-*Longest task*: on the main thread while the page opens, and afterwards; the browser reports those
-of 50 ms and more.
+motions, in Chromium {version} without a graphics card, 1280 x 800 pixels. *First picture*: from the
+request of the file until the block is drawn, in *Shake it* with the axes of its map, each time in a
+new profile; *first map*: until its first 16 x 12 cells are drawn. *Hand, work*: what an event of
+the hand and the frame after it take together on the main thread, the march of the kernels included;
+{events} events, {drags} times. *Hand, until it is drawn*: from an event until ground that was at
+rest is drawn elsewhere; it goes where the hand was 1/60 s ago. *Point, work*: as of the hand,
+while the point of the map is dragged. *Coarse map*: from a change of the block until the first
+16 x 12 cells are drawn. *Longest task*: on the main thread; the browser reports those of 50 ms and
+more.
 """
 
 
@@ -80,48 +88,65 @@ def measured(file: Path) -> dict[str, Any]:
     data["scene"] = max(sizes)
     with chromium() as browser:
         data["version"] = browser.version
-        firsts, opening, later, work, following, refined = [], [], [], [], [], []
-        for _ in range(OPENINGS):
-            view, first = opened(browser, file, reduced_motion="reduce")
+        return data | openings(browser, file) | hands(browser, file) | maps(browser, file)
+
+
+def openings(browser: Browser, file: Path) -> dict[str, list[float]]:
+    """Return when first pictures are there, and the longest tasks until then."""
+    found: dict[str, list[float]] = {}
+    for _ in range(OPENINGS):
+        for name, where in (("landing", LANDING), ("shake", SHAKE)):
+            view, first = opened(browser, file, where, reduced_motion="reduce")
             view.wait_for_timeout(1500.0)
-            firsts.append(first)
-            opening.append(longest(view.evaluate("window.long_")))
+            found.setdefault(f"first_{name}", []).append(first)
+            found.setdefault(f"long_{name}", []).append(longest(view.evaluate("window.long_")))
+            if where == SHAKE:
+                found.setdefault("first_map", []).append(view.evaluate(f"({FIRST_MAP})(0)"))
             view.context.close()
-        for _ in range(DRAGS):
-            view, _ = opened(browser, file, reduced_motion="reduce")
-            view.wait_for_timeout(5000.0)
+    return found
+
+
+def hands(browser: Browser, file: Path) -> dict[str, list[float]]:
+    """Return what the hand on the ground and on the map's point takes."""
+    found: dict[str, list[float]] = {}
+    for _ in range(DRAGS):
+        for name, where, canvas in (
+            ("hand_landing", LANDING, STAGE),
+            ("hand_shake", SHAKE, BLOCK),
+            ("point_on", SHAKE, MAP),
+            ("point_push", PUSH, MAP),
+        ):
+            view, _ = opened(browser, file, where, reduced_motion="reduce")
+            view.wait_for_timeout(3000.0)
             view.evaluate("window.long_.length = 0")
-            drag = view.evaluate(DRAG, [MAP, EVENTS])
-            work += drag["work"]
-            following += drag["next"]
-            refined.append(view.evaluate(REFINED))
-            later.append(longest(view.evaluate("window.long_")))
+            found.setdefault(name, []).extend(view.evaluate(DRAG, [canvas, EVENTS]))
+            view.wait_for_timeout(500.0)
+            found.setdefault("long_hands", []).append(longest(view.evaluate("window.long_")))
             view.context.close()
-        blocks, landing, hand = [], [], []
-        for _ in range(OPENINGS):
-            view, first = opened(browser, file, LANDING, reduced_motion="reduce")
-            view.wait_for_timeout(1500.0)
-            blocks.append(first)
-            if len(blocks) <= DRAGS:
-                hand += view.evaluate(DRAG, [STAGE, EVENTS])["work"]
-            landing.append(longest(view.evaluate("window.long_")))
-            view.context.close()
-        view, _ = opened(browser, file, reduced_motion="reduce")
-        view.wait_for_timeout(5000.0)
-        data["map_128"] = view.evaluate(MAP_OF, [128, 16])
-    return data | {
-        "first": firsts,
-        "first_block": blocks,
-        "hand": hand,
-        "long_landing": landing,
-        "work": work,
-        "next": following,
-        "coarse": [each["coarse"] for each in refined],
-        "whole": [each["whole"] for each in refined],
-        "cells": refined[0]["cells"],
-        "long_opening": opening,
-        "long_later": later,
+    view, _ = opened(browser, file, SHAKE, reduced_motion="reduce")
+    view.wait_for_timeout(3000.0)
+    waited = view.evaluate(MOVED, [BLOCK, MOVES])
+    view.context.close()
+    return found | {
+        "moved": [each["time"] for each in waited],
+        "moved_frames": [each["frames"] for each in waited],
     }
+
+
+def maps(browser: Browser, file: Path) -> dict[str, list[float]]:
+    """Return how long the coarse maps of two blocks take; none is the same twice."""
+    found: dict[str, list[float]] = {}
+    view, _ = opened(browser, file, SHAKE, reduced_motion="reduce")
+    view.wait_for_timeout(3000.0)
+    for turn in range(OPENINGS):
+        for block, (width, height) in BLOCKS.items():
+            for kind in KINDS:
+                address = f"{SHAKE}&kind={kind}&b={width + 0.001 * turn:.3f}&h={height}"
+                found.setdefault(f"coarse_{block}_{kind}", []).append(
+                    view.evaluate(COARSE, address)
+                )
+    view.context.close()
+    return found
 
 
 def longest(tasks: list[dict[str, float]]) -> float:
@@ -138,6 +163,10 @@ def lines(data: dict[str, Any]) -> list[tuple[str, str, str, str]]:
         texts = [f"{value:.1f} ms" if value else least for value in (middle, high)]
         return what, texts[0], texts[1], aim
 
+    def counted(what: str, name: str, aim: str) -> tuple[str, str, str, str]:
+        middle, high = np.percentile(data[name], (50, 95))
+        return what, f"{middle:.0f}", f"{high:.0f}", aim
+
     def sized(what: str, name: str, aim: str) -> tuple[str, str, str, str]:
         return what, f"{data[name] / 1000.0:.0f} kB", "", aim
 
@@ -147,17 +176,25 @@ def lines(data: dict[str, Any]) -> list[tuple[str, str, str, str]]:
         sized("a scene alone, its largest", "scene", "250 kB"),
         sized("its kernels", "module", ""),
         sized("its kernels, packed", "module_packed", ""),
-        timed("first picture, the block", "first_block", "500 ms"),
-        timed("from hand to block, work", "hand", "95 %: 16 ms"),
-        timed("longest task, the block", "long_landing", "50 ms"),
-        timed("first picture, laboratory", "first", "600 ms"),
-        timed("drag, work", "work", "95 %: 8 ms"),
-        timed("drag, next frame", "next", "95 %: 33 ms"),
-        timed("coarse map", "coarse", "100 ms"),
-        timed("128 x 128 cells", "map_128", "400 ms"),
-        timed("whole map", "whole"),
-        timed("longest task, opening", "long_opening", "50 ms"),
-        timed("longest task, drag and zoom", "long_later", "50 ms"),
+        timed("first picture, landing", "first_landing", "500 ms"),
+        timed("first picture, Shake it", "first_shake", "500 ms"),
+        timed("first map, Shake it", "first_map"),
+        timed("hand, work, landing", "hand_landing", "95 %: 16 ms"),
+        timed("hand, work, Shake it", "hand_shake", "95 %: 16 ms"),
+        timed("hand, until it is drawn", "moved", "16 ms"),
+        counted("hand, frames until it is drawn", "moved_frames", "1"),
+        *(
+            timed(f"point, work, {words}", f"point_{kind}", "95 %: 16 ms")
+            for kind, words in KINDS.items()
+        ),
+        *(
+            timed(f"coarse map, {width} x {height} m, {words}", f"coarse_{block}_{kind}", "100 ms")
+            for block, (width, height) in BLOCKS.items()
+            for kind, words in KINDS.items()
+        ),
+        timed("longest task, landing", "long_landing", "50 ms"),
+        timed("longest task, Shake it opens", "long_shake", "50 ms"),
+        timed("longest task, hand and point", "long_hands", "50 ms"),
     ]
 
 
@@ -177,7 +214,6 @@ def section(rows: list[tuple[str, str, str, str]], machine: str, data: dict[str,
         version=data["version"].partition(".")[0],
         events=EVENTS,
         drags=DRAGS,
-        cells=f"{data['cells']:,}".replace(",", " "),
     )
     table = ["| what | median | 95 % | aim |", "|---|--:|--:|---|"]
     table += ["| " + " | ".join(row) + " |" for row in rows]

@@ -1,4 +1,4 @@
-"""The page in Chromium, timed from inside: what a frame takes, and what a drag waits for."""
+"""The page in Chromium, timed from inside: what a frame takes, and what a hand waits for."""
 
 import shutil
 from collections.abc import Iterator
@@ -10,16 +10,37 @@ from playwright.sync_api import Browser, Page, sync_playwright
 
 PROGRAMS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = ["--no-sandbox", "--disable-gpu"]
-SIZE = {"width": 1440, "height": 900}
+SIZE = {"width": 1280, "height": 800}
 CLOCKS = """
-  // How long each callback of a frame takes, and when it ends.
+  // How long each callback of a frame takes; when canvases are drawn; what workers are asked.
   window.frames_ = [];
   window.long_ = [];
-  document.addEventListener('settled', () => { window.settled_ ??= performance.now(); });
-  const fill = CanvasRenderingContext2D.prototype.fillText;
+  window.paints_ = {};
+  window.jobs_ = new Map();
+  const { clearRect, fillText } = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.clearRect = function (...given) {
+    (window.paints_[this.canvas.id] ??= []).push(performance.now());
+    clearRect.apply(this, given);
+  };
   CanvasRenderingContext2D.prototype.fillText = function (...given) {
-    if (this.canvas.id === 'stage') window.block_ ??= performance.now();
-    fill.apply(this, given);
+    fillText.apply(this, given);
+    const all = window.paints_[this.canvas.id];
+    if (all) all[all.length - 1] = performance.now(); // a picture ends with its last word
+  };
+  const PlainWorker = window.Worker;
+  window.Worker = class extends PlainWorker {
+    constructor(address) {
+      super(address);
+      this.addEventListener('message', ({ data }) => {
+        const asked = window.jobs_.get(data.id);
+        if (asked) asked.answered = performance.now();
+      });
+    }
+    postMessage(message) {
+      const { id, job, args } = message;
+      if (id) window.jobs_.set(id, { id, job, cells: args.hz?.length });
+      super.postMessage(message);
+    }
   };
   const plain = window.requestAnimationFrame.bind(window);
   window.plainFrame = plain;
@@ -32,23 +53,22 @@ CLOCKS = """
     ({ startTime, duration }) => ({ startTime, duration })))).observe(
       { type: 'longtask', buffered: true });
 """
-LABORATORY, LANDING = "#v=1&at=lab", ""
+LANDING, SHAKE, PUSH = "", "#v=2&at=lab", "#v=2&at=lab&kind=push"
 """Ends of the page's address."""
-FIRST_PICTURE = {
-    LABORATORY: "() => window.settled_ ?? null",
-    LANDING: "() => document.documentElement.dataset.ready && (window.block_ ?? null)",
-}
-"""When the first picture is there, by what is opened."""
-MAP, STAGE = "[data-panel='map'] canvas", "#stage"
-"""What is dragged."""
+STAGE, BLOCK, MAP = "stage", "bench-stage", "bench-picture"
+"""Canvases: the landing's, and the laboratory's two."""
+FIRST_PICTURE = """names => {
+  const all = names.map(name => window.paints_[name]?.[0]);
+  return document.documentElement.dataset.ready && all.every(Boolean) ? Math.max(...all) : null;
+}"""
 DRAG = """async ([name, events]) => {
-  const canvas = document.querySelector(name);
+  const canvas = document.getElementById(name);
   const { left, top, width, height } = canvas.getBoundingClientRect();
   const send = (type, x, y) => canvas.dispatchEvent(new PointerEvent(type, {
     pointerId: 1, pointerType: 'mouse', bubbles: true, cancelable: true, isPrimary: true,
     buttons: 1, clientX: left + x * width, clientY: top + y * height }));
   const frame = () => new Promise(window.plainFrame);
-  const work = [], next = [];
+  const work = [];
   send('pointerdown', 0.3, 0.4);
   for (let k = 0; k < events; k += 1) {
     await frame();
@@ -56,80 +76,62 @@ DRAG = """async ([name, events]) => {
     send('pointermove', 0.3 + 0.4 * k / events, 0.4 + 0.2 * Math.sin(12 * k / events));
     const handled = performance.now() - began;
     await frame();
-    next.push(performance.now() - began);
-    const drawn = window.frames_.slice(count).reduce(
-      (sum, { began: from, ended }) => sum + ended - from, 0);
-    work.push(handled + drawn);
+    work.push(window.frames_.slice(count).reduce(
+      (sum, { began: from, ended }) => sum + ended - from, handled));
   }
   send('pointerup', 0.7, 0.4);
-  return { work, next };
+  return work;
 }"""
-REFINED = """async () => {
-  const note = document.querySelector("[data-panel='map'] .note");
-  const canvas = document.querySelector("[data-panel='map'] canvas");
-  const found = {}, began = performance.now();
-  canvas.dispatchEvent(new KeyboardEvent('keydown', { key: '+', bubbles: true }));
-  let refining = false;
-  while (performance.now() - began < 60000) {
-    await new Promise(done => setTimeout(done, 1));
-    const part = note.textContent.match(/refining (\\d+) %/)?.[1];
-    if (part !== undefined) refining = true;
-    const cells = note.textContent.match(/^([\\d,]+) cells/)?.[1];
-    if (refining && !found.coarse && (Number(part) >= 1 || cells)) {
-      found.coarse = performance.now() - began;
-    }
-    if (refining && cells) {
-      found.whole = performance.now() - began;
-      found.cells = Number(cells.replaceAll(',', ''));
-      return found;
-    }
+"""What handler and frame take together [ms], event by event."""
+MOVED = """async ([name, times]) => {
+  const canvas = document.getElementById(name), pen = canvas.getContext('2d');
+  const { left, top, width, height } = canvas.getBoundingClientRect();
+  const send = (type, x) => canvas.dispatchEvent(new PointerEvent(type, {
+    pointerId: 1, pointerType: 'mouse', bubbles: true, cancelable: true, isPrimary: true,
+    buttons: 1, clientX: x, clientY: top + height - 44 }));
+  const ticks = () => pen.getImageData(0, Math.round(canvas.height * (1 - 108 / height)),
+    canvas.width, 1).data.join();
+  const frame = () => new Promise(window.plainFrame);
+  const middle = left + 0.15 * width, waited = [];
+  send('pointerdown', middle);
+  for (let k = 0; k < times; k += 1) {
+    await new Promise(done => setTimeout(done, 1200)); // the ground has come to rest
+    await frame();
+    const before = ticks(), began = performance.now();
+    send('pointermove', middle + (k % 2 ? 0 : 60));
+    let count = 0;
+    do { await frame(); count += 1; } while (ticks() === before && count < 60);
+    waited.push({ frames: count, time: performance.now() - began });
   }
-  return found;
+  send('pointerup', middle);
+  return waited;
 }"""
-MAP_OF = """async ([side, pieces]) => {
-  // The page's own script in workers, as its pool starts them.
-  const text = id => document.getElementById(id).textContent;
-  const bytes = Uint8Array.from(atob(text('kernels').trim()), letter => letter.charCodeAt(0));
-  const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  const module = await WebAssembly.compile(await new Response(plain).arrayBuffer());
-  const url = URL.createObjectURL(new Blob([text('program')], { type: 'text/javascript' }));
-  const workers = Array.from({ length: Math.max(2, navigator.hardwareConcurrency) }, () => {
-    const worker = new Worker(url);
-    worker.postMessage({ module });
-    return worker;
-  });
-  const given = { amplitude: 0, frequencyRatio: 0, restitution: 0.8, nonlinear: false, alpha: 0.2 };
-  const axis = (from, to, count) =>
-    Float64Array.from({ length: count }, (_, k) => from + (to - from) * k / (count - 1));
-  const [ratios, amplitudes] = [axis(0.5, 8, side), axis(0, 6, side)];
-  const run = () => new Promise((done, failed) => {
-    let next = 0, left = pieces;
-    const rows = side / pieces;
-    const ask = worker => {
-      if (next === pieces) return;
-      const args = { given, start: { kind: 'rest' }, ratios, nested: false,
-        amplitudes: amplitudes.slice(next * rows, (next + 1) * rows) };
-      worker.postMessage({ id: next++, job: 'mapTile', args });
-    };
-    for (const worker of workers) {
-      worker.onmessage = ({ data }) => {
-        if (data.fault) failed(new Error(data.fault));
-        else if (--left === 0) done();
-        else ask(worker);
-      };
-      ask(worker);
-    }
-  });
-  await run(); // Chromium compiles to its best on the first run
-  const times = [];
-  for (let k = 0; k < 9; k += 1) {
-    const began = performance.now();
-    await run();
-    times.push(performance.now() - began);
+"""How many frames, and how long [ms], until resting ground has followed the hand."""
+FIRST_MAP = """last => {
+  const asked = [...window.jobs_.values()].filter(({ id, job }) => id > last
+    && job === 'shakenCells');
+  let cells = 0;
+  const coarse = asked.filter(each => (cells += each.cells) <= 16 * 12);
+  if (cells < 16 * 12 || !coarse.every(({ answered }) => answered)) return null;
+  const known = Math.max(...coarse.map(({ answered }) => answered));
+  return window.paints_['bench-picture'].find(time => time > known) ?? null;
+}"""
+"""When the first cells of a map are drawn that was asked after a job."""
+COARSE = """async address => {
+  const last = Math.max(0, ...window.jobs_.keys()), began = performance.now();
+  const later = time => new Promise(done => setTimeout(done, time));
+  location.hash = address;
+  let found = null;
+  while (found === null && performance.now() - began < 10000) {
+    await later(1);
+    found = (FIRST_MAP)(last);
   }
-  for (const worker of workers) worker.terminate();
-  return times;
-}"""
+  while ([...window.jobs_.values()].some(({ answered }) => !answered)
+    && performance.now() - began < 20000) await later(50);
+  await later(200);
+  return found - began;
+}""".replace("FIRST_MAP", FIRST_MAP)
+"""How long it takes from another block to the first map of it [ms]."""
 
 
 @contextmanager
@@ -150,11 +152,12 @@ def chromium() -> Iterator[Browser]:
         browser.close()
 
 
-def opened(browser: Browser, file: Path, where: str = LABORATORY, **how: Any) -> tuple[Page, float]:
+def opened(browser: Browser, file: Path, where: str, **how: Any) -> tuple[Page, float]:
     """Return the page in a new context, and after how many milliseconds it has its picture."""
     page = browser.new_context(viewport=SIZE, **how).new_page()
     page.add_init_script(CLOCKS)
     page.goto(file.as_uri() + where)
-    while (first := page.evaluate(FIRST_PICTURE[where])) is None:
+    pictures = [STAGE] if where == LANDING else [BLOCK, MAP]
+    while (first := page.evaluate(FIRST_PICTURE, pictures)) is None:
         page.wait_for_timeout(10.0)
     return page, first

@@ -37,7 +37,7 @@ export function makeBench(app) {
   const asked = new Map();
   /** @type {Cells | null} */
   let cells = null;
-  let whole = false;
+  let whole = false, refused = ''; // what a field does not take: said until something changes
   /** @type {Place | null} */
   let yours = null;
   /** @type {Sentence | null} */
@@ -55,8 +55,7 @@ export function makeBench(app) {
     body: bodyOf(app),
     layout: (width, height, body) => benchLayout(width, height, body),
     touched() {
-      byHand = true;
-      plays = false;
+      [byHand, plays, refused] = [true, false, ''];
     },
     stood() {
       byHand = true;
@@ -146,7 +145,7 @@ export function makeBench(app) {
       number.textContent = value;
       says.replaceChildren(before, ...(value ? [number] : []), after);
     }
-    say(element('bench-facts'), told?.facts ?? '');
+    say(element('bench-facts'), refused || (told?.facts ?? ''));
     const size = `${app.state.b.toFixed(2)} by ${app.state.h.toFixed(2)} metres`;
     setOn(stageAt, 'aria-label', `Your block, ${size}. ${says.textContent} The left and right arrow keys push the ground; R stands the block up.`);
     setOn(pictureAt, 'aria-label', `${question().title} ${question().plane(sizing, answers()).tag.replace('  ', ', ')}. The arrow keys move the point.`);
@@ -155,6 +154,7 @@ export function makeBench(app) {
   const roomOf = () => ({ units: 'si', model: equationsOf(app.state), ...question().more() });
   const refresh = () => {
     const { state } = app, { title, choice, act, note, leans } = question();
+    refused = '';
     stage.resize(bodyOf(app));
     if (!plays) stage.lean(leans());
     for (const name of /** @type {const} */ (['b', 'h'])) {
@@ -181,7 +181,7 @@ export function makeBench(app) {
   };
 
   element('bench-act').addEventListener('click', () => {
-    [byHand, opened, plays] = [false, true, true];
+    [byHand, opened, plays, refused] = [false, true, true, ''];
     tell();
     play();
   });
@@ -221,7 +221,8 @@ export function makeBench(app) {
         return;
       }
       fields[name].value = String(state[name]);
-      say(element('bench-facts'), `${name === 'b' ? 'Width' : 'Height'}: ${from.toFixed(2)} to ${to.toFixed(2)} m.`);
+      refused = `${name === 'b' ? 'Width' : 'Height'}: ${from.toFixed(2)} to ${to.toFixed(2)} m.`;
+      tell();
     });
   }
   document.addEventListener('state', (event) => {
