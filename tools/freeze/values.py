@@ -31,6 +31,8 @@ RUN = re.compile(
 )
 """Ends of lines that state how long a computation took."""
 ADDRESS = re.compile(r"\bat 0x[0-9a-f]+")
+SIZE = re.compile(r"\b\d+ kB")
+"""Sizes of files: that of the page changes with each of its lines."""
 TEMPORARY = re.compile(rf"{re.escape(tempfile.gettempdir())}/rocksteady-\w+")
 MANY = 100
 """Values of a generator that are taken: it may have no end."""
@@ -39,13 +41,13 @@ SMALL = 8
 
 
 def tidy(text: str, folder: Path | None = None) -> str:
-    """Return a text without places, versions, durations and addresses."""
+    """Return a text without places, versions, durations, addresses and sizes of files."""
     for path in {folder, folder and folder.resolve()} - {None}:
         text = text.replace(str(path), "FOLDER")
     text = text.replace(sources_hash(), "SOURCES").replace(sources_hash()[:16], "SOURCES")
     text = re.sub(rf"(?<![\d.]){re.escape(rs.__version__)}(?![\d.]*\d)", "VERSION", text)
     text = TEMPORARY.sub("TEMPORARY", RUN.sub(r"\1 in DURATION", text))
-    return ADDRESS.sub("at ADDRESS", text)
+    return SIZE.sub("SIZE kB", ADDRESS.sub("at ADDRESS", text))
 
 
 def without(value: Any, dropped: AbstractSet[str] = TIMED) -> Any:
