@@ -87,3 +87,56 @@ def test_advice_lies_outside_every_window_and_a_warning_inside_one(in_node: InNo
     asked = {"push": True, "g": 0.6, "lift": 0.25, "alpha": 0.245}
     (found,) = in_node(SAID, [[RUN, asked, narrow]])
     assert 0.50012 <= float(found["words"][1].removesuffix(" g")) <= 0.50019
+
+
+OTHERS = """
+const { releasedSentence, sizeSentence } = await import(parts('bench/sentence.mjs'));
+const words = ({ words }) => words.join('');
+answer(asked.map(([what, run, given, further]) => words(
+  what === 'size' ? sizeSentence(run, further, given) : releasedSentence(run, given, further))));
+"""
+SIZE = {"push": True, "lift": 0.3, "alpha": 0.29, "width": 0.6}
+START = {"alpha": 0.29, "shaken": True}
+
+
+@every(
+    ("what", "run", "given", "further", "sentence"),
+    [
+        ("size", {}, SIZE, None, "It stands."),
+        (
+            "size", {}, SIZE, {"falls": False, "turns": 0.56, "last": None},
+            "It stands; 4 cm narrower it falls.",
+        ),
+        (
+            "size", {"fate": 3}, SIZE, {"falls": True, "turns": 0.91, "last": None},
+            "It falls; 31 cm wider it stands.",
+        ),
+        (
+            "size", {"fate": 0}, SIZE, {"falls": False, "turns": None, "last": 0.05},
+            "It never lifts, narrower too, down to 0.05 m.",
+        ),
+        (
+            "size", {"fate": 2}, SIZE, {"falls": True, "turns": None, "last": 1.8},
+            "It falls, wider too, up to 1.80 m.",
+        ),
+        ("size", {}, SIZE, {"falls": False, "turns": None, "last": None}, "It stands."),
+        ("size", {"fate": 4}, SIZE, None, "What becomes of it is not decided."),
+        (
+            "start", {"rock": 1.376}, {**START, "shaken": False}, None,
+            "The first rock takes 1.38 s.",
+        ),
+        ("start", {"fate": 0, "kind": "rest"}, START, None, "From here it comes to rest."),
+        (
+            "start", {"fate": 2, "kind": "overturned"}, START, {"falls": 57, "cells": 100},
+            "From here it falls; 57 % of the starts on this map fall.",
+        ),
+        (
+            "start", {"fate": 4, "kind": "undecided"}, START, {"falls": 0, "cells": 100},
+            "What becomes of it is not decided; none of the starts on this map fall.",
+        ),
+    ],
+)  # fmt: skip
+def test_sentences_on_sizes_and_on_starts(
+    what: str, run: dict[str, Any], given: Any, further: Any, sentence: str, in_node: InNode
+) -> None:
+    assert in_node(OTHERS, [[what, {**RUN, **run}, given, further]]) == [sentence]

@@ -117,6 +117,8 @@ def test_sizes_stand_and_fall_as_their_blocks(push: bool, in_node: InNode) -> No
     for (width, height), code, turn in zip(sizes, codes, turns, strict=True):
         assert turn["falls"] == (code > 1)
         if turn["turns"] is None:
+            alike = () if turn["last"] is None else np.linspace(width, turn["last"], 9)
+            assert {fate(float(b), height) > 1 for b in alike} <= {turn["falls"]}
             continue
         steps = round((turn["turns"] - width) / 0.01)
         assert (steps > 0) == turn["falls"]

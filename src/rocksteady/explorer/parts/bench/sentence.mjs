@@ -1,6 +1,6 @@
 // What the laboratory says of a block: one sentence with one number, and a fact or two.
 
-/** @import { ShakenRun } from '../physics/shake.mjs' */
+/** @import { ShakenRun, WidthTurn } from '../physics/shake.mjs' */
 /** @import { PulseWindow } from '../physics/demand/windows.mjs' */
 /** @import { ReleasedRun } from '../physics/released.mjs' */
 /** @import { Share } from './cells.mjs' */
@@ -67,7 +67,7 @@ export function releasedSentence(run, { alpha, shaken }, share) {
 /**
  * Return the sentence on a size.
  * @param {ShakenRun} run
- * @param {{ falls: boolean, turns: number | null } | null} turn  the width at which it is otherwise [m]; null: not known yet
+ * @param {WidthTurn | null} turn  null: not known yet
  * @param {{ push: boolean, lift: number, alpha: number, width: number }} asked
  * @returns {Sentence}
  */
@@ -77,7 +77,10 @@ export function sizeSentence(run, turn, { push, lift, alpha, width }) {
   if (run.fate === SHAKEN.undecided) return { words: plain(UNDECIDED), facts };
   const now = falls ? 'falls' : run.fate === SHAKEN.still ? NEVER_LIFTS : push ? STANDS : 'rocks';
   if (!turn || turn.falls !== falls) return { words: plain(`It ${now}.`), facts };
-  if (turn.turns === null) return { words: plain(`It ${now}, at any ${falls ? 'greater' : 'smaller'} width too.`), facts };
+  if (turn.turns === null) {
+    if (turn.last === null) return { words: plain(`It ${now}.`), facts };
+    return { words: [`It ${now}, ${falls ? 'wider too, up to' : 'narrower too, down to'} `, `${turn.last.toFixed(2)} m`, '.'], facts };
+  }
   const by = `${Math.round(100 * Math.abs(turn.turns - width))} cm`;
   return { words: [`It ${now}; `, by, falls ? ' wider it stands.' : ' narrower it falls.'], facts };
 }

@@ -85,13 +85,16 @@ export function sizeCells(kernels, { restitution, push, hz, g, x, y }) {
   return { fate };
 }
 
+/** @typedef {{ falls: boolean, turns: number | null, last: number | null }} WidthTurn  [m]; null where no width is
+ * otherwise, and `last` up to which none is, were it only for a centimetre */
+
 /**
  * Return the nearest other width, in centimetres, at which it is otherwise whether a block falls,
  * and stays so for some more: narrower where it stands, wider where it falls; a job of the pool.
  * @param {Kernels} kernels
  * @param {{ restitution: number | null, push: boolean, hz: number, g: number, width: number,
  *   height: number, least: number, most: number }} asked  [m]; of the widths
- * @returns {{ falls: boolean, turns: number | null }}  [m]; null where no width is otherwise
+ * @returns {WidthTurn}
  */
 export function widthTurn(kernels, { width, height, least, most, ...shaking }) {
   const falls = (/** @type {number[]} */ widths) => Array.from(
@@ -102,11 +105,13 @@ export function widthTurn(kernels, { width, height, least, most, ...shaking }) {
     .filter((each) => each > least - 1e-9 && each < most + 1e-9);
   /** @type {number[]} */
   let turned = []; // widths in turn that are otherwise
+  let steady = true;
   for (const each of all) {
     turned = falls([each])[0] === now ? [] : [...turned, each];
+    steady &&= !turned.length;
     if (turned.length === TURNED) break;
   }
-  return { falls: now, turns: turned[0] ?? null };
+  return { falls: now, turns: turned[0] ?? null, last: steady ? all[all.length - 1] ?? null : null };
 }
 
 /**
