@@ -50,7 +50,7 @@ def _push(page: Page) -> None:
     x, y = box["x"] + 0.2 * box["width"], box["y"] + box["height"] - 90.0
     page.mouse.move(x, y)
     page.mouse.down()
-    for there in (30, -30, 0):
+    for there in (0.02 * box["width"], -0.02 * box["width"], 0.0):
         page.mouse.move(x + there, y, steps=8)
         page.wait_for_timeout(250.0)
     page.mouse.up()
