@@ -38,7 +38,7 @@ CLOCKS = """
     }
     postMessage(message) {
       const { id, job, args } = message;
-      if (id) window.jobs_.set(id, { id, job, cells: args.hz?.length });
+      if (id) window.jobs_.set(id, { id, job, cells: args.x?.length ?? 0 });
       super.postMessage(message);
     }
   };

@@ -226,6 +226,7 @@ def test_a_browser_that_fails_ends_nothing(
         ("-A 1:2:3", ["--amplitude/-A"]),
         ("--start steady:2", ["--start = 'steady:2'"]),
         ("--start 1", ["--start = '1'"]),
+        ("--tab size --model linear", ["--tab = 'size'", "full equations", "explore"]),
         (
             "--tab map",
             ["--tab = 'map'", "shake, start, quake, size, explore"],

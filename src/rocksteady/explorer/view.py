@@ -27,6 +27,8 @@ from rocksteady.model.motions.segments import Harmonic
 PLACES: Final = (*SCENES, "lab")
 TABS: Final = ("shake", "start", "quake", "size", "explore", "basins", "pulse", "design")
 """Questions of the laboratory, and the rooms for researchers behind them."""
+FULL: Final = ("shake", "size")
+"""Tabs that solve the full equations whatever the model."""
 LIMITS: Final = {
     "amplitude": (0.0, 1000.0),
     "frequency_ratio": (0.01, 1000.0),
@@ -109,7 +111,11 @@ class ExplorerView:
             _check_motion(self.motion)
         if self.block is not None:
             _check_block(self.block)
-        _check_model(as_model("model", self.model), self.block)
+        model = as_model("model", self.model)
+        _check_model(model, self.block)
+        if self.tab in FULL and isinstance(model or self.block, Linear | DimensionlessBlock):
+            valid = "it has blocks with a size, by the full equations"
+            raise ModelError("tab", self.tab, valid, "give width and height, or choose explore")
         _ = _start_text(self.start)
 
 

@@ -99,7 +99,7 @@ export function makeBench(app) {
   });
   const picture = makePicture(app, pictureAt, () => {
     const now = answers();
-    return { plane: question().plane(sizing, now), cells, kinds: question().kinds(), curve: question().curve(now) };
+    return { plane: question().plane(sizing, now), cells, kinds: question().kinds(), curve: question().curve?.(now) ?? [] };
   }, (place, done) => {
     [byHand, opened, plays] = [false, true, done];
     sizing = !done && app.state.tab === 'size';
@@ -120,8 +120,7 @@ export function makeBench(app) {
   };
   const ask = () => {
     const wanted = question().cells();
-    if (wanted) map.ask(wanted);
-    else [cells, whole] = [null, false];
+    if (map.ask(wanted)) whole = false;
     for (const [name, { job, args, priority }] of Object.entries(question().wants())) {
       const key = JSON.stringify({ job, args, priority });
       if (asked.get(name)?.key === key) continue;
@@ -153,10 +152,10 @@ export function makeBench(app) {
   /** What leads to the researchers' room. @returns {Partial<State>} */
   const roomOf = () => ({ units: 'si', model: equationsOf(app.state), ...question().more() });
   const refresh = () => {
-    const { state } = app, { title, choice, act, note, leans } = question();
+    const { state } = app, { title, choice, act, note } = question();
     refused = '';
     stage.resize(bodyOf(app));
-    if (!plays) stage.lean(leans());
+    if (!plays) stage.lean(question().leans?.() ?? null);
     for (const name of /** @type {const} */ (['b', 'h'])) {
       if (document.activeElement !== fields[name]) fields[name].value = String(Number(state[name].toFixed(3)));
     }
@@ -188,9 +187,7 @@ export function makeBench(app) {
   element('bench-more').addEventListener('click', (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return;
     event.preventDefault();
-    const next = roomOf();
-    app.shared.picture = Object.fromEntries(Object.keys(next).map((key) => [key, app.state[/** @type {keyof State} */ (key)]]));
-    app.set(next);
+    app.set(roomOf());
   });
   const turn = (/** @type {string} */ value) => {
     [byHand, opened, plays] = [false, true, false];
@@ -232,6 +229,7 @@ export function makeBench(app) {
       [byHand, plays, told] = [false, false, null];
       stage.stand();
     }
+    if (changed.includes('tab') || changed.includes(question().choice.key)) [cells, whole] = [null, false];
     refresh();
   });
   if (seen()) refresh();

@@ -62,16 +62,17 @@ export function makeCells(pool, ready, failed) {
     }
   };
   return {
-    /** Compute a map unless it is being computed. @param {Asked} asked */
+    /** Compute a map unless it is being computed, or none; return whether it is another. @param {Asked | null} asked */
     ask(asked) {
       const next = JSON.stringify(asked);
-      if (next === key) return;
+      if (next === key) return false;
       key = next;
       turn++;
       pool.drop(JOBS);
       const known = kept.get(key);
-      if (known) ready(known, true);
-      else compute(asked, turn).catch(failed);
+      if (known) queueMicrotask(() => ready(known, true));
+      else if (asked) compute(asked, turn).catch(failed);
+      return true;
     },
   };
 }

@@ -29,11 +29,11 @@ import { MOTION_NAMES, NEVER_LIFTS, STANDS, fallName } from '../words.mjs';
  * @property {() => readonly Kind[]} kinds  by the codes of the cells
  * @property {() => Asked | null} cells
  * @property {() => Record<string, Wanted>} wants
- * @property {(answers: Answers) => readonly Place[]} curve
+ * @property {(answers: Answers) => readonly Place[]} [curve]  in place of areas
  * @property {(answers: Answers, share: Share | null) => Sentence | null} says
  * @property {() => string} note
  * @property {() => Partial<State>} more  what leads to the researchers' room
- * @property {() => number | null} leans  theta/alpha at which the block is held; null: it stands
+ * @property {() => number} [leans]  theta/alpha at which the block is held
  * @property {(tilt: number) => Partial<State>} [tilted]  what letting it go from a tilt sets
  */
 
@@ -60,12 +60,12 @@ export function shakingSet(app, g, hz) {
   return push ? { pA: amplitude, pW: ratio } : { A: amplitude, W: ratio };
 }
 
-/** Return what sets a size; the shakings stay as they are in g and Hz. @param {App} app
+/** Return what sets a size, of which the full equations hold; the shakings stay as they are in g and Hz. @param {App} app
  * @param {{ b: number, h: number }} size @returns {Partial<State>} */
 export function sizeSet({ kernels, state }, size) {
   const before = blockNumbers(kernels, state), after = blockNumbers(kernels, { ...state, ...size });
   const [lean, pace] = [before.alpha / after.alpha, before.p / after.p];
-  return { ...size, A: state.A * lean, W: state.W * pace, pA: state.pA * lean, pW: state.pW * pace };
+  return { ...size, model: 'auto', A: state.A * lean, W: state.W * pace, pA: state.pA * lean, pW: state.pW * pace };
 }
 
 /**
@@ -85,6 +85,21 @@ export function kindsOf({ theme }, { still = NEVER_LIFTS, goesOn = STANDS, falls
     falls ? any : fell(0, fallName(0)), falls ? any : fell(1, fallName(1).replace('after ', 'after|')),
     { look: classLook(theme, 'undecided'), name: MOTION_NAMES.undecided, ink: 'ink', over: 'paper' },
   ];
+}
+
+/**
+ * Return the ends of axes that follow the block, and hold while its size is changed.
+ * @template Ends
+ * @param {() => Ends} now
+ * @returns {(sizing?: boolean) => Ends}  by default as when last asked
+ */
+export function heldEnds(now) {
+  /** @type {Ends | null} */
+  let kept = null;
+  return (sizing = kept !== null) => {
+    kept = sizing ? kept ?? now() : null;
+    return kept ?? now();
+  };
 }
 
 /** Return a value rounded up to a multiple. @param {number} value @param {number} step */

@@ -54,7 +54,8 @@ export function shakenSentence(run, { push, g, lift, alpha }, windows) {
 export function releasedSentence(run, { alpha, shaken }, share) {
   const facts = `it tips past ${degreeText(alpha)}`;
   if (!shaken) {
-    if (Number.isNaN(run.rock)) return { words: plain('It falls: that is past its tipping angle.'), facts };
+    if (run.fate === SHAKEN.once) return { words: plain('It falls: that is past its tipping angle.'), facts };
+    if (Number.isNaN(run.rock)) return { words: plain('It does not rock.'), facts };
     return { words: ['The first rock takes ', `${run.rock.toFixed(2)} s`, '.'], facts };
   }
   const here = run.fate === SHAKEN.undecided ? UNDECIDED.slice(0, -1)

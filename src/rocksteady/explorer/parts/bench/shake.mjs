@@ -7,7 +7,7 @@
 import { SHAKES } from '../physics/shake.mjs';
 import { SHAPE } from '../physics/story/pulses.mjs';
 import { MOTION_NAMES } from '../words.mjs';
-import { kindsOf, shakingOf, shakingSet, upTo } from './question.mjs';
+import { heldEnds, kindsOf, shakingOf, shakingSet, upTo } from './question.mjs';
 import { plain, shakenSentence } from './sentence.mjs';
 
 const LEAST_HZ = 0.2, LEAST_TOP = 0.5; // [Hz], [g] of the axes
@@ -23,15 +23,10 @@ export const KIND_CHOICE = { key: 'kind', words: 'What shakes it', options: [['o
  * @returns {Question}
  */
 export function makeShake(app, yours) {
-  /** @type {{ top: number, fast: number } | null} */
-  let frozen = null;
-  /** @param {boolean} sizing */
-  const ends = (sizing) => {
+  const ends = heldEnds(() => {
     const { block, lift } = shakingOf(app);
-    const now = { top: upTo(Math.max(LIFTS * lift, LEAST_TOP), STEP.g), fast: upTo((TURNS * block.p) / (2 * Math.PI), STEP.hz) };
-    frozen = sizing ? frozen ?? now : null;
-    return frozen ?? now;
-  };
+    return { top: upTo(Math.max(LIFTS * lift, LEAST_TOP), STEP.g), fast: upTo((TURNS * block.p) / (2 * Math.PI), STEP.hz) };
+  });
   return {
     title: 'How hard may the ground shake?',
     choice: KIND_CHOICE,
@@ -41,7 +36,7 @@ export function makeShake(app, yours) {
     plane(sizing) {
       const { push, lift, g, hz } = shakingOf(app), { top, fast } = ends(sizing), mine = yours();
       return {
-        x: { from: LEAST_HZ, to: fast, label: 'shakes a second, Hz' },
+        x: { from: LEAST_HZ, to: fast, label: push ? 'frequency of the push, Hz' : 'shakes a second, Hz' },
         y: { from: 0, to: top, label: push ? 'strength of the push, g' : 'strength of the shaking, g' },
         point: { x: hz, y: g }, tag: `${g.toFixed(2)} g  ${hz.toFixed(2)} Hz`,
         limit: { y: lift, words: `lifts above ${lift.toFixed(2)} g` },
@@ -54,18 +49,17 @@ export function makeShake(app, yours) {
       return kindsOf(app, push ? {} : { goesOn: MOTION_NAMES.symmetric, falls: true });
     },
     cells() {
-      const { block, push } = shakingOf(app), { top, fast } = ends(frozen !== null);
+      const { block, push } = shakingOf(app), { top, fast } = ends();
       return { job: 'shakenCells', args: { block, push }, x: [LEAST_HZ, fast], y: [0, top] };
     },
     wants() {
-      const { block, push, hz, g, ratio } = shakingOf(app), { top } = ends(frozen !== null);
+      const { block, push, hz, g, ratio } = shakingOf(app), { top } = ends();
       const windows = { ...block, shape: SHAPE, ratio, high: (1.5 * top) / block.alpha };
       return {
         run: { job: 'shakenRun', args: { block, push, hz, g }, priority: 0 },
         ...(push ? { windows: { job: 'pulseWindows', args: windows, priority: 1 } } : {}),
       };
     },
-    curve: () => [],
     says({ run, windows }) {
       const { block: { alpha }, push, g, lift } = shakingOf(app);
       /** @type {PulseWindow[]} */
@@ -75,6 +69,5 @@ export function makeShake(app, yours) {
     },
     note: () => `Each point of the map is one run from rest${shakingOf(app).push ? '' : ` of ${SHAKES} shakes`}.`,
     more: () => (app.state.kind === 'push' ? { tab: 'pulse', pulse: SHAPE } : { tab: 'explore', start: 'rest' }),
-    leans: () => null,
   };
 }

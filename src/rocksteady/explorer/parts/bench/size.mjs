@@ -7,7 +7,7 @@ import { SHAPE } from '../physics/story/pulses.mjs';
 import { SIZES } from '../stage/stage.mjs';
 import { gText } from '../story/words.mjs';
 import { MOTION_NAMES } from '../words.mjs';
-import { kindsOf, shakingOf, sizeSet, upTo } from './question.mjs';
+import { heldEnds, kindsOf, shakingOf, sizeSet, upTo } from './question.mjs';
 import { plain, sizeSentence } from './sentence.mjs';
 import { KIND_CHOICE } from './shake.mjs';
 
@@ -23,13 +23,7 @@ export function makeSize(app) {
     const { push, hz, g } = shakingOf(app), { state } = app;
     return { push, hz: Number(hz.toFixed(6)), g: Number(g.toFixed(6)), restitution: state.rh === 1 ? null : state.r };
   };
-  /** @type {{ b: number, h: number } | null} */
-  let frozen = null;
-  const ends = (/** @type {boolean} */ sizing) => {
-    const { b, h } = app.state, now = { b: upTo(Math.max(b, WIDEST), 0.5), h: upTo(Math.max(h, TALLEST), 1) };
-    frozen = sizing ? frozen ?? now : null;
-    return frozen ?? now;
-  };
+  const ends = heldEnds(() => ({ b: upTo(Math.max(app.state.b, WIDEST), 0.5), h: upTo(Math.max(app.state.h, TALLEST), 1) }));
   return {
     title: 'What size stands?',
     choice: KIND_CHOICE,
@@ -51,7 +45,7 @@ export function makeSize(app) {
     },
     kinds: () => kindsOf(app, shakingOf(app).push ? {} : { goesOn: MOTION_NAMES.symmetric, falls: true }),
     cells() {
-      const to = ends(frozen !== null);
+      const to = ends();
       return { job: 'sizeCells', args: shaking(), x: [0, to.b], y: [0, to.h] };
     },
     wants() {
@@ -62,7 +56,6 @@ export function makeSize(app) {
         turn: { job: 'widthTurn', args: { ...shaking(), width, height, least: SIZES.least, most }, priority: 1 },
       };
     },
-    curve: () => [],
     says({ run, turn }) {
       const { block: { alpha }, push, lift } = shakingOf(app), { b: width } = app.state;
       return run ? sizeSentence(run, turn ?? null, { push, lift, alpha, width }) : null;
@@ -76,6 +69,5 @@ export function makeSize(app) {
       const { push, g, hz } = shaking(), demand = push ? { demand: 'pulse', pulse: SHAPE } : { demand: 'harmonic', dn: SHAKES };
       return /** @type {any} */ ({ tab: 'design', ...demand, dg: g, df: hz });
     },
-    leans: () => null,
   };
 }

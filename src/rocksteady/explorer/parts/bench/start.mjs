@@ -25,7 +25,7 @@ export function makeStart(app) {
   const begin = () => {
     const start = startOf(app.state);
     const { angle, velocity } = start.kind === 'state' ? start : { angle: TILT, velocity: 0 };
-    return shaken() ? { angle, velocity } : { angle: Math.abs(angle), velocity: 0 };
+    return { angle, velocity: shaken() ? velocity : 0 };
   };
   /** What is let go on what ground, as the jobs take it. */
   const released = () => {
@@ -52,7 +52,7 @@ export function makeStart(app) {
         return {
           x: { from: 0, to: tilt, label: 'tilt at the start, °' },
           y: { from: 0, to: upTo(highest, LEAST_TIME), label: 'time of the first rock, s' },
-          point: { x: angle * tilt, y: run?.rock || 0 }, tag: degreeText(angle * tilt * DEGREE),
+          point: { x: Math.abs(angle) * tilt, y: run?.rock || 0 }, tag: degreeText(Math.abs(angle) * tilt * DEGREE),
         };
       }
       return {
@@ -91,8 +91,7 @@ export function makeStart(app) {
       return shaken() ? `Each point of the map is one run. The ground shakes at ${gText(g)}, ${hz.toFixed(2)}\u00a0Hz, as in Shake it.`
         : 'From the first impact to the second.';
     },
-    more: () => (shaken() ? { tab: 'basins', ...started(begin().angle, begin().velocity) }
-      : { tab: 'explore', A: 0, ...started(begin().angle, 0), cycles: 2 }),
+    more: () => ({ tab: 'basins', ...started(begin().angle, begin().velocity) }),
     leans: () => begin().angle,
     tilted: (tilt) => started(tilt, 0),
   };

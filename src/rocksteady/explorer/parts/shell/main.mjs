@@ -56,7 +56,7 @@ async function openLab(app) {
   await turn();
   makeBench(app);
   listenToKeys(app);
-  element('back').addEventListener('click', () => app.set(app.shared.picture ?? { tab: ROOMS[app.state.tab] ?? 'shake' }));
+  element('back').addEventListener('click', () => app.set({ tab: ROOMS[app.state.tab] }));
   /** @type {Promise<void> | undefined} */
   let panels;
   let { tab } = app.state;

@@ -24,8 +24,8 @@ export async function openPlaces(app, make) {
     element(room).hidden = false;
     element(other).hidden = true;
     setOn(document.documentElement, 'data-at', at);
-    setOn(element('skip'), 'href', room === 'lab' ? '#panels' : '#scene-swing');
-    say(element('skip'), room === 'lab' ? 'Skip to the panels' : 'Skip to the six ideas');
+    setOn(element('skip'), 'href', room === 'lab' ? '#lab' : '#scene-swing');
+    say(element('skip'), room === 'lab' ? 'Skip to the laboratory' : 'Skip to the six ideas');
     for (const link of document.querySelectorAll('#places nav a')) {
       const here = (link.getAttribute('data-to') === 'lab') === (room === 'lab') && at !== 'push';
       if (here) link.setAttribute('aria-current', 'true');

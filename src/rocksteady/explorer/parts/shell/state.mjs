@@ -13,6 +13,7 @@ export const TABS = ['shake', 'start', 'quake', 'size'];
 /** @type {Readonly<Record<string, string>>} */
 export const ROOMS = { explore: 'shake', basins: 'start', pulse: 'shake', design: 'size' };
 
+const FULL = ['shake', 'size']; // questions of blocks with a size, by the full equations whatever the model
 const DECIMAL = /^\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*$/i; // no 0x10
 
 /**
@@ -296,8 +297,9 @@ export function isWhole(state) {
  * @returns {'linear' | 'nonlinear'}
  */
 export function equationsOf(state) {
+  if (FULL.includes(state.tab)) return 'nonlinear';
   if (state.model !== 'auto') return state.model;
-  const sized = [...TABS, 'design', ...(state.units === 'si' ? ['pulse'] : [])];
+  const sized = ['start', 'quake', 'design', ...(state.units === 'si' ? ['pulse'] : [])];
   return sized.includes(state.tab) ? 'nonlinear' : 'linear';
 }
 

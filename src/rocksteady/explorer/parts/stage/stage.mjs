@@ -198,6 +198,10 @@ export function makeStage(app, canvas, setting) {
     ...tale, alpha: block.alpha, lift: evaluate(kernels, 'tan', block.alpha), lies, rocks: state.side !== 0,
     angle: Math.abs(state.angle), quiet: time - pushed > QUIET.for, held: held !== null || keys !== 0, leaned,
   });
+  /** Whether the block can be measured and tilted: it stands, or is held at a tilt. */
+  const waits = () => !lies && (state.side === 0 || leaned);
+  /** Whether its height is beside it, and not behind it where it leans. */
+  const tallShown = () => waits() && state.side >= 0;
   /** Whether no ground that a hand makes brings the block back. */
   const lost = () => lies || Math.abs(state.angle) * block.alpha >= block.alpha + Math.atan(MOST_PUSH / GRAVITY);
 
@@ -219,7 +223,7 @@ export function makeStage(app, canvas, setting) {
     if (held?.what !== 'wide' && held?.what !== 'tall') wanted = given.tall / body.height;
     if (app.still || room !== `${width} ${height}`) unit = wanted;
     room = `${width} ${height}`;
-    const at = spots(given), still = state.side === 0 && !lies;
+    const at = spots(given);
     if (shows || time > 0 && (trace.length > 2)) drawTrace(pen, given);
     drawGround(pen, theme, { width, height: height - level, y: level, x: at.x, unit });
     drawBlock(pen, theme, shape, {
@@ -230,8 +234,10 @@ export function makeStage(app, canvas, setting) {
     for (const { time: hit, side } of hits.slice(-4)) {
       drawFlash(pen, theme, at.x + side * shape.halfWidth * unit, level, 1 - (time - hit) / GLOW);
     }
-    if (setting.sized) drawSizes(pen, at, level, still);
-    if (setting.sized && !lies && (still || leaned)) drawRing(pen, theme, at.top.x, at.top.y, leaned ? 12 : 9);
+    if (setting.sized && waits()) {
+      drawSizes(pen, at, level);
+      drawRing(pen, theme, at.top.x, at.top.y, leaned ? 12 : 9);
+    }
     for (const to of [-1, 1]) {
       const { x, y } = at.push;
       drawLine(pen, theme, [x + 20 * to, y, x + 38 * to, y], 'ink', 2.5);
@@ -240,21 +246,21 @@ export function makeStage(app, canvas, setting) {
     drawRing(pen, theme, at.push.x, at.push.y, held?.what === 'push' ? 14 : 11);
     if (given.ticks) write(pen, theme, given.ticks, given.trace.right, level + 28, { align: 'right' });
     setting.placed?.({
-      wide: { x: at.wide.x, y: at.wide.y, shown: still || held?.what === 'wide' },
-      tall: { x: at.tall.x, y: level - 0.5 * body.height * unit, shown: still || held?.what === 'tall' },
+      wide: { x: at.wide.x, y: at.wide.y, shown: waits() },
+      tall: { x: at.tall.x, y: level - 0.5 * body.height * unit, shown: tallShown() },
     });
   });
 
   /** Draw width and height with their handles. @param {Pen} pen @param {ReturnType<typeof spots>} at
-   * @param {number} level @param {boolean} still */
-  const drawSizes = (pen, { x, wide, tall }, level, still) => {
-    if (!still) return;
+   * @param {number} level */
+  const drawSizes = (pen, { x, wide, tall }, level) => {
     const { theme } = app, left = x - shape.halfWidth * unit;
     drawLine(pen, theme, [left, wide.y, wide.x, wide.y], 'ink', 1.25);
     for (const edge of [left, wide.x]) drawLine(pen, theme, [edge, level + 16, edge, wide.y + 6], 'ink');
+    drawRing(pen, theme, wide.x, wide.y, held?.what === 'wide' ? 9 : 7);
+    if (!tallShown()) return;
     drawLine(pen, theme, [tall.x, tall.y, tall.x, level], 'ink', 1.25);
     drawLine(pen, theme, [wide.x + 6, tall.y, tall.x + 6, tall.y], 'ink');
-    drawRing(pen, theme, wide.x, wide.y, held?.what === 'wide' ? 9 : 7);
     drawRing(pen, theme, tall.x, tall.y, held?.what === 'tall' ? 9 : 7);
   };
   /** Draw the plumb line through the mass centre, which stands outside its corner. @param {Pen} pen
@@ -352,9 +358,10 @@ export function makeStage(app, canvas, setting) {
   const under = ({ x, y }, reach) => {
     const at = spots(layout()), near = (/** @type {{ x: number, y: number }} */ spot) =>
       Math.hypot(spot.x - x, spot.y - y) < reach;
-    if (setting.sized && leaned && near(at.top)) return 'top';
-    if (setting.sized && !state.side && !lies) {
-      for (const what of /** @type {const} */ (['wide', 'tall', 'top'])) if (near(at[what])) return what;
+    if (setting.sized && waits()) {
+      for (const what of /** @type {const} */ (['top', 'wide', 'tall'])) {
+        if (near(at[what]) && (what !== 'tall' || tallShown())) return what;
+      }
     }
     return 'push';
   };

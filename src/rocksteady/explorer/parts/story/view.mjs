@@ -9,6 +9,7 @@
  */
 
 const SHEET = 3; // pixels of a canvas that is printed, each way
+let firstAt = 0; // the frame in which a canvas was last drawn for the first time: it takes long, another waits
 
 /**
  * Return a view that draws on a canvas.
@@ -18,15 +19,20 @@ const SHEET = 3; // pixels of a canvas that is printed, each way
  */
 export function makeView(canvas, draw) {
   const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-  let asked = false;
+  let asked = false, drawn = false;
   const view = {
     canvas,
     seen: false,
     ask() {
       if (asked || !view.seen) return;
       asked = true;
-      requestAnimationFrame(() => {
-        asked = false;
+      requestAnimationFrame(function frame(now) {
+        if (!drawn && firstAt === now) {
+          requestAnimationFrame(frame);
+          return;
+        }
+        if (!drawn) firstAt = now;
+        [asked, drawn] = [false, true];
         view.paint();
       });
     },
