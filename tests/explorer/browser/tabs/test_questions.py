@@ -94,10 +94,25 @@ def test_a_size_falls_and_says_how_much_wider_it_stands(explorer: Explorer) -> N
 
 
 def test_more_and_back_leave_the_shaking_as_it_was(explorer: Explorer) -> None:
-    page = explorer.open(f"{START}&A=2.5", size=WIDE)
+    page = explorer.open(f"{START}&A=2.5&start=0.5,0", size=WIDE)
     page.get_by_role("link", name="More, for researchers").click()
-    page.locator("[data-panel='map']").wait_for()
-    assert link(page)["A"] == "0"
+    page.locator("[data-panel='basins']").wait_for()
     page.get_by_role("button", name="Back to the picture").click()
     page.locator("#bench").wait_for()
-    assert (link(page)["A"], link(page)["tab"]) == ("2.5", "start")
+    assert (link(page)["A"], link(page)["tab"], link(page)["start"]) == ("2.5", "start", "0.5,0")
+    said(page, "bench-says", r"^The first rock takes \d\.\d\d s\.$")
+
+
+def test_no_map_and_no_share_of_another_picture_is_shown(explorer: Explorer) -> None:
+    page = explorer.open(f"{START}&ground=shaken&model=linear&A=0.5&W=2&start=0.4,0", size=WIDE)
+    said(page, "bench-says", SHARE, seconds=30.0)
+    first = sentence(page)
+    page.get_by_role("radio", name="still ground").click()
+    said(page, "bench-says", "^The first rock")
+    page.get_by_role("radio", name="shaken").click()
+    said(page, "bench-says", SHARE, seconds=2.0)
+    assert sentence(page) == first, "it was known"
+    page.fill("#bench-b", "0.7")
+    page.keyboard.press("Enter")
+    said(page, "bench-note", "Full equations")
+    said(page, "bench-says", r"^From here it [a-z ]+\.$")

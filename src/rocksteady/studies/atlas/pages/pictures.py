@@ -116,7 +116,7 @@ def draw_families(
 def draw_coexistence(
     result: Coexistence, families: Sequence[FamilyMap], lines: Sequence[Line]
 ) -> "Figure":
-    """Draw the number of motions, and the regions of those that do not rock with the shaking."""
+    """Draw how many motions there are, and where those of other periods were found."""
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
 

@@ -199,6 +199,6 @@ export function motionsSentence(app, block, { fault, found, given }) {
     return `${motionWords(motion)}${size}`;
   });
   const last = words.pop();
-  if (!words.length) return `However it begins, it ${last}.`;
+  if (!words.length) return `From every start tried, it ${last}.`;
   return `It ${words.join(', ')} or ${last}: how it begins decides.`;
 }
